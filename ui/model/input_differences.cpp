@@ -10,6 +10,7 @@
 #include "model/scene_model.h"
 #include "text/capital.h"
 #include "text/difference_text.h"
+#include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -97,10 +98,7 @@ class FieldNames {
         }
         return nullptr;
     }
-    /// The last key of a pointer without its underscores.
-    static QString words(const std::string& pointer) {
-        return QString::fromStdString(lastKey(pointer)).replace(QLatin1Char('_'), QLatin1Char(' '));
-    }
+    static QString words(const std::string& pointer) { return keyInWords(lastKey(pointer)); }
     static std::vector<std::string> segments(const std::string& pointer) {
         std::vector<std::string> all;
         for (std::size_t at = 0; at < pointer.size();) {

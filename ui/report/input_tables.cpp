@@ -7,6 +7,7 @@
 #include "case-file/json.h"
 #include "model/scene_model.h"
 #include "text/capital.h"
+#include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -92,27 +93,12 @@ class Inputs {
                 return capitalised(fieldName(named->field));
             }
         }
-        return capitalised(inWords(key, !unitOf(pointer).name.isEmpty()));
+        return capitalised(keyInWords(key));
     }
 
     static const std::vector<std::string>& noKeys() {
         static const std::vector<std::string> none;
         return none;
-    }
-
-    /// A key without the unit that it ends in: "stiffness_N_m" as "stiffness".
-    static QString inWords(const std::string& key, bool hasUnit) {
-        QStringList parts = QString::fromStdString(key).split(QLatin1Char('_'));
-        static const QStringList units{
-            QStringLiteral("deg"),  QStringLiteral("rad"), QStringLiteral("s"),
-            QStringLiteral("mm"),   QStringLiteral("m"),   QStringLiteral("N"),
-            QStringLiteral("Nm"),   QStringLiteral("kg"),  QStringLiteral("g"),
-            QStringLiteral("rpm"),  QStringLiteral("bar"), QStringLiteral("K"),
-            QStringLiteral("kgmm2")};
-        while (hasUnit && parts.size() > 1 && units.contains(parts.last())) {
-            parts.removeLast();
-        }
-        return parts.join(QLatin1Char(' '));
     }
 
     QString meaningOf(const std::string& pointer) const {
@@ -143,7 +129,7 @@ class Inputs {
                 }
             }
         }
-        return QString::fromStdString(word);
+        return word == "solve" ? keyInWords(word) : QString::fromStdString(word);
     }
 
     /// Few values as they are, many by their number and bounds.

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -28,6 +29,7 @@
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "text/key_words.h"
 #include "text/language.h"
 #include "text/preferences.h"
 
@@ -203,6 +205,30 @@ TEST_P(RussianPage, ChangesWhileItsWindowIsOpen) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(test::sceneNames()),
                          test::sceneOf<::testing::TestParamInfo<std::string>>);
+
+/// What a report calls an object or a field that no form names.
+TEST(KeysInWords, AreThereToTranslate) {
+    QFile file(QStringLiteral(RAVNOVES_SOURCE "/ui/text/key_words.cpp"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString words = QString::fromUtf8(file.readAll());
+    for (const std::string& scene : test::sceneNamesWithCases()) {
+        const auto page = test::makePage(scene);
+        for (const FieldEntry& entry : page->model()->describedFields()) {
+            QStringList keys =
+                QString::fromStdString(entry.pointer).split(u'/', Qt::SkipEmptyParts);
+            if (!entry.field.label.empty()) {
+                keys.removeLast();
+            }
+            for (const QString& key : keys) {
+                bool isPlace = false;
+                key.toInt(&isPlace);
+                const QString shown = keyInWords(key.toStdString());
+                EXPECT_TRUE(isPlace || words.contains(u"\"Keys\", \"%1\""_s.arg(shown)))
+                    << scene << entry.pointer;
+            }
+        }
+    }
+}
 
 class RussianWindow : public ::testing::Test {
   protected:

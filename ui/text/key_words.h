@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+#include <string>
+
+namespace ravnoves {
+
+/// A key of a case file in words, in the user's language and without the unit that it ends in:
+/// "shaft_angle_deg" as "shaft angle". For what has no name in a form: objects, lists, and what
+/// stands in another's place.
+QString keyInWords(const std::string& key);
+
+}  // namespace ravnoves
