@@ -138,12 +138,12 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         return std::abs(v) > inertia_moments::zero_share * scale ? angleText(std::arg(v))
                                                                  : QStringLiteral("–");
     };
-    line(tr("force Σ e^{iκ} = %1 at %2; opposite: %3 against the rotation")
+    line(tr("force Σ exp(iκ) = %1 at %2; opposite: %3 against the rotation")
              .arg(fixedNumber(std::abs(rotating.force_factor), 3, QLocale()),
                   at(rotating.force_factor, rotating.force_scale),
                   lag(rotating.force_factor, rotating.force_scale)),
          theme.error(), true);
-    line(tr("moment Σ z e^{iκ} = %1 at %2; opposite: %3 against the rotation")
+    line(tr("moment Σ z exp(iκ) = %1 at %2; opposite: %3 against the rotation")
              .arg(shownNumber(std::abs(rotating.moment_factor), units::mm, 1),
                   at(rotating.moment_factor, rotating.moment_scale),
                   lag(rotating.moment_factor, rotating.moment_scale)),

@@ -22,7 +22,7 @@ ResultTips InertiaMomentsModel::rotatingTips() {
     return {
         {QStringLiteral("%1F"), tr("Force of the order k = the number")},
         {QStringLiteral("%1M"), tr("Moment of the order k = the number")},
-        {tr("+kω"), tr("Part A that turns with the crank: x + iy = A e^{ikφ} + B e^{−ikφ}")},
+        {tr("+kω"), tr("Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)")},
         {tr("−kω"), tr("Part B that turns against the crank")},
         {tr("at, °"), tr("Direction of the part to the left at φ = 0, counter-clockwise from x")},
     };
@@ -44,9 +44,9 @@ ResultTips InertiaMomentsModel::shaftTips() {
 
 ResultTips InertiaMomentsModel::weightTips() {
     return {
-        {shownTitle(tr("Force, N")).text, tr("Of the rotating masses, m R ω² |Σ e^{iκ}|")},
+        {shownTitle(tr("Force, N")).text, tr("Of the rotating masses, m R ω² |Σ exp(iκ)|")},
         {shownTitle(tr("Moment, N·m")).text,
-         tr("Of the rotating masses about their middle, m R ω² |Σ z e^{iκ}|")},
+         tr("Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|")},
         {tr("against the force"), tr("Where a counterweight against the force stands")},
         {tr("against the moment"),
          tr("Where the front one of two opposite counterweights against the moment stands")},
