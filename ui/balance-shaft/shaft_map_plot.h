@@ -2,6 +2,7 @@
 
 #include "balance-shaft/model/shaft_map_model.h"
 #include "plot/plot_view.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 
@@ -18,6 +19,10 @@ class ShaftMapPlot : public PlotView {
   public:
     ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget* parent = nullptr);
 
+    /// Both axes have one scale, so a map that is low is small.
+    QSize minimumSizeHint() const override {
+        return PlotView::minimumSizeHint() + QSize(0, Theme::withText(80));
+    }
     /// Where a place (m) is drawn.
     QPointF pixelOf(const ShaftMapModel::Position& position) const;
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;

@@ -12,6 +12,8 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -19,6 +21,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "model/recovery.h"
 #include "plot/picture_file.h"
@@ -176,9 +179,9 @@ void MainWindow::buildNavigation() {
         button->setFont(Theme::font(Theme::smallSize));
         action->setIconText(
             inTwoLines(action->text(), button->fontMetrics(),
-                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
+                       Theme::withText(navigationWidth) - 2 * Theme::gap - 2 * Theme::space));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumHeight(height);
+        button->setMinimumHeight(std::max(height, button->sizeHint().height()));
         button->setFocusPolicy(Qt::TabFocus);
         column->addWidget(button);
     };
@@ -202,7 +205,20 @@ void MainWindow::buildNavigation() {
         scenes_.push_back(action);
     }
     column->addStretch();
-    row->addWidget(navigation);
+    // In a window that is too low for all of them they scroll.
+    auto* area = new QScrollArea(centre);
+    area->setObjectName(QStringLiteral("navigation"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    area->setWidget(navigation);
+    area->setFixedWidth(navigation->minimumWidth());
+    const QScrollBar* bar = area->verticalScrollBar();
+    connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
+        area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
+    });
+    row->addWidget(area);
     auto* line = new QFrame(centre);
     line->setFrameShape(QFrame::VLine);
     line->setFrameShadow(QFrame::Plain);

@@ -268,8 +268,10 @@ void StartPage::arrange() {
     for (int i = 0; i < cards_->count(); ++i) {
         narrowest = std::max(narrowest, cards_->itemAt(i)->widget()->minimumSizeHint().width());
     }
-    const int columns =
+    const int room =
         std::clamp((width() - 4 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
+    const int rows = (cards_->count() + room - 1) / room;
+    const int columns = (cards_->count() + rows - 1) / rows;  // rows of one length
     if (columns == columns_) {
         return;
     }

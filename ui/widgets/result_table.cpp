@@ -121,6 +121,7 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     verticalHeader()->setDefaultSectionSize(plainRowHeight());
     verticalHeader()->setMinimumSectionSize(Theme::withText(18));
     horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // until it is needed
