@@ -11,6 +11,7 @@
 
 #include "model/scene_model.h"
 #include "theme/theme.h"
+#include "widgets/dialog_size.h"
 
 namespace ravnoves {
 
@@ -45,7 +46,7 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, this,
                 &CaseProperties::accept);
     }
-    resize(480, 320);
+    resizeWithText(this, 480, 320);
 }
 
 void CaseProperties::accept() {

@@ -17,6 +17,7 @@
 
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/dialog_size.h"
 
 namespace ravnoves {
 
@@ -54,7 +55,7 @@ class HelpText : public QTextBrowser {
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Help"));
     setSizeGripEnabled(true);
-    resize(980, 680);
+    resizeWithText(this, 980, 680);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

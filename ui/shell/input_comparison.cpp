@@ -12,6 +12,7 @@
 #include "model/input_differences.h"
 #include "shell/scene_page.h"
 #include "theme/theme.h"
+#include "widgets/dialog_size.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -22,7 +23,7 @@ InputComparison::InputComparison(ScenePage* page, QWidget* parent)
       title_(new QLabel(this)),
       table_(new ResultTable(this)) {
     setWindowTitle(tr("Inputs against the reference"));
-    resize(680, 420);
+    resizeWithText(this, 680, 420);
     auto* column = new QVBoxLayout(this);
     title_->setWordWrap(true);
     column->addWidget(title_);

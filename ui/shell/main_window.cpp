@@ -179,7 +179,7 @@ void MainWindow::buildNavigation() {
         button->setFont(Theme::font(Theme::smallSize));
         action->setIconText(
             inTwoLines(action->text(), button->fontMetrics(),
-                       Theme::withText(navigationWidth) - 2 * Theme::gap - 2 * Theme::space));
+                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setMinimumHeight(std::max(height, button->sizeHint().height()));
         button->setFocusPolicy(Qt::TabFocus);

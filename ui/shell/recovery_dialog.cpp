@@ -10,6 +10,7 @@
 
 #include "shell/scene_list.h"
 #include "theme/theme.h"
+#include "widgets/dialog_size.h"
 
 namespace ravnoves {
 
@@ -101,7 +102,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         reject();
     })->setToolTip(cases_.isEmpty() ? QString() : tr("Ask again at the next start"));
     column->addLayout(buttons);
-    resize(640, cases_.isEmpty() ? 140 : 320);
+    resizeWithText(this, 640, cases_.isEmpty() ? 140 : 320);
 }
 
 QList<RecoveredCase> RecoveryDialog::takeTicked() {

@@ -13,6 +13,7 @@
 
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/dialog_size.h"
 #include "widgets/file_dialogs.h"
 #include "workshop/checked_field.h"
 #include "workshop/model/verdict.h"
@@ -62,7 +63,7 @@ QString dayTrouble(const QString& text) {
 JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent)
     : QDialog(parent), journal_(journal), scene_(scene), listed_(std::move(listed)) {
     setWindowTitle(tr("Journal of jobs"));
-    resize(Theme::withText(1000), 560);
+    resizeWithText(this, 1000, 560);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
 

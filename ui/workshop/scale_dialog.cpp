@@ -53,10 +53,12 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
     lines_->setTabChangesFocus(true);
     lines_->setMaximumBlockCount(200);
     lines_->setLineWrapMode(QPlainTextEdit::NoWrap);
-    lines_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPixelSize(Theme::font().pixelSize());
+    lines_->setFont(fixed);
     lines_->setPlaceholderText(
         tr("Press Print on the scale: its lines stand here with what is made of them."));
-    lines_->setMinimumHeight(Theme::withText(150));
+    lines_->setMinimumHeight(Theme::withText(60));
     caption->setBuddy(lines_);
     column->addWidget(caption);
     column->addWidget(lines_, 1);
