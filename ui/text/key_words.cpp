@@ -52,6 +52,7 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "mass changes"),
     QT_TRANSLATE_NOOP("Keys", "masses"),
     QT_TRANSLATE_NOOP("Keys", "master"),
+    QT_TRANSLATE_NOOP("Keys", "matching"),
     QT_TRANSLATE_NOOP("Keys", "motion"),
     QT_TRANSLATE_NOOP("Keys", "nominal"),
     QT_TRANSLATE_NOOP("Keys", "notes"),
