@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "methods/definition.h"
 #include "studies/exact_sum.h"
@@ -19,7 +22,9 @@ using studies::Law;
 constexpr std::size_t seeds = 16;
 constexpr double jump_deg = 60.0;  ///< between the two minima
 constexpr double sway_deg = 10.0;  ///< of each of them
-constexpr double aside = 0.5;      ///< part of the value that another input makes, unbound
+/// What no number holds: it is refused.
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double aside = 0.5;  ///< part of the value that another input makes, unbound
 
 /// A value whose inputs scatter uniformly.
 struct ScatterCase {
@@ -142,11 +147,12 @@ class CaseResponse final : public Response {
     int asked_ = 0;
 };
 
-studies::Taylor::Propagated expanded(CaseResponse& response, const std::vector<Law>& laws,
-                                     bool second) {
+/// Nothing where the values are beyond what numbers hold.
+std::optional<studies::Taylor::Propagated> expanded(CaseResponse& response,
+                                                    const std::vector<Law>& laws, bool second) {
     constexpr std::array<double, 1> no_angle{};
     studies::Differences differences(response, laws, 1);
-    return *differences.expand(no_angle, second).front().propagated(laws, second);
+    return differences.expand(no_angle, second).front().propagated(laws, second);
 }
 
 Method<ScatterCase> expansion(MethodInfo info, bool second) {
@@ -157,8 +163,8 @@ Method<ScatterCase> expansion(MethodInfo info, bool second) {
             for (std::size_t seed = 0; seed < seeds; ++seed) {
                 CaseResponse response(of);
                 const auto found = expanded(response, laws, second);
-                out[2 * seed] = found.mean;
-                out[2 * seed + 1] = found.deviation;
+                out[2 * seed] = found ? found->mean : nothing;
+                out[2 * seed + 1] = found ? found->deviation : nothing;
             }
             return Message();
         };
@@ -193,6 +199,10 @@ Method<ScatterCase> sampled(MethodInfo info, studies::Method points, double poin
                         u[j] = laws[j].at(u[j]);
                     }
                     const double value = of(u);
+                    if (!std::isfinite(4.0 * value * value)) {
+                        std::fill(out.begin(), out.end(), nothing);
+                        return Message();
+                    }
                     first = i == 0 ? value : first;
                     sum.add(value - first);
                     squares.add((value - first) * (value - first));
