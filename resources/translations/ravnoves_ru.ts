@@ -109,14 +109,6 @@
         <translation>Грузы шеек по их собственным деталям, %1: %2.</translation>
     </message>
     <message>
-        <source>%1 off no. %2</source>
-        <translation>%1 с № %2</translation>
-    </message>
-    <message>
-        <source>%1, to match the lightest, %2: %3.</source>
-        <translation>%1, до самой лёгкой, %2: %3.</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Деталь</translation>
     </message>
@@ -536,8 +528,478 @@
         <translation>ИСО 21940-11, G %1, %2 при %3: Uдоп = %4 всего.</translation>
     </message>
     <message>
+        <source>take off</source>
+        <translation>снять</translation>
+    </message>
+    <message>
         <source>Not up to date, for these entries are refused: %1</source>
         <translation>Не по листу: отвергнуты значения: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Keys</name>
+    <message>
+        <source>angle</source>
+        <translation>угол</translation>
+    </message>
+    <message>
+        <source>angular speed</source>
+        <translation>угловая скорость</translation>
+    </message>
+    <message>
+        <source>articulated</source>
+        <translation>прицепной шатун</translation>
+    </message>
+    <message>
+        <source>axial position</source>
+        <translation>положение вдоль вала</translation>
+    </message>
+    <message>
+        <source>balance shafts</source>
+        <translation>балансирные валы</translation>
+    </message>
+    <message>
+        <source>balancing</source>
+        <translation>балансировка</translation>
+    </message>
+    <message>
+        <source>bank angle</source>
+        <translation>угол ряда</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>корректировка</translation>
+    </message>
+    <message>
+        <source>counterweights</source>
+        <translation>противовесы</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>угол кривошипа</translation>
+    </message>
+    <message>
+        <source>crankpin angle</source>
+        <translation>угол колена</translation>
+    </message>
+    <message>
+        <source>crankshaft number</source>
+        <translation>номер вала</translation>
+    </message>
+    <message>
+        <source>csv</source>
+        <translation>файл CSV</translation>
+    </message>
+    <message>
+        <source>customer</source>
+        <translation>заказчик</translation>
+    </message>
+    <message>
+        <source>cycle</source>
+        <translation>расчётный цикл</translation>
+    </message>
+    <message>
+        <source>cylinder numbering</source>
+        <translation>нумерация цилиндров</translation>
+    </message>
+    <message>
+        <source>cylinders</source>
+        <translation>цилиндры</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>дата</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>расстояние</translation>
+    </message>
+    <message>
+        <source>drill</source>
+        <translation>свёрла</translation>
+    </message>
+    <message>
+        <source>earlier runs</source>
+        <translation>прежние пуски</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>включено</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>двигатель</translation>
+    </message>
+    <message>
+        <source>engine number</source>
+        <translation>номер двигателя</translation>
+    </message>
+    <message>
+        <source>engine overrides</source>
+        <translation>отличия от двигателя</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>коэффициент груза</translation>
+    </message>
+    <message>
+        <source>flywheel</source>
+        <translation>маховик</translation>
+    </message>
+    <message>
+        <source>free length</source>
+        <translation>свободная длина</translation>
+    </message>
+    <message>
+        <source>gears</source>
+        <translation>шестерни</translation>
+    </message>
+    <message>
+        <source>guide radius at zero</source>
+        <translation>радиус направляющей при 0°</translation>
+    </message>
+    <message>
+        <source>guide search</source>
+        <translation>подбор направляющей</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>момент инерции</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <translation>работа</translation>
+    </message>
+    <message>
+        <source>knuckle angle</source>
+        <translation>угол пальца прицепа</translation>
+    </message>
+    <message>
+        <source>knuckle mass</source>
+        <translation>масса у пальца прицепа</translation>
+    </message>
+    <message>
+        <source>knuckle radius</source>
+        <translation>радиус пальца прицепа</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>компоновка</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>карта</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>масса</translation>
+    </message>
+    <message>
+        <source>mass changes</source>
+        <translation>изменения масс</translation>
+    </message>
+    <message>
+        <source>masses</source>
+        <translation>массы</translation>
+    </message>
+    <message>
+        <source>master</source>
+        <translation>главный шатун</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>подбор деталей</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>движение</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>примечания</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>дезаксаж</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>детали</translation>
+    </message>
+    <message>
+        <source>permitted spread</source>
+        <translation>допустимый разброс</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>палец</translation>
+    </message>
+    <message>
+        <source>piston</source>
+        <translation>поршень</translation>
+    </message>
+    <message>
+        <source>piston sets</source>
+        <translation>комплекты поршней</translation>
+    </message>
+    <message>
+        <source>place limits</source>
+        <translation>границы места</translation>
+    </message>
+    <message>
+        <source>planes</source>
+        <translation>плоскости</translation>
+    </message>
+    <message>
+        <source>plug</source>
+        <translation>пробка</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>давление</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>показания</translation>
+    </message>
+    <message>
+        <source>reciprocating mass</source>
+        <translation>поступательная масса</translation>
+    </message>
+    <message>
+        <source>reciprocating masses</source>
+        <translation>поступательные массы</translation>
+    </message>
+    <message>
+        <source>relieved shaft</source>
+        <translation>вал с проточкой</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>кольца</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>шатун</translation>
+    </message>
+    <message>
+        <source>rod big end</source>
+        <translation>нижняя головка</translation>
+    </message>
+    <message>
+        <source>rod counterweight</source>
+        <translation>противовес на шатуне</translation>
+    </message>
+    <message>
+        <source>rod hinge spring</source>
+        <translation>пружина шарнира шатуна</translation>
+    </message>
+    <message>
+        <source>rod length</source>
+        <translation>длина шатуна</translation>
+    </message>
+    <message>
+        <source>rod sets</source>
+        <translation>комплекты шатунов</translation>
+    </message>
+    <message>
+        <source>rod small end</source>
+        <translation>верхняя головка</translation>
+    </message>
+    <message>
+        <source>shaft angle</source>
+        <translation>угол вала</translation>
+    </message>
+    <message>
+        <source>shells</source>
+        <translation>вкладыши</translation>
+    </message>
+    <message>
+        <source>slug</source>
+        <translation>вставка</translation>
+    </message>
+    <message>
+        <source>solve</source>
+        <translation>найти</translation>
+    </message>
+    <message>
+        <source>speed band</source>
+        <translation>диапазон частот</translation>
+    </message>
+    <message>
+        <source>speeds</source>
+        <translation>частоты вращения</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>пружина</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>шаг</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>жёсткость</translation>
+    </message>
+    <message>
+        <source>technician</source>
+        <translation>исполнитель</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>допуск</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>крутящий момент</translation>
+    </message>
+    <message>
+        <source>unbalance</source>
+        <translation>дисбаланс</translation>
+    </message>
+    <message>
+        <source>weigh in</source>
+        <translation>взвешивание</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>вес</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>веса</translation>
+    </message>
+</context>
+<context>
+    <name>Matching</name>
+    <message>
+        <source>%1, take off</source>
+        <translation>%1, снять</translation>
+    </message>
+    <message>
+        <source>Matched parts, %1</source>
+        <translation>Подбор деталей, %1</translation>
+    </message>
+    <message>
+        <source>The parts stay: the crankpins differ by %1.</source>
+        <translation>Детали остаются на местах: разница между шейками %1.</translation>
+    </message>
+    <message>
+        <source>Too many placings to try all: fewer moves may be enough.</source>
+        <translation>Расстановок слишком много, чтобы перебрать все: может хватить и меньшего числа перестановок.</translation>
+    </message>
+    <message>
+        <source>Too many placings to try all: another may be better, by %1 at most.</source>
+        <translation>Расстановок слишком много, чтобы перебрать все: другая может быть лучше, но не более чем на %1.</translation>
+    </message>
+    <message>
+        <source>Throws from the front at %1.</source>
+        <translation>Колена спереди: %1.</translation>
+    </message>
+    <message>
+        <source>The couple counts; its size needs the cylinder spacing.</source>
+        <translation>Пара учтена; для её величины нужен шаг цилиндров.</translation>
+    </message>
+    <message>
+        <source>First-order force of the differences %1 → %2</source>
+        <translation>Сила первого порядка от разницы масс %1 → %2</translation>
+    </message>
+    <message>
+        <source>, couple %1 → %2.</source>
+        <translation>, пара %1 → %2.</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Разница</translation>
+    </message>
+    <message>
+        <source>as weighed</source>
+        <translation>сейчас</translation>
+    </message>
+    <message>
+        <source>placed so</source>
+        <translation>станет</translation>
+    </message>
+    <message>
+        <source>Crankpins, spread</source>
+        <translation>Шейки, разброс</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Сила</translation>
+    </message>
+    <message>
+        <source>Force, as mass at the crank radius</source>
+        <translation>Сила как масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Force at %1</source>
+        <translation>Сила при %1</translation>
+    </message>
+    <message>
+        <source>Couple</source>
+        <translation>Пара</translation>
+    </message>
+    <message>
+        <source>Couple at %1</source>
+        <translation>Пара при %1</translation>
+    </message>
+    <message>
+        <source>At the ends, mean</source>
+        <translation>На концах вала, среднее</translation>
+    </message>
+    <message>
+        <source>Heaviest less lightest crankpin, as their bob weights</source>
+        <translation>Самая тяжёлая шейка минус самая лёгкая, как их балансировочные грузы</translation>
+    </message>
+    <message>
+        <source>First-order force of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
+        <translation>Сила первого порядка от отклонений деталей от их среднего, наибольшая за оборот; неуравновешенность самой схемы двигателя не входит</translation>
+    </message>
+    <message>
+        <source>The same along the crankshaft, about its middle</source>
+        <translation>То же вдоль вала, относительно его середины</translation>
+    </message>
+    <message>
+        <source>Root mean square over a turn and both end cylinders, of force and couple together: what “Least shaking” makes small</source>
+        <translation>Среднее квадратичное за оборот по обоим крайним цилиндрам, сила и пара вместе: это уменьшает цель «Меньше тряски»</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Цилиндр</translation>
+    </message>
+    <message>
+        <source>Piston from</source>
+        <translation>Поршень из</translation>
+    </message>
+    <message>
+        <source>Rod from</source>
+        <translation>Шатун из</translation>
+    </message>
+    <message>
+        <source>A dot: the part stays; a number: it comes from that cylinder</source>
+        <translation>Точка: деталь остаётся; число: она приходит из этого цилиндра</translation>
+    </message>
+    <message>
+        <source>Cylinder from which the piston comes</source>
+        <translation>Цилиндр, из которого приходит поршень</translation>
+    </message>
+    <message>
+        <source>Cylinder from which the rod comes</source>
+        <translation>Цилиндр, из которого приходит шатун</translation>
+    </message>
+    <message>
+        <source>Take off, %1</source>
+        <translation>Снять, %1</translation>
     </message>
 </context>
 <context>
@@ -1315,10 +1777,6 @@
     <message>
         <source>(!) After equals nominal by the method alone.</source>
         <translation>(!) После равно номиналу лишь по методу.</translation>
-    </message>
-    <message>
-        <source>must be the numbers 1 to 8, each once</source>
-        <translation>должны быть числа от 1 до 8, каждое один раз</translation>
     </message>
     <message>
         <source>In each correction plane. 5 g·mm is what Nazarov&apos;s experiments left; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
@@ -3782,6 +4240,18 @@
         <translation>фунт/фут³</translation>
     </message>
     <message>
+        <source>cm</source>
+        <translation>см</translation>
+    </message>
+    <message>
+        <source>s⁻¹</source>
+        <translation>с⁻¹</translation>
+    </message>
+    <message>
+        <source>g·mm²</source>
+        <translation>г·мм²</translation>
+    </message>
+    <message>
         <source>g·in</source>
         <translation>г·дюйм</translation>
     </message>
@@ -5214,6 +5684,177 @@
     <message>
         <source>Kind of layout</source>
         <translation>Вид компоновки</translation>
+    </message>
+</context>
+<context>
+    <name>matching</name>
+    <message>
+        <source>the bank angle is missing</source>
+        <translation>не задан угол развала</translation>
+    </message>
+    <message>
+        <source>%1 angles of the crankpins are needed</source>
+        <translation>нужны углы колен, всего %1</translation>
+    </message>
+    <message>
+        <source>the bank offset needs the cylinder spacing</source>
+        <translation>к смещению рядов нужен шаг цилиндров</translation>
+    </message>
+    <message>
+        <source>By how much the crankpins may differ is missing: they are made as equal as can be.</source>
+        <translation>Не задана допустимая разница шеек: шейки уравнены насколько можно.</translation>
+    </message>
+    <message>
+        <source>What the engine feels is not known (%1): the crankpins are made as equal as can be.</source>
+        <translation>Что почувствует двигатель, неизвестно (%1): шейки уравнены насколько можно.</translation>
+    </message>
+    <message>
+        <source>No placing found brings the crankpins within %1 of one another: they are made as equal as can be. Take off what the heavier parts have too much.</source>
+        <translation>Ни одна найденная расстановка не сводит разницу шеек до %1: они уравнены насколько можно. Снимите лишнее с более тяжёлых деталей.</translation>
+    </message>
+    <message>
+        <source>must be a list of %1 angles</source>
+        <translation>должно быть списком углов, всего %1</translation>
+    </message>
+    <message>
+        <source>is required where the bank offset is given</source>
+        <translation>необходимо, если задано смещение рядов</translation>
+    </message>
+    <message>
+        <source>Equal crankpins</source>
+        <translation>Равные шейки</translation>
+    </message>
+    <message>
+        <source>Fewest moves</source>
+        <translation>Меньше перестановок</translation>
+    </message>
+    <message>
+        <source>Least shaking</source>
+        <translation>Меньше тряски</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>любой</translation>
+    </message>
+    <message>
+        <source>bank</source>
+        <translation>в ряду</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>стоит</translation>
+    </message>
+    <message>
+        <source>goes</source>
+        <translation>идёт</translation>
+    </message>
+    <message>
+        <source>How weighed parts are matched: the goal, and what may move.</source>
+        <translation>Как подбираются взвешенные детали: цель и что можно переставлять.</translation>
+    </message>
+    <message>
+        <source>Place the parts for</source>
+        <translation>Расставить детали:</translation>
+    </message>
+    <message>
+        <source>Crankpins whose weights differ least; the fewest sets moved that bring them within what they may differ by; or the least first-order force at both ends of the crankshaft, force and couple together, of what the parts differ by.</source>
+        <translation>Наименьшая разница между шейками; наименьшее число перестановок, при котором разница допустима; или наименьшая сила первого порядка на обоих концах вала, сила и пара вместе, от разницы масс деталей.</translation>
+    </message>
+    <message>
+        <source>Piston sets may go</source>
+        <translation>Куда можно поршни</translation>
+    </message>
+    <message>
+        <source>Piston with pin and rings: anywhere, within their bank where pockets or an offset pin ask for it, or they stay: fitted to their bores.</source>
+        <translation>Поршень с пальцем и кольцами: в любой цилиндр; в своём ряду, если того требуют выемки под клапаны или смещённый палец; или остаётся, если пригнан к цилиндру.</translation>
+    </message>
+    <message>
+        <source>Pins may go</source>
+        <translation>Куда можно пальцы</translation>
+    </message>
+    <message>
+        <source>With their piston, or they stay where they are.</source>
+        <translation>Вместе с поршнем или остаются на месте.</translation>
+    </message>
+    <message>
+        <source>Rings may go</source>
+        <translation>Куда можно кольца</translation>
+    </message>
+    <message>
+        <source>With their piston, or they stay: gapped to their bores.</source>
+        <translation>Вместе с поршнем или остаются: подогнаны к цилиндрам.</translation>
+    </message>
+    <message>
+        <source>Rods may go</source>
+        <translation>Куда можно шатуны</translation>
+    </message>
+    <message>
+        <source>Rod with its shells: anywhere, within their bank where each faces its side of the crankpin, or they stay.</source>
+        <translation>Шатун с вкладышами: в любой цилиндр; в своём ряду, если каждый обращён к своей щеке; или остаётся.</translation>
+    </message>
+    <message>
+        <source>Shells may go</source>
+        <translation>Куда можно вкладыши</translation>
+    </message>
+    <message>
+        <source>With their rod, or they stay: chosen for their journal.</source>
+        <translation>Вместе с шатуном или остаются: подобраны к шейке.</translation>
+    </message>
+    <message>
+        <source>Crankpins may differ by</source>
+        <translation>Допустимая разница шеек</translation>
+    </message>
+    <message>
+        <source>Heaviest less lightest crankpin, as their bob weights: for the fewest moves within it.</source>
+        <translation>Самая тяжёлая шейка минус самая лёгкая, как их балансировочные грузы: для наименьшего числа перестановок.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>не задана</translation>
+    </message>
+    <message>
+        <source>Crankpins at</source>
+        <translation>Углы шеек</translation>
+    </message>
+    <message>
+        <source>Angles of the throws from the front, in the sense from the second bank to the first. Empty: those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180.</source>
+        <translation>Углы колен спереди, в направлении от второго ряда к первому. Пусто: обычные для двигателя, крестообразный вал V-8: 0; 90; 270; 180.</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>обычные</translation>
+    </message>
+    <message>
+        <source>Cylinder spacing</source>
+        <translation>Шаг цилиндров</translation>
+    </message>
+    <message>
+        <source>Between neighbours of a bank, along the crankshaft: for the size of the couple.</source>
+        <translation>Между соседними цилиндрами ряда, вдоль вала: для величины пары.</translation>
+    </message>
+    <message>
+        <source>no couple</source>
+        <translation>без пары</translation>
+    </message>
+    <message>
+        <source>Bank offset</source>
+        <translation>Смещение рядов</translation>
+    </message>
+    <message>
+        <source>By how much the second bank stands behind the first: the width of a big end. It needs the spacing.</source>
+        <translation>На сколько второй ряд стоит позади первого: ширина нижней головки. Нужен и шаг цилиндров.</translation>
+    </message>
+    <message>
+        <source>Crank radius</source>
+        <translation>Радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>For forces in g·mm and N; without it they are masses at it.</source>
+        <translation>Для сил в г·мм и Н; без него это массы на радиусе кривошипа.</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>без силы</translation>
     </message>
 </context>
 <context>
@@ -7771,6 +8412,10 @@ but nothing can be built</source>
         <translation>Вставить массы</translation>
     </message>
     <message>
+        <source>Move parts</source>
+        <translation>Перестановка деталей</translation>
+    </message>
+    <message>
         <source>%1, %2: %3 is still needed.</source>
         <translation>%1, %2: ещё нужно «%3».</translation>
     </message>
@@ -7873,6 +8518,13 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::CloudPlot</name>
+    <message>
+        <source>%1. %2 from %3 to %4, over %5 from %6 to %7.</source>
+        <translation>%1. %2 от %3 до %4, над %5 от %6 до %7.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::Comparison</name>
     <message>
         <source>Reference %1: %2</source>
@@ -7913,10 +8565,6 @@ but nothing can be built</source>
         <translation>Вал спереди, шатунная шейка 1 вверху; углы от шейки 1 против часовой стрелки, отставания — против вращения.</translation>
     </message>
     <message>
-        <source>force Σ e^{iκ} = %1 at %2; opposite: %3 against the rotation</source>
-        <translation>сила Σ e^{iκ} = %1 под углом %2; противоположно: %3 против вращения</translation>
-    </message>
-    <message>
         <source>front web</source>
         <translation>передняя щека</translation>
     </message>
@@ -7933,12 +8581,16 @@ but nothing can be built</source>
         <translation>Противовесов нет: включите их на вкладке «Баланс».</translation>
     </message>
     <message>
-        <source>moment Σ z e^{iκ} = %1 at %2; opposite: %3 against the rotation</source>
-        <translation>момент Σ z e^{iκ} = %1 под углом %2; противоположно: %3 против вращения</translation>
-    </message>
-    <message>
         <source>%1: %2 at ρ %3, %4</source>
         <translation>%1: %2 на ρ %3, %4</translation>
+    </message>
+    <message>
+        <source>force Σ exp(iκ) = %1 at %2; opposite: %3 against the rotation</source>
+        <translation>сила Σ exp(iκ) = %1 под углом %2; противоположно: %3 против вращения</translation>
+    </message>
+    <message>
+        <source>moment Σ z exp(iκ) = %1 at %2; opposite: %3 against the rotation</source>
+        <translation>момент Σ z exp(iκ) = %1 под углом %2; противоположно: %3 против вращения</translation>
     </message>
 </context>
 <context>
@@ -10176,10 +10828,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Двучленная против точной, в долях точной</translation>
     </message>
     <message>
-        <source>Part A that turns with the crank: x + iy = A e^{ikφ} + B e^{−ikφ}</source>
-        <translation>Часть A, вращающаяся с валом: x + iy = A e^{ikφ} + B e^{−ikφ}</translation>
-    </message>
-    <message>
         <source>Part B that turns against the crank</source>
         <translation>Часть B, вращающаяся навстречу валу</translation>
     </message>
@@ -10198,14 +10846,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Direction of its weight (of that towards cylinder 1) at φ = 0, counter-clockwise from x</source>
         <translation>Направление его груза (того, что к цилиндру 1) при φ = 0, против часовой стрелки от x</translation>
-    </message>
-    <message>
-        <source>Of the rotating masses, m R ω² |Σ e^{iκ}|</source>
-        <translation>Вращающихся масс, m R ω² |Σ e^{iκ}|</translation>
-    </message>
-    <message>
-        <source>Of the rotating masses about their middle, m R ω² |Σ z e^{iκ}|</source>
-        <translation>Вращающихся масс относительно их середины, m R ω² |Σ z e^{iκ}|</translation>
     </message>
     <message>
         <source>Where a counterweight against the force stands</source>
@@ -10294,6 +10934,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Largest value of the order with this shaft alone</source>
         <translation>Наибольшее значение порядка с одним этим валом</translation>
+    </message>
+    <message>
+        <source>Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)</source>
+        <translation>Часть A, вращающаяся с валом: x + iy = A exp(ikφ) + B exp(−ikφ)</translation>
+    </message>
+    <message>
+        <source>Of the rotating masses, m R ω² |Σ exp(iκ)|</source>
+        <translation>Вращающихся масс, m R ω² |Σ exp(iκ)|</translation>
+    </message>
+    <message>
+        <source>Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
+        <translation>Вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
     </message>
 </context>
 <context>
@@ -10961,6 +11613,45 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Bands about the curves and ± beside the numbers, where the case has tolerances</source>
         <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MatchingSheet</name>
+    <message>
+        <source>may go</source>
+        <translation>куда</translation>
+    </message>
+    <message>
+        <source>with it</source>
+        <translation>с ним</translation>
+    </message>
+    <message>
+        <source>The small end goes with the big end: they are one rod.</source>
+        <translation>Верхняя головка идёт вместе с нижней: это один шатун.</translation>
+    </message>
+    <message>
+        <source>Angles in degrees, one after the other: 0; 90; 270; 180</source>
+        <translation>Углы в градусах подряд: 0; 90; 270; 180</translation>
+    </message>
+    <message>
+        <source>&amp;Move them here</source>
+        <translation>Пере&amp;ставить здесь</translation>
+    </message>
+    <message>
+        <source>The weights change places on this sheet as the parts do.</source>
+        <translation>Массы на этом листе меняются местами, как и детали.</translation>
+    </message>
+    <message>
+        <source>What the placing makes of the differences</source>
+        <translation>Что даёт расстановка</translation>
+    </message>
+    <message>
+        <source>Which set goes to which cylinder</source>
+        <translation>Какой комплект в какой цилиндр</translation>
+    </message>
+    <message>
+        <source>What to take off each part to reach the lightest</source>
+        <translation>Сколько снять с каждой детали до самой лёгкой</translation>
     </message>
 </context>
 <context>
@@ -14912,18 +15603,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Задняя (маховик)</translation>
     </message>
     <message>
-        <source>Cylinder</source>
-        <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>Piston from</source>
-        <translation>Поршень из</translation>
-    </message>
-    <message>
-        <source>Rod from</source>
-        <translation>Шатун из</translation>
-    </message>
-    <message>
         <source>Crankpin</source>
         <translation>Шейка</translation>
     </message>
@@ -15010,18 +15689,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Passes where the reading is not above what is allowed</source>
         <translation>Годен, если показание не выше допускаемого</translation>
-    </message>
-    <message>
-        <source>A dot: the part stays; a number: it comes from that cylinder</source>
-        <translation>Точка: деталь остаётся; число: она приходит из этого цилиндра</translation>
-    </message>
-    <message>
-        <source>Cylinder from which the piston comes</source>
-        <translation>Цилиндр, из которого приходит поршень</translation>
-    </message>
-    <message>
-        <source>Cylinder from which the rod comes</source>
-        <translation>Цилиндр, из которого приходит шатун</translation>
     </message>
     <message>
         <source>Excess on each crankpin over the mean, parts where they are</source>
@@ -15349,20 +16016,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
     </message>
     <message>
-        <source>Which set goes to which cylinder</source>
-        <translation>Какой комплект в какой цилиндр</translation>
-    </message>
-    <message>
         <source>to nominal, g</source>
         <translation>к номиналу, г</translation>
-    </message>
-    <message>
-        <source>&amp;Move them here</source>
-        <translation>Пере&amp;ставить здесь</translation>
-    </message>
-    <message>
-        <source>The weights change places on this sheet as the parts do.</source>
-        <translation>Массы на этом листе меняются местами, как и детали.</translation>
     </message>
     <message>
         <source>Move parts</source>
@@ -15885,6 +16540,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>must be a list of %1 masses, one for each cylinder</source>
         <translation>должен быть списком масс по числу цилиндров (%1)</translation>
+    </message>
+    <message>
+        <source>must be the numbers 1 to %1, each once</source>
+        <translation>должны быть номера от 1 до %1, каждый один раз</translation>
     </message>
 </context>
 </TS>
