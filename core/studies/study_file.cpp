@@ -257,9 +257,15 @@ std::optional<double> vague_sensitivities(const Statistics& found) {
 constexpr Text no_derivative = CORE_TEXT(
     "studies", "%1 has no linear answer: a derivative does not exist at the inputs' means.");
 
-Message reason_of(const Departure& departure, const Study& study, double deviation) {
-    const std::string& input = study.vary[departure.input].pointer;
-    const Number at{departure.at, {}, 6};
+/// A number that is but what rounding leaves of another is 0.
+Number shown(double value, double size, int digits, double rounding = 1e-10) {
+    return {std::abs(value) < rounding * std::abs(size) ? 0.0 : value, {}, digits};
+}
+
+Message reason_of(const Departure& departure, const Part& part, double deviation) {
+    const std::string& input = part.study.vary[departure.input].pointer;
+    constexpr double halved_to = 1e-6;  // the place was halved to about that of the deviation
+    const Number at = shown(departure.at, part.basis.laws[departure.input].deviation, 6, halved_to);
     if (departure.size < 0.05 * deviation) {
         return CORE_TEXT("studies", "the inputs act on it together");
     }
@@ -314,7 +320,7 @@ void add_notes_of_expansions(const Part& part, std::vector<Message>& notes) {
         if (!refused && !(basis.distances[w] > least)) {
             continue;
         }
-        const Message why = reason_of(departure, part.study, basis.distances[w]);
+        const Message why = reason_of(departure, part, basis.distances[w]);
         if (refused) {
             notes.push_back({second ? CORE_TEXT("studies",
                                                 "The second order fails for %1 within two standard "
@@ -379,13 +385,14 @@ std::vector<Message> notes_of(const Part& part) {
         if (!deviation_fails && !(std::abs(shift) > std::max(3.0 * mean_error, least))) {
             continue;
         }
+        const double size = std::max(std::abs(found.mean), found.plain_deviation);
         notes.emplace_back(
             CORE_TEXT("studies",
                       "The linear answer fails for %1: mean %2 and standard deviation %3 against "
                       "%4 and %5 of the samples; %6."),
-            name, Number{linear->mean, {}, 6}, Number{linear->deviation, {}, 4},
-            Number{linear->mean + shift, {}, 6}, Number{found.plain_deviation, {}, 4},
-            reason_of(part.basis.departures[w], part.study, found.deviation));
+            name, shown(linear->mean, size, 6), shown(linear->deviation, size, 4),
+            shown(linear->mean + shift, size, 6), shown(found.plain_deviation, size, 4),
+            reason_of(part.basis.departures[w], part, found.deviation));
     }
     return notes;
 }
