@@ -355,8 +355,10 @@ void ResultTable::placeBeside() {
         }
         horizontalHeaderItem(column)->setText(headings[part]);
         const QString tip =
-            isSpread ? tr("What the tolerances make of it: half of the range from 5 % to 95 %")
-                     : tr("Present value less that of the reference %1").arg(referenceName_);
+            isSpread
+                ? tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
+                     "5 % to 95 % where it goes straight with the inputs")
+                : tr("Present value less that of the reference %1").arg(referenceName_);
         horizontalHeaderItem(column)->setToolTip(tip);
         for (int row = 0; row < rowCount(); ++row) {
             QTableWidgetItem* cell = item(row, column);
