@@ -25,6 +25,7 @@ struct BestChoice {
     std::string value;      ///< to what it makes least, below "result"
     std::string best;       ///< to the angle that does so
     std::string amplitude;  ///< the value moves by no more than twice this per radian
+    std::string buildable;  ///< to the stretches of angles that can be built, degrees
 };
 std::optional<BestChoice> best_choice(const CaseFile& file);
 

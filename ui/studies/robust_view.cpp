@@ -36,8 +36,8 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);
     auto* about =
-        captionLabel(tr("The α whose 95 % point is least: nineteen of twenty engines hold "
-                        "at least that, each with parts within their tolerances. Beside "
+        captionLabel(tr("The α whose 95 % point is least: nineteen of twenty engines have "
+                        "at most that, each with parts within their tolerances. Beside "
                         "it the α that is best of the inputs as they are."),
                      this);
     column->addWidget(about);
@@ -70,13 +70,14 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     stop_ = new QPushButton(tr("Sto&p"), this);
     stop_->setAutoDefault(false);
     stop_->hide();
-    connect(stop_, &QPushButton::clicked, model_->job(), &BackgroundJob::cancel);
+    connect(stop_, &QPushButton::clicked, this,
+            [this] { model_->isStopped() ? model_->run() : model_->stop(); });
     row->addWidget(stop_);
     column->addLayout(row);
     connect(model_, &RobustModel::changed, this, &RobustView::showBest);
     connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
         progress_->setVisible(running);
-        stop_->setVisible(running);
+        showStop();
     });
     showBest();
 }
@@ -87,6 +88,8 @@ void RobustView::showBest() {
     QStringList lines;
     if (!model_->trouble().isEmpty()) {
         lines << model_->trouble();
+    } else if (model_->isStopped()) {
+        lines << tr("Stopped.");
     } else if (best == nullptr || model_->isStale()) {
         lines << tr("Computing …");
     }
@@ -109,6 +112,9 @@ void RobustView::showBest() {
                          .arg(resultName(best->value).withUnit(),
                               withError(best->gain, best->gain_error, 2));
         }
+        if (best->robust && model_->canBeBuilt() == false) {
+            lines.prepend(tr("The robust α cannot be built: the shaft has no room there."));
+        }
         lines << tr("Samples: %1").arg(QLocale().toString(static_cast<qulonglong>(best->samples)));
         if (best->refused > 0) {
             lines.last() +=
@@ -120,6 +126,12 @@ void RobustView::showBest() {
     table_->setEnabled(!model_->isStale());
     take_->setEnabled(best != nullptr && best->robust && !model_->isStale());
     words_->setText(lines.join(QLatin1Char('\n')));
+    showStop();
+}
+
+void RobustView::showStop() {
+    stop_->setText(model_->isStopped() ? tr("Run") : tr("Sto&p"));
+    stop_->setVisible(model_->job()->isRunning() || model_->isStopped());
 }
 
 void RobustView::showEvent(QShowEvent* event) {

@@ -28,6 +28,7 @@ class RobustView : public QWidget {
 
   private:
     void showBest();
+    void showStop();
 
     RobustModel* model_;
     ResultTable* table_;

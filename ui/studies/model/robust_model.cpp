@@ -1,5 +1,7 @@
 #include "studies/model/robust_model.h"
 
+#include <algorithm>
+
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "model/background_job.h"
@@ -13,6 +15,22 @@ namespace ravnoves {
 namespace {
 
 constexpr int robustRestMs = 300;
+
+/// Whether an angle, degrees, is in one of the stretches that a result lists.
+std::optional<bool> isAmong(const Json& result, const std::string& pointer, double angle) {
+    const Json::json_pointer place(pointer);
+    if (pointer.empty() || !result.contains(place) || !result.at(place).is_array()) {
+        return std::nullopt;
+    }
+    const Json& stretches = result.at(place);
+    return std::any_of(stretches.begin(), stretches.end(), [&](const Json& each) {
+        constexpr double turn = 360.0;
+        const double from = each.at(0).get<double>();
+        const double to = each.at(1).get<double>();
+        return (angle >= from && angle <= to) || (angle + turn >= from && angle + turn <= to) ||
+               (angle - turn >= from && angle - turn <= to);
+    });
+}
 
 }  // namespace
 
@@ -35,6 +53,7 @@ bool RobustModel::isAsked() const {
 
 void RobustModel::setWatched(bool watched) {
     watched_ = watched;
+    stopped_ = false;
     if (!watched) {
         later_.stop();
         job_->cancel();
@@ -43,8 +62,37 @@ void RobustModel::setWatched(bool watched) {
     }
 }
 
-void RobustModel::follow() {
+void RobustModel::stop() {
+    later_.stop();
+    stopped_ = true;
+    job_->cancel();
+    Q_EMIT changed();
+}
+
+void RobustModel::run() {
+    stopped_ = false;
     stale_ = true;
+    start();
+    Q_EMIT changed();
+}
+
+void RobustModel::follow() {
+    // Where the angle stands now, and what else is watched, changes nothing.
+    CaseFile file = study_->scene()->caseFile();
+    const auto choice = best_choice(file);
+    if (!choice) {
+        return;
+    }
+    file.input[Json::json_pointer(choice->input)] = nullptr;
+    studies::Study study = study_->study();
+    study.watch.clear();
+    std::string all = file.input.dump() + studies::write_study(study).dump();
+    if (all == followed_ && (best_ || later_.isActive() || job_->isRunning())) {
+        return;
+    }
+    followed_ = std::move(all);
+    stale_ = true;
+    stopped_ = false;
     trouble_.clear();
     Q_EMIT changed();
     if (watched_) {
@@ -69,16 +117,19 @@ void RobustModel::start() {
     }
     study.watch = {{.pointer = choice->value}};
     file.study = studies::write_study(study);
-    job_->start([this, file = std::move(file), context = study_->scene()->context()](
+    job_->start([this, choice, file = std::move(file), context = study_->scene()->context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const auto best = studies::find_robust_best(studies::problem_of(file, context), 1,
                                                     [&] { return progress(0.0); });
         if (!progress(1.0)) {
             return {};
         }
-        return [this, best] {
+        return [this, best, choice] {
             best_ = best;
             stale_ = false;
+            canBeBuilt_ = best && best->robust ? isAmong(study_->scene()->resultJson(),
+                                                         choice->buildable, best->robust->angle)
+                                               : std::nullopt;
             trouble_ = !best || !best->robust
                            ? tr("No angle is better than another, or too few samples are solved.")
                            : QString();

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QTimer>
 #include <optional>
+#include <string>
 
 #include "studies/robust_best.h"
 
@@ -28,6 +29,11 @@ class RobustModel : public QObject {
     bool isStale() const { return stale_; }
     /// Nothing varies, or it cannot be found; empty otherwise.
     QString trouble() const { return trouble_; }
+    /// Whether the parts have room at the robust angle; nothing where the case does not say.
+    std::optional<bool> canBeBuilt() const { return canBeBuilt_; }
+    void stop();
+    void run();
+    bool isStopped() const { return stopped_; }
     /// Sets the case's angle, as one step of the history.
     void goTo(double angle);
 
@@ -42,7 +48,10 @@ class RobustModel : public QObject {
     BackgroundJob* job_;
     QTimer later_;
     std::optional<studies::RobustBest> best_;
+    std::string followed_;  ///< what the angle depends on
     QString trouble_;
+    std::optional<bool> canBeBuilt_;
+    bool stopped_ = false;
     bool stale_ = false;
     bool watched_ = false;
 };
