@@ -302,12 +302,20 @@ void MainWindow::buildMenus() {
     edit->addSeparator();
     variants_ = new VariantMenu(this);
     edit->addMenu(variants_);
-    QAction* tolerances = add(edit, QStringLiteral("tolerances"), tr("T&olerances…"),
-                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] {
-                                  auto* window = new ToleranceWindow(currentPage(), this);
-                                  window->setAttribute(Qt::WA_DeleteOnClose);
-                                  window->show();
-                              });
+    QAction* tolerances =
+        add(edit, QStringLiteral("tolerances"), tr("T&olerances…"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] {
+                auto* window = new ToleranceWindow(currentPage(), this);
+                window->setAttribute(Qt::WA_DeleteOnClose);
+                connect(window, &ToleranceWindow::saveWanted, this, [this, page = currentPage()] {
+                    for (const auto& each : documents_->all()) {
+                        if (each->page == page) {
+                            each->document->save();
+                        }
+                    }
+                });
+                window->show();
+            });
     QAction* properties =
         add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
             auto* dialog = new CaseProperties(currentPage()->model(), this);

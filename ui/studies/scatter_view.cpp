@@ -20,6 +20,7 @@ namespace ravnoves {
 namespace {
 
 constexpr int unchosen = -1;
+constexpr const char* chosenByHand = "chosenByHand";
 
 /// A little wider than what it holds.
 std::pair<double, double> roomFor(const std::vector<double>& values) {
@@ -113,7 +114,10 @@ ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), 
         label->setBuddy(box);
         row->addWidget(label);
         row->addWidget(box, 1);
-        connect(box, &QComboBox::activated, this, &ScatterView::showSamples);
+        connect(box, &QComboBox::activated, this, [this, box] {
+            box->setProperty(chosenByHand, true);
+            showSamples();
+        });
         return box;
     };
     up_ = chooser(tr("U&p"), "scatter_up");
@@ -146,7 +150,7 @@ void ScatterView::fillChoices() {
         const QString before = box->currentText();
         box->clear();
         box->addItems(names);
-        const int same = box->findText(before);
+        const int same = box->property(chosenByHand).toBool() ? box->findText(before) : unchosen;
         // At first a result over an input.
         box->setCurrentIndex(same >= 0         ? same
                              : box == up_      ? std::min<int>(inputs, box->count() - 1)

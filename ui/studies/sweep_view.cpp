@@ -85,6 +85,9 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     column->addWidget(stack_, 1);
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    keeps = words_->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    words_->setSizePolicy(keeps);
     column->addWidget(words_);
     connect(study_, &StudyModel::changed, this, &SweepView::fillChoices);
     connect(model_, &SweepModel::changed, this, &SweepView::showSweep);

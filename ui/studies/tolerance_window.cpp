@@ -3,18 +3,24 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStandardItemModel>
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "case-file/message.h"
 #include "model/background_job.h"
@@ -44,6 +50,16 @@ namespace {
 
 QString orDash(const std::optional<double>& value) {
     return value ? formNumber(*value, QLocale(), 7) : QStringLiteral("–");
+}
+
+/// A number that is but what rounding leaves of others is 0.
+std::optional<double> tidied(const std::optional<double>& value, const StudyAnswer& among) {
+    constexpr double rounding = 1e-10;
+    double size = 0.0;
+    for (const auto& each : {among.nominal, among.mean, among.deviation, among.low, among.high}) {
+        size = std::max(size, std::abs(each.value_or(0.0)));
+    }
+    return value && std::abs(*value) < rounding * size ? 0.0 : value;
 }
 
 QString percent(const std::optional<double>& share, int decimals = 1) {
@@ -85,12 +101,44 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
         progress_->setVisible(running);
         progress_->setValue(0);
-        stop_->setVisible(running);
+        showStop();
     });
+    addKeys();
     connect(page, &QObject::destroyed, this, &QWidget::close);
     fillWatchable();
     showStudy();
     showAnswers();
+}
+
+void ToleranceWindow::addKeys() {
+    const auto add = [this](const QKeySequence& keys, std::function<void()> use) {
+        connect(new QShortcut(keys, this), &QShortcut::activated, this, std::move(use));
+    };
+    SceneModel* scene = model_->scene();
+    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [scene] { scene->undo(); });
+    add(QKeySequence(Qt::CTRL | Qt::Key_Y), [scene] { scene->redo(); });
+    add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [scene] { scene->redo(); });
+    add(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { Q_EMIT saveWanted(); });
+    watched_->view()->installEventFilter(this);
+}
+
+bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
+    const QTableView* view = watched_->view();
+    if (object == view && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        const QModelIndexList cells = view->selectionModel()->selectedIndexes();
+        const bool isLimits =
+            !cells.isEmpty() && std::all_of(cells.begin(), cells.end(), [](const QModelIndex& at) {
+                return at.column() != WatchTable::Name;
+            });
+        if (isLimits) {
+            for (const QModelIndex& at : cells) {
+                view->model()->setData(at, QString());
+            }
+            return true;
+        }
+    }
+    return QDialog::eventFilter(object, event);
 }
 
 QWidget* ToleranceWindow::makeInputs() {
@@ -152,10 +200,20 @@ QWidget* ToleranceWindow::makeInputs() {
         edit(new WatchTable(model_), tr("Results to watch"),
              tr("The selected results are watched no more"), {WatchTable::Least, WatchTable::Most});
     column->addWidget(watched_, 2);
-    for (TableEditor* editor : {inputs_, watched_}) {
+    // Where it comes and goes nothing moves: a click goes where it was meant to.
+    refused_ = new TroubleLine(holder);
+    refused_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    refused_->setFixedHeight(2 * QFontMetrics(refused_->font()).lineSpacing() + 2);
+    QSizePolicy keeps = refused_->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    refused_->setSizePolicy(keeps);
+    column->addWidget(refused_);
+    for (const TableEditor* editor : {inputs_, watched_}) {
         connect(qobject_cast<EditableTable*>(editor->view()->model()),
-                &EditableTable::troubleChanged, editor,
-                [editor](const QString& trouble) { editor->say(trouble, true); });
+                &EditableTable::troubleChanged, this, [this](const QString& trouble) {
+                    refused_->say(trouble);
+                    refused_->setToolTip(trouble);
+                });
     }
     return holder;
 }
@@ -209,9 +267,8 @@ QWidget* ToleranceWindow::makeAnswers() {
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* notes = scrolled(words_, holder);
-    constexpr int notesHeight = 66;
-    notes->setMinimumHeight(Theme::withText(notesHeight) / 2);
-    notes->setMaximumHeight(Theme::withText(notesHeight));
+    constexpr int notesHeight = 46;
+    notes->setFixedHeight(Theme::withText(notesHeight));
     column->addWidget(notes);
 
     tabs_ = new QTabWidget(holder);
@@ -248,7 +305,9 @@ QWidget* ToleranceWindow::makeAnswers() {
     stop_ = new QPushButton(tr("S&top"), holder);
     stop_->setAutoDefault(false);
     stop_->hide();
-    connect(stop_, &QPushButton::clicked, model_->job(), &BackgroundJob::cancel);
+    stop_->setObjectName(QStringLiteral("stop"));
+    connect(stop_, &QPushButton::clicked, this,
+            [this] { model_->isStopped() ? model_->run() : model_->stop(); });
     last->addWidget(stop_);
     column->addLayout(last);
     return holder;
@@ -267,6 +326,13 @@ void ToleranceWindow::fillWatchable() {
 void ToleranceWindow::showStudy() {
     const studies::Study& study = model_->study();
     method_->setCurrentIndex(static_cast<int>(study.method));
+    const int grid = static_cast<int>(studies::Method::grid);
+    if (auto* methods = qobject_cast<QStandardItemModel*>(method_->model())) {
+        methods->item(grid)->setEnabled(model_->hasGrid());
+        methods->item(grid)->setToolTip(
+            tr("Of a case file that lists values of its inputs: its table is made by the command "
+               "line. Another method takes the range of the values."));
+    }
     const QSignalBlocker block(samples_);
     samples_->clear();
     std::vector<std::uint64_t> offered{1024, 4096, 16384, 65536, 1 << 20};
@@ -289,6 +355,7 @@ void ToleranceWindow::showAnswers() {
                   : model_->study().vary.empty()
                       ? tr("Give an input its tolerance: 0.02, 1 % or σ 0.01.")
                   : model_->study().watch.empty() ? tr("Choose a result to watch.")
+                  : model_->isStopped()           ? tr("Stopped.")
                                                   : tr("Computing …"));
     } else {
         for (const StudyAnswer& value : answers->values) {
@@ -299,19 +366,27 @@ void ToleranceWindow::showAnswers() {
                     QStringLiteral(" … ") + fixedNumber(100.0 * *value.withinHigh, 2, QLocale()) +
                     QStringLiteral(")");
             }
-            rows.push_back({resultName(value.pointer).withUnit(), orDash(value.nominal),
-                            orDash(value.mean), orDash(value.deviation),
-                            orDash(value.linearDeviation), orDash(value.low), orDash(value.high),
-                            within});
+            const auto shown = [&](const std::optional<double>& each) {
+                return orDash(tidied(each, value));
+            };
+            rows.push_back({resultName(value.pointer).withUnit(), shown(value.nominal),
+                            shown(value.mean), shown(value.deviation), shown(value.linearDeviation),
+                            shown(value.low), shown(value.high), within});
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
         }
-        for (const auto& [reason, count] : answers->refused) {
+        if (model_->study().method == studies::Method::grid) {
+            lines << tr("A grid does not scatter: its table is made by the command line.");
+        }
+        for (const auto& [reason, count] : model_->refused()) {
             lines << tr("Refused: %1 × %2").arg(QLocale().toString(count), reason);
         }
         lines << model_->notes();
-        if (model_->isStale()) {
+        if (model_->isStopped()) {
+            lines.prepend(model_->isStale() ? tr("Of the values before; stopped.")
+                                            : tr("Stopped: of the samples so far."));
+        } else if (model_->isStale()) {
             lines.prepend(tr("Of the values before; computing anew …"));
         }
     }
@@ -324,13 +399,21 @@ void ToleranceWindow::showAnswers() {
         table_->setCurrentCell(0, 0);
     }
     words_->setText(lines.join(QLatin1Char('\n')));
+    showStop();
     showChosen();
+}
+
+void ToleranceWindow::showStop() {
+    stop_->setText(model_->isStopped() ? tr("Run") : tr("S&top"));
+    stop_->setVisible(model_->job()->isRunning() || model_->isStopped());
 }
 
 void ToleranceWindow::showChosen() {
     const StudyAnswers* answers = model_->answers();
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
-    histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing …") : QString());
+    histogram_->setFaded(model_->isStale(), !model_->isStale()    ? QString()
+                                            : model_->isStopped() ? tr("Stopped.")
+                                                                  : tr("Computing …"));
     tornado_->setFaded(model_->isStale());
     if (answers == nullptr || row >= answers->values.size()) {
         tornado_->setBars({}, {});

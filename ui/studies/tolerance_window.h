@@ -7,6 +7,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QTableView;
 class QTabWidget;
 
 namespace ravnoves {
@@ -20,6 +21,7 @@ class StudyModel;
 class SweepView;
 class TableEditor;
 class TornadoView;
+class TroubleLine;
 
 /// How sure the results of a page are, and what matters most: tolerances of its inputs, the results
 /// to watch, and what follows, in a window of its own that follows the page.
@@ -39,17 +41,24 @@ class ToleranceWindow : public QDialog {
     const SweepView* sweep() const { return sweep_; }
     const RobustView* robust() const { return robust_; }
 
+  Q_SIGNALS:
+    /// The case of the page is to be saved, by Ctrl+S.
+    void saveWanted();
+
   protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* makeInputs();
     QWidget* makeAnswers();
+    void addKeys();
     void fillWatchable();
     void showStudy();
     void showAnswers();
     void showChosen();
+    void showStop();
 
     StudyModel* model_;
     QTimer rest_;
@@ -62,6 +71,7 @@ class ToleranceWindow : public QDialog {
     QPushButton* stop_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
+    TroubleLine* refused_ = nullptr;
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
     ScatterView* scatter_ = nullptr;

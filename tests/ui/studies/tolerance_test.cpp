@@ -218,11 +218,111 @@ TEST_F(Tolerances, WhatCannotBeSolvedIsCounted) {
     EXPECT_EQ(answers.solved + refused, study().samples);
 }
 
+TEST_F(Tolerances, NoMethodLocksThePanel) {
+    scatter("/crank_radius_mm", u"0.5"_s);
+    watch("/metrics/M_ups/range_Nm");
+    const studies::Study before = study();
+    tolerances->model()->setMethod(studies::Method::grid);  // there are no values to combine
+    EXPECT_EQ(study(), before);
+    CaseFile file = scene().caseFile();
+    file.study["method"] = "grid";
+    scene().loadFile(file, scene().context(), false);
+    EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
+    tolerances->model()->setMethod(studies::Method::latin_hypercube);
+    EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
+    EXPECT_EQ(study().method, studies::Method::latin_hypercube);
+    EXPECT_EQ(study().vary, before.vary);
+    // Listed values become their range, and back.
+    file.study["vary"] = {{"/crank_radius_mm", {{"values", {40.0, 44.0, 42.0}}}}};
+    scene().loadFile(file, scene().context(), false);
+    ASSERT_EQ(study().method, studies::Method::grid);
+    waitForAnswer();
+    EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
+    tolerances->model()->setMethod(studies::Method::sobol);
+    ASSERT_EQ(study().vary.size(), 1U);
+    EXPECT_EQ(study().vary[0].spread, studies::Varied::Spread::uniform);
+    EXPECT_EQ(study().vary[0].to, 44.0);
+    EXPECT_NO_THROW(studies::read_study(scene().caseFile().study));
+    scene().undo();
+    EXPECT_EQ(study().method, studies::Method::grid);
+}
+
+TEST_F(Tolerances, DeleteClearsALimitAloneAndKeysUndoIt) {
+    watch("/metrics/M_ups/range_Nm");
+    type(tolerances->watched(), 0, WatchTable::Most, u"1100"_s);
+    QTableView* view = tolerances->watched()->view();
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Most));
+    QTest::keyClick(view, Qt::Key_Delete);
+    ASSERT_EQ(study().watch.size(), 1U);
+    EXPECT_FALSE(study().watch[0].max);
+    tolerances->activateWindow();
+    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(study().watch[0].max, 1100.0);
+    QTest::keyClick(view, Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_FALSE(study().watch[0].max);
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Name));
+    QTest::keyClick(view, Qt::Key_Delete);
+    EXPECT_TRUE(study().watch.empty());
+}
+
+TEST_F(Tolerances, FollowADraggedAngle) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    auto& model = dynamic_cast<BalanceShaftModel&>(scene());
+    for (const double angle : {100.0, 110.0, 115.6}) {
+        model.setShaftAngleDeg(angle);
+        EXPECT_TRUE(tolerances->model()->isStale());
+    }
+    EXPECT_TRUE(tolerances->histogram()->isFaded());
+    waitForAnswer();
+    EXPECT_FALSE(tolerances->model()->isStale());
+    EXPECT_EQ(*tolerances->model()->answers()->values.at(0).nominal,
+              scene().resultJson()["metrics"]["M_ups"]["range_Nm"].get<double>());
+    const auto& inputs = tolerances->model()->inputs();
+    const auto angle = std::find_if(inputs.begin(), inputs.end(), [](const auto& each) {
+        return each.pointer == "/shaft_angle_deg";
+    });
+    ASSERT_NE(angle, inputs.end());
+    EXPECT_NEAR(angle->nominal, 115.6, 1e-9);
+}
+
+TEST_F(Tolerances, AreStoppedAndRunAgain) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/moment_amplitude_Nm");
+    auto* stop = test::named<QPushButton>(*tolerances, "stop");
+    tolerances->model()->stop();
+    EXPECT_FALSE(tolerances->model()->isBusy());
+    ASSERT_TRUE(stop->isVisible());
+    const QString offered = stop->text();
+    QTest::mouseClick(stop, Qt::LeftButton);
+    EXPECT_NE(stop->text(), offered);
+    waitForAnswer();
+    EXPECT_EQ(tolerances->model()->answers()->solved, study().samples);
+    EXPECT_FALSE(stop->isVisible());
+}
+
+TEST_F(Tolerances, RefusalsNameTheirInputs) {
+    scatter("/reciprocating_masses_kg/rings", u"s 0.5"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    ASSERT_FALSE(tolerances->model()->refused().empty());
+    for (const auto& [reason, count] : tolerances->model()->refused()) {
+        EXPECT_FALSE(reason.contains(u'/')) << reason.toStdString();
+        EXPECT_TRUE(reason.contains(u':')) << reason.toStdString();
+    }
+    for (const QString& note : tolerances->model()->notes()) {
+        EXPECT_FALSE(note.contains(u"/input"_s)) << note.toStdString();
+    }
+}
+
 TEST_F(Tolerances, SamplesAreSeenOverOneAnother) {
     scatter("/centre_distance_mm", u"1"_s);
     watch("/moment_amplitude_Nm");
     waitForAnswer();
     showTabOf(const_cast<ScatterView*>(tolerances->scatter()));
+    EXPECT_EQ(test::named<QComboBox>(*tolerances, "scatter_across")->currentIndex(), 0);
+    EXPECT_EQ(test::named<QComboBox>(*tolerances, "scatter_up")->currentIndex(), 1);
     const CloudPlot& plot = *tolerances->scatter()->plot();
     ASSERT_EQ(plot.pointsX().size(), 2000U);
     // P₁ l over l: a line through the origin, within the scatter.

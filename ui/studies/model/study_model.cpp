@@ -1,5 +1,6 @@
 #include "studies/model/study_model.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,9 @@ StudyAnswers answersOf(const studies::Part& part) {
     for (const Message& note : studies::notes_of(part)) {
         answers.notes << messageText(note);
     }
+    if (!results.contains("watched")) {
+        return answers;  // a grid is a table, nothing scatters
+    }
     const Json& watched = results.at("watched");
     for (std::size_t i = 0; i < part.study.watch.size(); ++i) {
         const Watched& each = part.study.watch[i];
@@ -109,6 +113,51 @@ StudyAnswers answersOf(const studies::Part& part) {
     }
     answers.samples = studies::first_samples(part, mostKept);
     return answers;
+}
+
+/// A text of core in the language of the program, where it is one that says a range or that holds
+/// no values.
+QString translatedText(const QString& english, const QString& scene) {
+    const auto translated = [](const QByteArray& context, const char* text) {
+        return QCoreApplication::translate(context.constData(), text);
+    };
+    const QByteArray whole = english.toUtf8();
+    for (const QByteArray& context : {QByteArray("core"), scene.toUtf8(), QByteArray("studies")}) {
+        const QString text = translated(context, whole.constData());
+        if (text != english) {
+            return text;
+        }
+    }
+    // The longer ones first.
+    constexpr const char* patterns[]{"must be greater than %1 and less than %2",
+                                     "must be greater than %1 and at most %2",
+                                     "must be at least %1 and less than %2",
+                                     "must be from %1 to %2",
+                                     "must be greater than %1",
+                                     "must be at least %1",
+                                     "must be less than %1",
+                                     "must be at most %1"};
+    for (const char* pattern : patterns) {
+        QString form = QRegularExpression::escape(QLatin1String(pattern));
+        form.replace(QRegularExpression(QStringLiteral("\\\\%[12]")), QStringLiteral("(.+)"));
+        const auto match =
+            QRegularExpression(QRegularExpression::anchoredPattern(form)).match(english);
+        if (!match.hasMatch()) {
+            continue;
+        }
+        QString text = translated("core", pattern);
+        for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
+            QString value = match.captured(i);
+            const auto space = value.indexOf(QLatin1Char(' '));
+            const QString unit = space < 0 ? QString() : value.mid(space + 1);
+            value.truncate(space < 0 ? value.size() : space);
+            value.replace(QLatin1Char('.'), QLocale().decimalPoint());
+            text.replace(QStringLiteral("%") + QString::number(i),
+                         withUnit(value, unitText(unit.toUtf8().constData())));
+        }
+        return text;
+    }
+    return english;
 }
 
 void collectNumbers(const Json& json, const std::string& pointer,
@@ -131,12 +180,44 @@ StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     connect(&later_, &QTimer::timeout, this, &StudyModel::start);
     connect(scene_, &SceneModel::changed, this, &StudyModel::follow);
     connect(scene_, &SceneModel::studyChanged, this, &StudyModel::follow);
+    connect(scene_, &SceneModel::historyChanged, this, &StudyModel::move);
     connect(job_, &BackgroundJob::failed, this,
-            [this](const QString& why) { show(std::nullopt, why); });
+            [this](const QString& why) { show(std::nullopt, named(why)); });
     follow();
 }
 
 void StudyModel::follow() {
+    refresh();
+    if (watched_) {
+        outdate();
+    }
+}
+
+void StudyModel::move() {
+    if (!watched_) {
+        behind_ = true;
+    } else if (scene_->inputJson().dump() != seen_) {
+        behind_ = true;
+        const bool isFirst = !stale_;
+        outdate();
+        if (isFirst) {
+            Q_EMIT changed();  // sweeps are of the past, too
+        }
+    }
+}
+
+void StudyModel::outdate() {
+    seen_ = scene_->inputJson().dump();
+    stopped_ = false;
+    ++run_;  // what is under way is of the values before
+    job_->cancel();
+    later_.start();
+    stale_ = answers_.has_value();
+    Q_EMIT answered();
+}
+
+void StudyModel::refresh() {
+    behind_ = false;
     readStudy();
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
@@ -155,12 +236,8 @@ void StudyModel::follow() {
         inputs_.push_back(std::move(input));
     }
     addListed();
+    trouble_ = named(trouble_);
     Q_EMIT changed();
-    if (watched_) {
-        later_.start();
-        stale_ = answers_.has_value();
-        Q_EMIT answered();
-    }
 }
 
 void StudyModel::addListed() {
@@ -192,7 +269,9 @@ void StudyModel::readStudy() {
     try {
         study_ = studies::read_study(parse_json(scene_->study()), true);
     } catch (const InputError& error) {
-        trouble_ = errorText(error);
+        trouble_ = errorText(error) + QLatin1Char('\n') +
+                   tr("The study cannot be read: undo, choose another method, or clear it by "
+                      "“Usual ones”, “None”.");
         isRefused_ = true;
     }
 }
@@ -209,26 +288,72 @@ QString StudyModel::inputName(const std::string& pointer) const {
     return found != inputs_.end() ? found->name : capitalised(resultName(pointer).text);
 }
 
-QStringList StudyModel::notes() const {
+QString StudyModel::named(QString text) const {
     std::vector<std::pair<QString, QString>> names;
+    const auto add = [&](const std::string& place, const QString& name) {
+        names.emplace_back(QString::fromStdString(place), name);
+    };
+    for (const Input& input : inputs_) {
+        add("/input" + input.pointer, input.name);
+        add(studies::vary_place(input.pointer), input.name);
+    }
     for (const Varied& varied : study_.vary) {
-        names.emplace_back(QString::fromStdString(varied.pointer), inputName(varied.pointer));
+        add(varied.pointer, inputName(varied.pointer));
     }
     for (const Watched& watched : study_.watch) {
-        names.emplace_back(QString::fromStdString(watched.pointer),
-                           resultName(watched.pointer).text);
+        const QString name = resultName(watched.pointer).text;
+        add(watched.pointer, name);
+        add(studies::watch_place(watched.pointer), name);
     }
     // The longest first: one may begin as another.
     std::sort(names.begin(), names.end(), [](const auto& one, const auto& other) {
         return one.first.size() > other.first.size();
     });
+    for (const auto& [pointer, name] : names) {
+        text.replace(pointer, tr("“%1”").arg(name));
+    }
+    return text;
+}
+
+QStringList StudyModel::notes() const {
     QStringList notes = answers_ ? answers_->notes : QStringList();
+    // A reason within a note stands at its end.
+    static const QRegularExpression reason(QStringLiteral("(/input/[^:]+: [^;]+?)([.)]*)$"));
     for (QString& note : notes) {
-        for (const auto& [pointer, name] : names) {
-            note.replace(pointer, tr("“%1”").arg(name));
+        if (const auto match = reason.match(note); match.hasMatch()) {
+            note.truncate(match.capturedStart());
+            note += reasonText(match.captured(1)) + match.captured(2);
         }
+        note = named(note);
     }
     return notes;
+}
+
+std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
+    std::vector<std::pair<QString, std::uint64_t>> all;
+    if (answers_) {
+        for (const auto& [reason, count] : answers_->refused) {
+            all.emplace_back(reasonText(reason), count);
+        }
+    }
+    return all;
+}
+
+QString StudyModel::reasonText(const QString& english) const {
+    const QString colon = QStringLiteral(": ");
+    const auto end = english.indexOf(colon);
+    if (!english.startsWith(QLatin1Char('/')) || end < 0) {
+        return named(translatedText(english, scene_->sceneName()));
+    }
+    const QString rule = english.mid(end + colon.size());
+    const QString inputs = QStringLiteral("/input");
+    QString place = english.left(end);
+    place = place.startsWith(inputs + QLatin1Char('/'))
+                ? inputName(place.mid(inputs.size()).toStdString())
+                : resultName(place.toStdString()).text;
+    return place + colon +
+           (rule == QStringLiteral("no value") ? tr("no value")
+                                               : translatedText(rule, scene_->sceneName()));
 }
 
 QString StudyModel::scatterText(const std::optional<Varied>& varied) {
@@ -292,11 +417,6 @@ QString StudyModel::setScatter(const std::string& pointer, const QString& text) 
     }
     varied.size = *number;
     (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
-    if (next.method == studies::Method::grid) {
-        next.method = studies::Method::sobol;
-        std::erase_if(next.vary,
-                      [](const Varied& each) { return each.spread == Varied::Spread::grid; });
-    }
     change(tr("Tolerance"), next);
     return {};
 }
@@ -364,9 +484,44 @@ QString StudyModel::setLimits(const std::string& pointer, std::optional<double> 
     return {};
 }
 
+bool StudyModel::hasGrid() const {
+    return std::any_of(study_.vary.begin(), study_.vary.end(),
+                       [](const Varied& each) { return each.spread == Varied::Spread::grid; });
+}
+
 void StudyModel::setMethod(studies::Method method) {
+    if (isRefused_) {
+        try {
+            Json raw = parse_json(scene_->study());
+            if (raw.is_object()) {
+                raw["method"] = studies::method_words()[static_cast<std::size_t>(method)].word;
+                scene_->changeStudy(tr("Method"), raw.dump());
+            }
+        } catch (const InputError&) {
+            Q_EMIT changed();  // it is no JSON at all: the method stays
+        }
+        return;
+    }
     Study next = study_;
     next.method = method;
+    if (method != studies::Method::grid) {
+        for (Varied& each : next.vary) {
+            if (each.spread == Varied::Spread::grid) {
+                const auto [low, high] =
+                    std::minmax_element(each.values.begin(), each.values.end());
+                each = {.pointer = each.pointer,
+                        .spread = Varied::Spread::uniform,
+                        .from = *low,
+                        .to = *high};
+            }
+        }
+        std::erase_if(next.vary, [](const Varied& each) {
+            return each.spread == Varied::Spread::uniform && !(each.to > each.from);
+        });
+    } else if (!hasGrid()) {
+        Q_EMIT changed();  // what was chosen goes back
+        return;
+    }
     change(tr("Method"), next);
 }
 
@@ -376,9 +531,21 @@ void StudyModel::setSamples(std::uint64_t samples) {
     change(tr("Samples"), next);
 }
 
-void StudyModel::change(const QString& name, const Study& next) {
-    if (next == study_ || isRefused_) {
+void StudyModel::change(const QString& name, Study next) {
+    if (isRefused_) {
         return;  // nothing goes over what was not understood
+    }
+    // Listed values and tolerances do not go together.
+    const auto isGrid = [](const Varied& each) { return each.spread == Varied::Spread::grid; };
+    if (!std::all_of(next.vary.begin(), next.vary.end(), isGrid)) {
+        std::erase_if(next.vary, isGrid);
+    }
+    if (next.method == studies::Method::grid &&
+        std::none_of(next.vary.begin(), next.vary.end(), isGrid)) {
+        next.method = studies::Method::sobol;
+    }
+    if (next == study_) {
+        return;
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
@@ -391,6 +558,8 @@ bool StudyModel::isBusy() const {
 void StudyModel::setWatched(bool watched) {
     watched_ = watched;
     if (watched) {
+        stopped_ = false;
+        seen_ = scene_->inputJson().dump();
         start();
     } else {
         later_.stop();
@@ -398,9 +567,26 @@ void StudyModel::setWatched(bool watched) {
     }
 }
 
+void StudyModel::stop() {
+    later_.stop();
+    ++run_;
+    stopped_ = true;
+    job_->cancel();
+    Q_EMIT answered();
+}
+
+void StudyModel::run() {
+    stopped_ = false;
+    start();
+    Q_EMIT answered();
+}
+
 void StudyModel::start() {
     later_.stop();
     ++run_;
+    if (behind_) {
+        refresh();
+    }
     if (!watched_) {
         return;
     }

@@ -88,17 +88,27 @@ class StudyModel : public QObject {
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::string& pointer, std::optional<double> min,
                       std::optional<double> max);
+    /// Listed values become the range that they span where the method is no grid. Of a study that
+    /// cannot be read the method alone is changed.
     void setMethod(studies::Method method);
+    /// Whether values are listed, as the method "grid" takes them.
+    bool hasGrid() const;
     void setSamples(std::uint64_t samples);
 
     /// True while newer answers are on the way.
     bool isBusy() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
+    /// What has been found stays, until run() or until something else is to be found.
+    void stop();
+    void run();
+    bool isStopped() const { return stopped_; }
     /// Null where there is nothing to say; of fewer samples while more are on the way.
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
     /// Of the answers, with the names of inputs and results.
     QStringList notes() const;
+    /// Why samples were refused, in words, and how many.
+    std::vector<std::pair<QString, std::uint64_t>> refused() const;
     /// They are of what was before, and newer ones are on the way.
     bool isStale() const { return stale_; }
 
@@ -109,10 +119,20 @@ class StudyModel : public QObject {
 
   private:
     void follow();
+    /// Takes over study and inputs.
+    void refresh();
+    /// The history says that something happened: a drag says no more than that.
+    void move();
+    /// The same with names of inputs and results in the place of pointers.
+    QString named(QString text) const;
+    /// A reason that core gave in English.
+    QString reasonText(const QString& english) const;
     /// Elements of long lists, which are not offered, where they scatter.
     void addListed();
     void readStudy();
-    void change(const QString& name, const studies::Study& next);
+    void change(const QString& name, studies::Study next);
+    /// Newer answers are to come, when the hand that moves something rests.
+    void outdate();
     void start();
     void show(std::optional<StudyAnswers> answers, const QString& trouble);
 
@@ -124,8 +144,11 @@ class StudyModel : public QObject {
     std::optional<StudyAnswers> answers_;
     QString trouble_;
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
+    std::string seen_;        ///< the input that is followed, while someone looks
     int run_ = 0;
     bool stale_ = false;
+    bool behind_ = false;  ///< the input has moved since it was taken over
+    bool stopped_ = false;
     bool watched_ = false;
 };
 
