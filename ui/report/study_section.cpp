@@ -5,9 +5,13 @@
 #include <QPicture>
 #include <memory>
 
+#include "case-file/case_file.h"
+#include "model/background_job.h"
 #include "model/scene_model.h"
 #include "report/report.h"
+#include "scenes/responses.h"
 #include "studies/model/result_words.h"
+#include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
@@ -37,7 +41,7 @@ QString numberOrDash(const std::optional<double>& value) {
 }
 
 QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
-    if (!value.within) {
+    if (!watched.min && !watched.max) {
         return QStringLiteral("–");
     }
     const auto percent = [](const std::optional<double>& share) {
@@ -48,6 +52,9 @@ QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
             ? numberOrDash(watched.min) + QStringLiteral(" … ") + numberOrDash(watched.max)
         : watched.min ? QStringLiteral("≥ ") + numberOrDash(watched.min)
                       : QStringLiteral("≤ ") + numberOrDash(watched.max);
+    if (!value.within) {
+        return limits;
+    }
     return limits +
            QStringLiteral(": %1 % (%2 … %3)")
                .arg(percent(value.within), percent(value.withinLow), percent(value.withinHigh));
@@ -131,6 +138,45 @@ Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
             }};
 }
 
+/// The angle that holds best, where what it is chosen for is watched.
+void addRobustBest(Report& report, StudyModel& study) {
+    const auto choice = best_choice(study.scene()->caseFile());
+    if (!choice ||
+        std::none_of(study.study().watch.begin(), study.study().watch.end(),
+                     [&](const studies::Watched& each) { return each.pointer == choice->value; })) {
+        return;
+    }
+    RobustModel model(&study);
+    model.setWatched(true);
+    QElapsedTimer waited;
+    waited.start();
+    while (model.job()->isRunning() && waited.elapsed() < studyPatienceMs) {
+        QApplication::processEvents(
+            QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+    }
+    const studies::RobustBest* best = model.best();
+    if (best == nullptr || !best->robust) {
+        return;
+    }
+    const auto say = [&](const QString& text, Paragraph::Kind kind = Paragraph::Kind::Text) {
+        report.items.push_back(Paragraph{text.toHtmlEscaped(), kind});
+    };
+    constexpr int decimals = 2;
+    const auto shown = [](double value) { return fixedDecimals(value, decimals, QLocale()); };
+    say(ReportWords::tr("Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.")
+            .arg(shown(best->robust->angle), shown(best->robust->angle_error),
+                 resultName(best->value).withUnit(), shown(best->robust->percentile),
+                 shown(best->robust->percentile_error)));
+    if (best->nominal) {
+        say(ReportWords::tr("At the α that is best of the inputs as they are, %1°, it is %2.")
+                .arg(shown(best->nominal->angle), shown(best->nominal->percentile)));
+    }
+    if (model.canBeBuilt() == false) {
+        say(ReportWords::tr("The robust α cannot be built: the shaft has no room there."),
+            Paragraph::Kind::Warning);
+    }
+}
+
 }  // namespace
 
 void addTolerances(Report& report, SceneModel& model) {
@@ -178,7 +224,7 @@ void addTolerances(Report& report, SceneModel& model) {
                                              .toHtmlEscaped(),
                                          Paragraph::Kind::Muted});
     }
-    for (const auto& [reason, count] : answers->refused) {
+    for (const auto& [reason, count] : study.refused()) {
         report.items.push_back(Paragraph{ReportWords::tr("Refused: %1 × %2")
                                              .arg(QLocale().toString(qulonglong(count)), reason)
                                              .toHtmlEscaped(),
@@ -187,6 +233,7 @@ void addTolerances(Report& report, SceneModel& model) {
     for (const QString& note : study.notes()) {
         report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
     }
+    addRobustBest(report, study);
     constexpr std::size_t most = 4;
     for (std::size_t i = 0; i < std::min(most, answers->values.size()); ++i) {
         report.items.push_back(tornadoOf(study, answers->values[i]));
