@@ -65,6 +65,7 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
         box->setObjectName(
             QStringLiteral("moves_") +
             QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
+        makeCell(box);
         box->setAccessibleName(fieldName(field));
         box->setToolTip(shownText(field.hint));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
