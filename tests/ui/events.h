@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 #include <QWidget>
 
@@ -31,6 +32,19 @@ inline void showAt(QWidget& widget, const QSize& size) {
     widget.show();
     QApplication::processEvents();
     QApplication::processEvents();
+}
+
+/// Acts once on the next modal dialog of that kind, as soon as it is there.
+/// @param context  while it lives
+template <typename Dialog, typename Act>
+void whenModal(QObject* context, Act act) {
+    QTimer::singleShot(10, context, [context, act] {
+        if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
+            act(dialog);
+        } else {
+            whenModal<Dialog>(context, act);
+        }
+    });
 }
 
 }  // namespace ravnoves::test

@@ -102,9 +102,7 @@ TEST_F(BalanceShaftViewsTest, TheReliefIsNotOfWhatIsRefused) {
         ADD_FAILURE();
         return QString();
     };
-    QTimer::singleShot(50, &page, [&] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(box, nullptr);
+    test::whenModal<QMessageBox>(&page, [&](QMessageBox* box) {
         isAsked = box->text().contains(QStringLiteral("“abc” is not a number"));
         QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
     });

@@ -393,9 +393,7 @@ TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRefused) {
     bringForm("export");
     type(find<NumberField>("step_deg"), QStringLiteral("-5"));
     QString asked;
-    QTimer::singleShot(50, &page, [&asked] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(box, nullptr);
+    test::whenModal<QMessageBox>(&page, [&asked](QMessageBox* box) {
         asked = box->text();
         box->button(QMessageBox::Cancel)->click();
     });

@@ -195,9 +195,7 @@ TEST_F(PlotExportTest, TheMenuSavesWithTheWidthThatIsAsked) {
                               QString*) {
         filters = offered;
         // After it the width is asked for.
-        QTimer::singleShot(30, &plot, [] {
-            auto* ask = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(ask, nullptr);
+        test::whenModal<QInputDialog>(&plot, [](QInputDialog* ask) {
             EXPECT_EQ(ask->intValue(), 1875);
             ask->setIntValue(300);
             QTest::keyClick(ask, Qt::Key_Return);

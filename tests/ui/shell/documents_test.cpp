@@ -67,13 +67,12 @@ class DocumentsTest : public ::testing::Test {
         QTest::keyClick(&window, key, modifiers);
         QApplication::processEvents();
     }
-    /// Answers the next message box with a button and keeps its text.
+    /// Answers the next message box that has no answer yet and keeps its text.
     void answer(QMessageBox::StandardButton button) {
-        QTimer::singleShot(50, &window, [this, button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr);
+        answers << button;
+        test::whenModal<QMessageBox>(&window, [this](QMessageBox* box) {
             asked << box->text();
-            box->button(button)->click();
+            box->button(answers.takeFirst())->click();
         });
     }
     QAction* action(const QString& begins) {
@@ -88,6 +87,7 @@ class DocumentsTest : public ::testing::Test {
     QTemporaryDir folder;
     MainWindow window;
     QStringList asked;
+    QList<QMessageBox::StandardButton> answers;
 };
 
 TEST_F(DocumentsTest, ACaseThatIsOpenedReplacesNothing) {
@@ -259,7 +259,7 @@ TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {
     set(u"shaft_angle_deg=78"_s);
     open(u"zotov-energy"_s);
     answer(QMessageBox::Discard);
-    QTimer::singleShot(60, &window, [this] { answer(QMessageBox::Cancel); });
+    answer(QMessageBox::Cancel);
     EXPECT_FALSE(window.close());
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].contains(u"tmz-650d"_s));

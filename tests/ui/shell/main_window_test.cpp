@@ -38,9 +38,7 @@ class MainWindowTest : public ::testing::Test {
     QString example() const { return QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"); }
     /// Answers the next message box with a button and keeps its text.
     void answer(QMessageBox::StandardButton button) {
-        QTimer::singleShot(50, &window, [this, button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr);
+        test::whenModal<QMessageBox>(&window, [this, button](QMessageBox* box) {
             asked = box->text();
             box->button(button)->click();
         });

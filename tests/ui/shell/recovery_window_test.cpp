@@ -91,9 +91,7 @@ class NothingIsLost : public ::testing::Test {
     }
     /// Presses a button of the next message by its text.
     void press(const QString& text) {
-        QTimer::singleShot(50, window.get(), [this, text] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr);
+        test::whenModal<QMessageBox>(window.get(), [this, text](QMessageBox* box) {
             asked = box->text();
             for (QAbstractButton* button : box->buttons()) {
                 if (button->text().remove(u'&') == text) {

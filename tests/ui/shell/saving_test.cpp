@@ -52,9 +52,7 @@ class SavingTest : public ::testing::Test {
     SceneModel& model() { return *window.currentPage()->model(); }
     /// Clicks a button of the next message box, by its words.
     void answer(const char* button) {
-        QTimer::singleShot(50, &window, [this, button] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr) << button;
+        test::whenModal<QMessageBox>(&window, [this, button](QMessageBox* box) {
             asked << box->text();
             for (QAbstractButton* one : box->buttons()) {
                 if (one->text().remove(QLatin1Char('&')) == QString::fromUtf8(button)) {

@@ -316,9 +316,7 @@ TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
 }
 
 TEST_F(StartInTheWindow, TheDialogBeginsACase) {
-    QTimer::singleShot(50, &window, [] {
-        auto* dialog = qobject_cast<NewCaseDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
+    test::whenModal<NewCaseDialog>(&window, [](NewCaseDialog* dialog) {
         auto* beginnings = test::named<QListWidget>(*dialog, "new-beginnings");
         QTest::keyClick(beginnings, Qt::Key_Down);
         QTest::keyClick(beginnings, Qt::Key_Return);

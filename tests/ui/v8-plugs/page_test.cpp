@@ -99,16 +99,9 @@ class V8PageTest : public ::testing::Test {
             [button](QMessageBox* box) { QTest::mouseClick(box->button(button), Qt::LeftButton); });
     }
 
-    /// Acts on the next modal dialog as soon as it is there.
     template <typename Dialog, typename Act>
     static void whenModal(Act act) {
-        QTimer::singleShot(10, qApp, [act] {
-            if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
-                act(dialog);
-            } else {
-                whenModal<Dialog>(act);
-            }
-        });
+        test::whenModal<Dialog>(qApp, act);
     }
 
     QTemporaryDir folder;

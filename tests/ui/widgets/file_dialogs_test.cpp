@@ -31,9 +31,7 @@ class FileDialogsTest : public ::testing::Test {
     }
     /// Answers the message boxes that come, in order, and keeps what they say.
     void answer(std::vector<QMessageBox::StandardButton> buttons) {
-        QTimer::singleShot(30, &parent, [this, buttons] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr);
+        test::whenModal<QMessageBox>(&parent, [this, buttons](QMessageBox* box) {
             said << box->text();
             if (buttons.size() > 1) {
                 answer({buttons.begin() + 1, buttons.end()});
