@@ -150,7 +150,7 @@
     </message>
     <message>
         <source>Run</source>
-        <translation>Пуск</translation>
+        <translation>Запустить</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -12426,8 +12426,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Показать действие допусков</translation>
     </message>
     <message>
-        <source>Where the tolerances let the curves lie: 5 % below the band, 5 % above it</source>
-        <translation>Где допуски позволяют лежать кривым: 5 % ниже полосы, 5 % выше неё</translation>
+        <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
+        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
     </message>
 </context>
 <context>
@@ -12989,6 +12989,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Доли дисперсии: %1</translation>
     </message>
     <message>
+        <source>Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.</source>
+        <translation>Надёжный наилучший α: %1° ± %2°; у 95 % выборок %3 не больше: %4 ± %5.</translation>
+    </message>
+    <message>
+        <source>At the α that is best of the inputs as they are, %1°, it is %2.</source>
+        <translation>При α, наилучшем для исходных данных как есть, %1°, — %2.</translation>
+    </message>
+    <message>
+        <source>The robust α cannot be built: the shaft has no room there.</source>
+        <translation>Надёжный α неосуществим: валу там нет места.</translation>
+    </message>
+    <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
     </message>
@@ -13028,8 +13040,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нынешнее значение минус значение эталона %1</translation>
     </message>
     <message>
-        <source>What the tolerances make of it: half of the range from 5 % to 95 %</source>
-        <translation>Что делают с ним допуски: половина промежутка от 5 % до 95 %</translation>
+        <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
+        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
     </message>
 </context>
 <context>
@@ -13765,8 +13777,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::RobustView</name>
     <message>
-        <source>The α whose 95 % point is least: nineteen of twenty engines hold at least that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are.</source>
-        <translation>α, при котором точка 95 % наименьшая: девятнадцать двигателей из двадцати с деталями в пределах допусков не хуже. Рядом — α, лучший для входов, как они есть.</translation>
+        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are.</source>
+        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший для исходных данных как есть.</translation>
     </message>
     <message>
         <source>Robust best α</source>
@@ -13801,6 +13813,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>С&amp;топ</translation>
     </message>
     <message>
+        <source>Stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message>
         <source>Computing …</source>
         <translation>Вычисляется …</translation>
     </message>
@@ -13817,12 +13833,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
     </message>
     <message>
+        <source>The robust α cannot be built: the shaft has no room there.</source>
+        <translation>Надёжный α неосуществим: валу там нет места.</translation>
+    </message>
+    <message>
         <source>Samples: %1</source>
         <translation>Выборка: %1</translation>
     </message>
     <message>
         <source>refused: %1</source>
         <translation>отказ: %1</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Запустить</translation>
     </message>
 </context>
 <context>
@@ -15003,8 +15027,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Выборка</translation>
     </message>
     <message>
+        <source>The study cannot be read: undo, choose another method, or clear it by “Usual ones”, “None”.</source>
+        <translation>Исследование не читается: отмените шаг, выберите другой метод или очистите его через «Обычные», «Никаких».</translation>
+    </message>
+    <message>
         <source>“%1”</source>
         <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>нет значения</translation>
     </message>
 </context>
 <context>
@@ -15260,8 +15292,32 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Показывать полосы и ± на страни&amp;це</translation>
     </message>
     <message>
+        <source>Of a case file that lists values of its inputs: its table is made by the command line. Another method takes the range of the values.</source>
+        <translation>Для файла случая, где значения исходных данных перечислены: таблицу строит командная строка. Другой метод берёт диапазон этих значений.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message>
+        <source>A grid does not scatter: its table is made by the command line.</source>
+        <translation>Сетка не разбрасывает значений: её таблицу строит командная строка.</translation>
+    </message>
+    <message>
+        <source>Of the values before; stopped.</source>
+        <translation>По прежним значениям; остановлено.</translation>
+    </message>
+    <message>
+        <source>Stopped: of the samples so far.</source>
+        <translation>Остановлено: по уже посчитанным выборкам.</translation>
+    </message>
+    <message>
         <source>Of the values before; computing anew …</source>
         <translation>По прежним значениям; вычисляется заново …</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Запустить</translation>
     </message>
 </context>
 <context>
