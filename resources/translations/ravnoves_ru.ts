@@ -13083,6 +13083,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>вдоль цилиндра</translation>
     </message>
     <message>
+        <source>amplification of errors</source>
+        <translation>усиление погрешностей</translation>
+    </message>
+    <message>
         <source>amplitude</source>
         <translation>амплитуда</translation>
     </message>
@@ -13149,6 +13153,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>constant</source>
         <translation>постоянная</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>корректировка</translation>
     </message>
     <message>
         <source>cosine</source>
