@@ -56,7 +56,7 @@ done
 cd "$HOSTS/$1"
 shift
 [ "$1" != -- ] || shift
-exec bash -c "$*"
+SHELL=/bin/bash exec bash -c "$*"  # a login says which shell it is
 END
 chmod +x ssh
 mkdir -p hosts.d/alpha hosts.d/beta
