@@ -163,7 +163,12 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
         addSets(words.translate("JobCard", "Rod set from"), input.weigh_in->rod_sets,
                 placing != nullptr ? &placing->rods : nullptr);
     }
-    for (QStringList row : matching_text::takeOff(words, masses_of(*input.weigh_in))) {
+    // Of what goes into a cylinder, as the sets above it.
+    auto placed = *input.weigh_in;
+    if (placing != nullptr && placing->moved > 0) {
+        move_sets(placed, placing->pistons, placing->rods);
+    }
+    for (QStringList row : matching_text::takeOff(words, masses_of(placed))) {
         row.front() = words.translate("Matching", "%1, take off").arg(row.front());
         rows << row;
     }
