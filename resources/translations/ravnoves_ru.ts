@@ -266,11 +266,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation>Перед</translation>
+        <translation>Передняя</translation>
     </message>
     <message>
         <source>Rear</source>
-        <translation>Зад</translation>
+        <translation>Задняя</translation>
     </message>
     <message>
         <source>passes</source>
@@ -16303,6 +16303,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Change that job</source>
         <translation>&amp;Изменить ту работу</translation>
+    </message>
+    <message>
+        <source>The job of %1 in the journal is for another engine than the sheet.</source>
+        <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
     </message>
 </context>
 <context>

@@ -354,10 +354,12 @@ bool WorkshopPage::isJobKnown() {
     if (there.isEmpty()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Journal"),
-                    tr("The job in the journal is that of %1, the sheet that of %2.")
-                        .arg(there, desk()->engineOnSheet()),
-                    QMessageBox::NoButton, this);
+    const QString here = desk()->engineOnSheet();
+    const QString text =
+        there == here
+            ? tr("The job of %1 in the journal is for another engine than the sheet.").arg(there)
+            : tr("The job in the journal is that of %1, the sheet that of %2.").arg(there, here);
+    QMessageBox box(QMessageBox::Question, tr("Journal"), text, QMessageBox::NoButton, this);
     const auto* asNew = box.addButton(tr("Save as a &new job"), QMessageBox::AcceptRole);
     const auto* change = box.addButton(tr("&Change that job"), QMessageBox::DestructiveRole);
     box.addButton(QMessageBox::Cancel);

@@ -573,6 +573,11 @@ TEST_F(BobPageTest, AnotherEngineIsAJobOfItsOwn) {
     save();
     ASSERT_EQ(jobs().size(), 2);
     EXPECT_EQ(jobs().at(0).engineNumber, u"B 2"_s);
+    type("cylinders", u"6"_s);
+    asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"another engine"_s)) << qPrintable(*asked);
+    type("cylinders", u"8"_s);
     type("engine_number", u"B 3"_s);
     asked = answer(u"Change that job"_s);
     save();

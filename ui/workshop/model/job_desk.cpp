@@ -161,7 +161,8 @@ QString JobDesk::otherEngine() {
         return !before.isEmpty() && before != now;
     };
     return isOther(there->engineNumber, here.engineNumber) ||
-                   isOther(there->crankshaftNumber, here.crankshaftNumber)
+                   isOther(there->crankshaftNumber, here.crankshaftNumber) ||
+                   isOther(there->engine, here.engine)
                ? numbersOf(*there)
                : QString();
 }

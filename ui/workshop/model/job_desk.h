@@ -54,7 +54,7 @@ class JobDesk : public QObject {
     /// The same with a new job, which is of no file.
     void beginJob(const std::function<void()>& take);
     /// The engine of the job in the journal that saving would overwrite, where the sheet has
-    /// another engine's or crankshaft's number; empty else.
+    /// another engine's or crankshaft's number or another kind of engine; empty else.
     QString otherEngine();
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// True where the journal has the sheet as it stands, though a case file may not.
