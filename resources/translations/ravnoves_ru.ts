@@ -12320,12 +12320,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Стрелка — показание, штриховой круг — допуск, точка — остаток; отверстия в ободе, вставки напротив. 0° вверху, углы растут по часовой стрелке.</translation>
     </message>
     <message>
-        <source>no readings yet</source>
-        <translation>показаний ещё нет</translation>
-    </message>
-    <message>
         <source>%1 at %2</source>
         <translation>%1 под углом %2</translation>
+    </message>
+    <message>
+        <source>no correction yet</source>
+        <translation>коррекции пока нет</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
 QString PlaneView::caption() const {
     const auto& correction = model_->solution().correction;
     if (!correction) {
-        return tr("no readings yet");
+        return tr("no correction yet");
     }
     const Words words;
     return tr("%1 at %2")
