@@ -408,7 +408,9 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
     return size_of(sum_of(search, from), search.size);
 }
 
-SetsFound best_placing(const SetSearch& search) {
+namespace {
+
+SetsFound find_placing(const SetSearch& search) {
     const Order order(search);
     From as_it_is;
     for (auto& kind : as_it_is) {
@@ -457,6 +459,20 @@ SetsFound best_placing(const SetSearch& search) {
     best.least = std::min(best.least, best.size);
     best.moved = moved_of(best.from);
     return best;
+}
+
+}  // namespace
+
+SetsFound best_placing(const SetSearch& search) {
+    struct Kept {
+        SetSearch search;
+        SetsFound found;
+    };
+    thread_local std::optional<Kept> kept;
+    if (!kept || !(kept->search == search)) {
+        kept = {search, find_placing(search)};
+    }
+    return kept->found;
 }
 
 }  // namespace ravnoves::workshop
