@@ -37,6 +37,7 @@ inline constexpr Unit kg{CORE_TEXT("core", "kg").english, 1.0};
 inline constexpr Unit gram{CORE_TEXT("core", "g").english, 1e-3};
 inline constexpr Unit kg_m{CORE_TEXT("core", "kg·m").english, 1.0};
 inline constexpr Unit gram_mm{CORE_TEXT("core", "g·mm").english, 1e-6};
+inline constexpr Unit gram_mm2{CORE_TEXT("core", "g·mm²").english, 1e-9};  ///< a couple's
 inline constexpr Unit kg_m2{CORE_TEXT("core", "kg·m²").english, 1.0};
 inline constexpr Unit kg_m3{CORE_TEXT("core", "kg/m³").english, 1.0};
 inline constexpr Unit newton{CORE_TEXT("core", "N").english, 1.0};

@@ -176,7 +176,7 @@ Json amounts_json(const Shaking& shaking, bool spacing_known, const std::optiona
     if (radius) {
         json["force_g_mm"] = shaking.force * *radius / units::gram_mm;
         if (spacing_known) {
-            json["couple_g_mm2"] = shaking.couple * *radius / gram_mm2;
+            json["couple_g_mm2"] = shaking.couple * *radius / units::gram_mm2;
         }
         if (speed) {
             json["force_N"] = shaking.force * *radius * *speed * *speed;

@@ -13,9 +13,6 @@
 /// which cylinder.
 namespace ravnoves::workshop {
 
-/// Of the couple of an unbalance along the crankshaft.
-inline constexpr Unit gram_mm2{CORE_TEXT("core", "g·mm²").english, 1e-9};
-
 /// What to take off each part, so that it equals the lightest of its column; kg. Nothing for those
 /// that are not weighed.
 std::vector<Weighed> take_off(std::span<const Weighed> masses);

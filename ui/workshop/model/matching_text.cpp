@@ -21,7 +21,7 @@ QString forceOf(const Words& words, const Shown& shown, double force) {
 }
 
 QString coupleOf(const Words& words, const Shown& shown, double couple) {
-    return shown.crank_radius ? words.number(couple * *shown.crank_radius, gram_mm2, 0)
+    return shown.crank_radius ? words.number(couple * *shown.crank_radius, units::gram_mm2, 0)
                               : words.number(couple, units::gram_mm, 1);
 }
 
