@@ -39,10 +39,6 @@ double mean_deviation(const PartColumn& column) {
     return sum / cylinder_count;
 }
 
-}  // namespace
-
-namespace {
-
 std::optional<double> nominal_sum(const WeighIn& sheet, std::initializer_list<Part> parts) {
     double sum = 0.0;
     for (const Part part : parts) {
