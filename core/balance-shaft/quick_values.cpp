@@ -149,7 +149,7 @@ class QuickResponse final : public Response {
         std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t j = 0; j < x.size(); ++j) {
             if (!places_[j].range.contains(x[j])) {
-                reason_ = "/input" + varied_[j] + ": " + places_[j].range.describe();
+                reason_ = {"/input" + varied_[j], places_[j].range.message()};
                 return false;
             }
             *places_[j].value = x[j] * places_[j].unit;
@@ -163,7 +163,7 @@ class QuickResponse final : public Response {
             last_.assign(x.begin(), x.end());
         } catch (const InputError& error) {
             last_.clear();
-            reason_ = error.where() + ": " + error.allowed();
+            reason_ = {error.where_message(), error.allowed_message()};
             return false;
         }
         Answers answers(*moments_, input_);
@@ -176,8 +176,8 @@ class QuickResponse final : public Response {
                 whole = false;
                 const Message* note =
                     values_[w]->note != nullptr ? values_[w]->note(answers) : nullptr;
-                reason_ = std::string(values_[w]->pointer) + ": " +
-                          (note != nullptr && !note->empty() ? note->english() : "no value");
+                reason_ = {values_[w]->pointer,
+                           note != nullptr && !note->empty() ? *note : Message(no_value)};
             }
         }
         return whole;

@@ -1,9 +1,25 @@
 #pragma once
 
 #include <span>
-#include <string>
+
+#include "case-file/message.h"
 
 namespace ravnoves {
+
+/// Why a value does not exist.
+struct Reason {
+    Message where{};  ///< JSON pointer of the input that is refused, or of the value
+    Message why{};    ///< "must be at least 0", or what the result says
+
+    bool empty() const { return where.empty() && why.empty(); }
+    /// The two joined.
+    Message message() const {
+        return where.empty() ? why : Message(Text{"", "%1: %2"}, where, why);
+    }
+    friend bool operator==(const Reason&, const Reason&) = default;
+};
+
+inline constexpr Text no_value = CORE_TEXT("core", "no value");
 
 /// Values of a result as functions of numbers of the input, for a study. For one thread at a time.
 class Response {
@@ -18,11 +34,11 @@ class Response {
     /// none
     /// @return false where one of them does not exist: reason() says why
     virtual bool evaluate(std::span<const double> x, std::span<double> y) = 0;
-    /// Of the last refusal; in English.
-    const std::string& reason() const { return reason_; }
+    /// Of the last refusal.
+    const Reason& reason() const { return reason_; }
 
   protected:
-    std::string reason_;
+    Reason reason_;
 };
 
 }  // namespace ravnoves

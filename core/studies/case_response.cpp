@@ -45,8 +45,7 @@ std::optional<double> number_at(const Json& result, const Pointer& place) {
 }
 
 /// Why there is no number: the reason that the objects around it give, the nearest first.
-std::string why_missing(const Json& result, const Pointer& place) {
-    std::string text = place.to_string();
+Message why_missing(const Json& result, const Pointer& place) {
     for (Pointer around = place; !around.empty();) {
         around = around.parent_pointer();
         if (!result.contains(around)) {
@@ -56,11 +55,11 @@ std::string why_missing(const Json& result, const Pointer& place) {
         for (const char* key : {"reason", "note"}) {
             if (object.is_object() && object.contains(key) && object[key].is_string() &&
                 !object[key].get_ref<const std::string&>().empty()) {
-                return text + ": " + object[key].get<std::string>();
+                return object[key].get<std::string>();
             }
         }
     }
-    return text + ": no value";
+    return no_value;
 }
 
 std::vector<std::string> watched_pointers(const Study& study) {
@@ -96,7 +95,7 @@ class CaseResponse final : public Response {
         try {
             result = solver_.solve(input_, context_, wanted_);
         } catch (const InputError& error) {
-            reason_ = error.where() + ": " + error.allowed();
+            reason_ = {error.where_message(), error.allowed_message()};
             return false;
         }
         bool whole = true;
@@ -105,7 +104,7 @@ class CaseResponse final : public Response {
                 y[w] = *number;
             } else if (whole) {
                 whole = false;
-                reason_ = why_missing(result, places_[w]);
+                reason_ = {places_[w].to_string(), why_missing(result, places_[w])};
             }
         }
         return whole;

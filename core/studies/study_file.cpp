@@ -65,7 +65,7 @@ Json write_basis(const Basis& basis) {
                 {"input", departure.input},
                 {"at", departure.at},
                 {"size", std::isfinite(departure.size) ? Json(departure.size) : Json(nullptr)},
-                {"reason", departure.reason}};
+                {"reason", departure.reason.message().english()}};
         }
         if (w < basis.distances.size()) {
             value["distance"] = basis.distances[w];
@@ -124,7 +124,7 @@ Basis read_basis(const Json& json, const Study& study) {
                  std::min(from.at("input").get<std::size_t>(), study.vary.size() - 1),
                  from.at("at").get<double>(),
                  size.value_or(std::numeric_limits<double>::infinity()),
-                 from.at("reason").get<std::string>()});
+                 {{}, from.at("reason").get<std::string>()}});
         }
         if (value.contains("distance")) {
             basis.distances.push_back(value.at("distance").get<double>());
@@ -280,7 +280,7 @@ Message reason_of(const Departure& departure, const Part& part, double deviation
                 return {CORE_TEXT("studies", "it does not exist where %1 is %2"), input, at};
             }
             return {CORE_TEXT("studies", "it does not exist where %1 is %2 (%3)"), input, at,
-                    departure.reason};
+                    departure.reason.message()};
         case Departure::Kind::curved:
             break;
     }
@@ -479,12 +479,24 @@ Part read_part(const Json& json) {
     return part;
 }
 
+std::vector<Refusal> refusals_of(const Part& part) {
+    const Method method = part.study.method;
+    std::vector<Refusal> list;
+    for (const auto& [kind, refusal] : is_sampled(method) || method == Method::grid
+                                           ? part.tally.refusals()
+                                           : part.basis.refusals) {
+        list.push_back(refusal);
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Refusal& a, const Refusal& b) { return a.count > b.count; });
+    return list;
+}
+
 Json write_results(const Part& part) {
     const Study& study = part.study;
     const bool sampled = is_sampled(study.method);
     const bool grid = study.method == Method::grid;
-    const Refusals& all_refusals = sampled || grid ? part.tally.refusals() : part.basis.refusals;
-    const std::uint64_t refused = count_of(all_refusals);
+    std::uint64_t refused = 0;
     const std::uint64_t samples = sampled || grid ? part.done - part.from : part.basis.evaluations;
     Json json = {{"format", study_format},
                  {"version", study_version},
@@ -496,17 +508,14 @@ Json write_results(const Part& part) {
     }
     json["method"] = method_words()[static_cast<std::size_t>(study.method)].word;
     json["samples"] = samples;
+    Json reasons = Json::array();
+    for (const Refusal& refusal : refusals_of(part)) {
+        refused += refusal.count;
+        reasons.push_back(
+            {{"reason", refusal.reason.message().english()}, {"count", refusal.count}});
+    }
     json["solved"] = samples - refused;
-    json["refused"] = Json::array();
-    std::vector<const Refusal*> refusals;
-    for (const auto& [kind, refusal] : all_refusals) {
-        refusals.push_back(&refusal);
-    }
-    std::stable_sort(refusals.begin(), refusals.end(),
-                     [](const Refusal* a, const Refusal* b) { return a->count > b->count; });
-    for (const Refusal* refusal : refusals) {
-        json["refused"].push_back({{"reason", refusal->text}, {"count", refusal->count}});
-    }
+    json["refused"] = std::move(reasons);
     if (sampled) {
         json["seed"] = study.seed;
     }

@@ -16,8 +16,8 @@
 namespace ravnoves::studies {
 
 struct FirstSamples {
-    std::vector<double> values;        ///< row by row
-    std::vector<std::string> reasons;  ///< empty where solved
+    std::vector<double> values;   ///< row by row
+    std::vector<Reason> reasons;  ///< empty where solved
 };
 
 namespace {
@@ -114,14 +114,14 @@ class Worker {
         set_inputs();
         return response_->evaluate(x_, y);
     }
-    const std::string& reason() const { return response_->reason(); }
+    const Reason& reason() const { return response_->reason(); }
 
     void count(std::uint64_t sample) {
         const FirstSamples* first = part_.first.get();
         bool solved = false;
         if (first != nullptr && sample < first->reasons.size()) {
             sampler_->point(sample, u_);
-            const std::string& reason = first->reasons[sample];
+            const Reason& reason = first->reasons[sample];
             solved = reason.empty();
             std::copy_n(first->values.begin() + static_cast<std::ptrdiff_t>(sample * y_.size()),
                         y_.size(), y_.begin());
@@ -232,7 +232,7 @@ void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from
 FirstSamples take_first(const Problem& problem, const Part& part, int threads) {
     const std::uint64_t count = std::min(points_of(part.study), most_first_samples);
     const std::size_t watched = part.study.watch.size();
-    FirstSamples first{std::vector<double>(count * watched), std::vector<std::string>(count)};
+    FirstSamples first{std::vector<double>(count * watched), std::vector<Reason>(count)};
     auto workers = make_workers(problem, part, threads, count);
     share_out(workers, 0, count, [&](Worker& worker, std::uint64_t i) {
         if (!worker.solve(i, std::span(first.values).subspan(i * watched, watched))) {

@@ -149,6 +149,9 @@ bool same_basis(const Basis& one, const Basis& other);
 /// tell.
 std::vector<Message> notes_of(const Part& part);
 
+/// Why samples were refused, the most frequent first.
+std::vector<Refusal> refusals_of(const Part& part);
+
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
 Json write_results(const Part& part);
 

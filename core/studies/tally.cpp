@@ -207,11 +207,11 @@ void Tally::add(std::span<const double> u, std::span<const double> y) {
     ++solved_;
 }
 
-void Tally::refuse(std::uint64_t sample, const std::string& reason) {
-    Refusal& refusal = refusals_[without_numbers(reason)];
+void Tally::refuse(std::uint64_t sample, const Reason& reason) {
+    Refusal& refusal = refusals_[without_numbers(reason.message().english())];
     if (refusal.count == 0 || sample < refusal.first) {
         refusal.first = sample;
-        refusal.text = reason;
+        refusal.reason = reason;
     }
     ++refusal.count;
 }
@@ -260,7 +260,7 @@ void Tally::add(const Tally& other) {
         Refusal& refusal = refusals_[kind];
         if (refusal.count == 0 || more.first < refusal.first) {
             refusal.first = more.first;
-            refusal.text = more.text;
+            refusal.reason = more.reason;
         }
         refusal.count += more.count;
     }
@@ -277,8 +277,9 @@ std::uint64_t count_of(const Refusals& refusals) {
 Json write_refusals(const Refusals& refusals) {
     Json list = Json::array();
     for (const auto& [kind, refusal] : refusals) {
-        list.push_back(
-            {{"reason", refusal.text}, {"count", refusal.count}, {"first", refusal.first}});
+        list.push_back({{"reason", refusal.reason.message().english()},
+                        {"count", refusal.count},
+                        {"first", refusal.first}});
     }
     return list;
 }
@@ -295,7 +296,7 @@ Refusals read_refusals(const Json& json, const std::string& where) {
             refuse_part(where + "/reason");
         }
         const auto text = reason.get<std::string>();
-        refusals[without_numbers(text)] = {whole(each, "count"), whole(each, "first"), text};
+        refusals[without_numbers(text)] = {whole(each, "count"), whole(each, "first"), {{}, text}};
     }
     return refusals;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "case-file/response.h"
 #include "studies/exact_sum.h"
 
 namespace ravnoves::studies {
@@ -54,14 +55,14 @@ struct Statistics {
     std::vector<double> total_error;
 };
 
-/// Why samples were refused, alike but for the numbers in the text.
+/// Why samples were refused, alike but for the numbers in it.
 struct Refusal {
     std::uint64_t count = 0;
-    std::uint64_t first = 0;  ///< the sample that the text is of
-    std::string text;
+    std::uint64_t first = 0;  ///< the sample that the reason is of
+    Reason reason;
 };
 
-/// By the text without its numbers.
+/// By the English reason without its numbers.
 using Refusals = std::map<std::string, Refusal>;
 std::uint64_t count_of(const Refusals& refusals);
 Json write_refusals(const Refusals& refusals);
@@ -80,7 +81,7 @@ class Tally {
 
     /// @param u  the sample in the unit cube
     void add(std::span<const double> u, std::span<const double> y);
-    void refuse(std::uint64_t sample, const std::string& reason);
+    void refuse(std::uint64_t sample, const Reason& reason);
     /// Two samples that differ in one input alone.
     void add_pair(std::size_t input, std::span<const double> y, std::span<const double> other);
     /// Of another with the same plan.

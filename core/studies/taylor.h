@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "case-file/response.h"
 #include "studies/law.h"
 #include "studies/response.h"
 
@@ -69,9 +70,9 @@ struct Departure {
     enum class Kind { curved, corner, jump, refused };
     Kind kind = Kind::curved;
     std::size_t input = 0;
-    double at = 0.0;       ///< the input there; of a refusal the first that is refused
-    double size = 0.0;     ///< of the jump, or largest distance from the expansion
-    std::string reason{};  ///< of a refusal
+    double at = 0.0;    ///< the input there; of a refusal the first that is refused
+    double size = 0.0;  ///< of the jump, or largest distance from the expansion
+    Reason reason{};    ///< of a refusal
     friend bool operator==(const Departure&, const Departure&) = default;
 };
 

@@ -4255,6 +4255,10 @@
         <source>g·in</source>
         <translation>г·дюйм</translation>
     </message>
+    <message>
+        <source>no value</source>
+        <translation>нет значения</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -15041,10 +15045,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>“%1”</source>
         <translation>«%1»</translation>
-    </message>
-    <message>
-        <source>no value</source>
-        <translation>нет значения</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@ class FunctionResponse final : public Response {
   public:
     explicit FunctionResponse(Function function) : function_(std::move(function)) {}
     bool evaluate(std::span<const double> x, std::span<double> y) override {
-        reason_ = "/x: must be less than " + std::to_string(x[0]);
+        reason_ = {"/x", "must be less than " + std::to_string(x[0])};
         return function_(x, y);
     }
 

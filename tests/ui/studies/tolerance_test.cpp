@@ -210,7 +210,7 @@ TEST_F(Tolerances, WhatCannotBeSolvedIsCounted) {
     waitForAnswer();
     const StudyAnswers& answers = *tolerances->model()->answers();
     std::uint64_t refused = 0;
-    for (const auto& [reason, count] : answers.refused) {
+    for (const auto& [reason, count] : tolerances->model()->refused()) {
         EXPECT_FALSE(reason.isEmpty());
         refused += count;
     }

@@ -1,7 +1,6 @@
 #include "studies/model/study_model.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -94,12 +93,10 @@ StudyAnswers answersOf(const studies::Part& part) {
     const Json results = studies::write_results(part);
     StudyAnswers answers;
     answers.solved = results.value("solved", std::uint64_t{0});
-    for (const Json& each : results.value("refused", Json::array())) {
-        answers.refused.emplace_back(QString::fromStdString(each.value("reason", std::string())),
-                                     each.value("count", std::uint64_t{0}));
-    }
-    for (const Message& note : studies::notes_of(part)) {
-        answers.notes << messageText(note);
+    answers.refused = studies::refusals_of(part);
+    answers.notes = studies::notes_of(part);
+    for (const studies::Departure& departure : part.basis.departures) {
+        answers.said.push_back(departure.reason.why);
     }
     if (!results.contains("watched")) {
         return answers;  // a grid is a table, nothing scatters
@@ -115,47 +112,19 @@ StudyAnswers answersOf(const studies::Part& part) {
     return answers;
 }
 
-/// A text of core in the language of the program, where it is one that says a range or that holds
-/// no values.
-QString translatedText(const QString& english, const QString& scene) {
-    const auto translated = [](const QByteArray& context, const char* text) {
-        return QCoreApplication::translate(context.constData(), text);
-    };
-    const QByteArray whole = english.toUtf8();
+/// Why something does not exist, in the language of the program. Of what a result says in English,
+/// what holds no values is known.
+QString whyText(const Message& why, const QString& scene) {
+    if (why.verbatim().empty()) {
+        return messageText(why);
+    }
+    const QString english = QString::fromStdString(why.verbatim());
     for (const QByteArray& context : {QByteArray("core"), scene.toUtf8(), QByteArray("studies")}) {
-        const QString text = translated(context, whole.constData());
+        const QString text =
+            QCoreApplication::translate(context.constData(), why.verbatim().c_str());
         if (text != english) {
             return text;
         }
-    }
-    // The longer ones first.
-    constexpr const char* patterns[]{"must be greater than %1 and less than %2",
-                                     "must be greater than %1 and at most %2",
-                                     "must be at least %1 and less than %2",
-                                     "must be from %1 to %2",
-                                     "must be greater than %1",
-                                     "must be at least %1",
-                                     "must be less than %1",
-                                     "must be at most %1"};
-    for (const char* pattern : patterns) {
-        QString form = QRegularExpression::escape(QLatin1String(pattern));
-        form.replace(QRegularExpression(QStringLiteral("\\\\%[12]")), QStringLiteral("(.+)"));
-        const auto match =
-            QRegularExpression(QRegularExpression::anchoredPattern(form)).match(english);
-        if (!match.hasMatch()) {
-            continue;
-        }
-        QString text = translated("core", pattern);
-        for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
-            QString value = match.captured(i);
-            const auto space = value.indexOf(QLatin1Char(' '));
-            const QString unit = space < 0 ? QString() : value.mid(space + 1);
-            value.truncate(space < 0 ? value.size() : space);
-            value.replace(QLatin1Char('.'), QLocale().decimalPoint());
-            text.replace(QStringLiteral("%") + QString::number(i),
-                         withUnit(value, unitText(unit.toUtf8().constData())));
-        }
-        return text;
     }
     return english;
 }
@@ -316,15 +285,16 @@ QString StudyModel::named(QString text) const {
 }
 
 QStringList StudyModel::notes() const {
-    QStringList notes = answers_ ? answers_->notes : QStringList();
-    // A reason within a note stands at its end.
-    static const QRegularExpression reason(QStringLiteral("(/input/[^:]+: [^;]+?)([.)]*)$"));
-    for (QString& note : notes) {
-        if (const auto match = reason.match(note); match.hasMatch()) {
-            note.truncate(match.capturedStart());
-            note += reasonText(match.captured(1)) + match.captured(2);
+    QStringList notes;
+    for (const Message& note : answers_ ? answers_->notes : std::vector<Message>()) {
+        QString text = messageText(note);
+        for (const Message& why : answers_->said) {
+            if (!why.verbatim().empty()) {
+                text.replace(QString::fromStdString(why.verbatim()),
+                             whyText(why, scene_->sceneName()));
+            }
         }
-        note = named(note);
+        notes << named(text);
     }
     return notes;
 }
@@ -332,28 +302,23 @@ QStringList StudyModel::notes() const {
 std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
     std::vector<std::pair<QString, std::uint64_t>> all;
     if (answers_) {
-        for (const auto& [reason, count] : answers_->refused) {
-            all.emplace_back(reasonText(reason), count);
+        for (const studies::Refusal& refusal : answers_->refused) {
+            all.emplace_back(reasonText(refusal.reason), refusal.count);
         }
     }
     return all;
 }
 
-QString StudyModel::reasonText(const QString& english) const {
-    const QString colon = QStringLiteral(": ");
-    const auto end = english.indexOf(colon);
-    if (!english.startsWith(QLatin1Char('/')) || end < 0) {
-        return named(translatedText(english, scene_->sceneName()));
+QString StudyModel::reasonText(const Reason& reason) const {
+    const QString why = whyText(reason.why, scene_->sceneName());
+    if (reason.where.empty()) {
+        return named(why);
     }
-    const QString rule = english.mid(end + colon.size());
-    const QString inputs = QStringLiteral("/input");
-    QString place = english.left(end);
-    place = place.startsWith(inputs + QLatin1Char('/'))
-                ? inputName(place.mid(inputs.size()).toStdString())
-                : resultName(place.toStdString()).text;
-    return place + colon +
-           (rule == QStringLiteral("no value") ? tr("no value")
-                                               : translatedText(rule, scene_->sceneName()));
+    const std::string inputs = "/input";
+    const std::string place = reason.where.english();
+    const QString name = place.starts_with(inputs + "/") ? inputName(place.substr(inputs.size()))
+                                                         : resultName(place).text;
+    return name + QStringLiteral(": ") + why;
 }
 
 QString StudyModel::scatterText(const std::optional<Varied>& varied) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "studies/study.h"
+#include "studies/tally.h"
 
 namespace ravnoves {
 
@@ -34,8 +35,9 @@ struct StudyAnswer {
 struct StudyAnswers {
     std::vector<StudyAnswer> values;
     std::uint64_t solved = 0;
-    std::vector<std::pair<QString, std::uint64_t>> refused;  ///< reason and how many
-    QStringList notes;
+    std::vector<studies::Refusal> refused;
+    std::vector<Message> notes;
+    std::vector<Message> said;  ///< reasons that notes hold
     /// Some of the samples that could be solved: inputs, then watched values.
     std::vector<std::vector<double>> samples;
 };
@@ -125,8 +127,8 @@ class StudyModel : public QObject {
     void move();
     /// The same with names of inputs and results in the place of pointers.
     QString named(QString text) const;
-    /// A reason that core gave in English.
-    QString reasonText(const QString& english) const;
+    /// With the name of the place.
+    QString reasonText(const Reason& reason) const;
     /// Elements of long lists, which are not offered, where they scatter.
     void addListed();
     void readStudy();
