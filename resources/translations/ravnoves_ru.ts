@@ -250,19 +250,19 @@
     </message>
     <message>
         <source>Front: ⌀ %1</source>
-        <translation>Перед: ⌀ %1</translation>
+        <translation>Передняя: ⌀ %1</translation>
     </message>
     <message>
         <source>Rear: ⌀ %1</source>
-        <translation>Зад: ⌀ %1</translation>
+        <translation>Задняя: ⌀ %1</translation>
     </message>
     <message>
         <source>Front: slug ⌀ %1</source>
-        <translation>Перед: вставка ⌀ %1</translation>
+        <translation>Передняя: вставка ⌀ %1</translation>
     </message>
     <message>
         <source>Rear: slug ⌀ %1</source>
-        <translation>Зад: вставка ⌀ %1</translation>
+        <translation>Задняя: вставка ⌀ %1</translation>
     </message>
     <message>
         <source>Front</source>
@@ -3714,7 +3714,7 @@
     </message>
     <message>
         <source>S&amp;hells of one rod</source>
-        <translation>Вклад&amp;ыши одного шатуна</translation>
+        <translation>Вклад&amp;ыши шатуна</translation>
     </message>
     <message>
         <source>The two shells of one rod, not those of the whole crankpin: they count once for each rod on it.</source>
@@ -5738,11 +5738,11 @@
     </message>
     <message>
         <source>free</source>
-        <translation>любой</translation>
+        <translation>везде</translation>
     </message>
     <message>
         <source>bank</source>
-        <translation>в ряду</translation>
+        <translation>ряд</translation>
     </message>
     <message>
         <source>stays</source>

@@ -59,6 +59,29 @@ class DenseTabs : public QProxyStyle {
         return element == SE_TabBarTabText ? rect.adjusted(-2, 0, 2, 0) : rect;
     }
 
+    /// A choice among the cells of a table leaves its few letters the room that its arrow can
+    /// spare.
+    QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                         const QWidget* widget) const override {
+        const QRect rect = QProxyStyle::subControlRect(control, option, part, widget);
+        if (control != CC_ComboBox || widget == nullptr || !widget->property("isCell").toBool()) {
+            return rect;
+        }
+        const QRect whole = option->rect;
+        const int arrow = Theme::withText(11);
+        switch (part) {
+            case SC_ComboBoxArrow:
+                return visualRect(option->direction, whole,
+                                  {whole.right() - arrow, rect.y(), arrow, rect.height()});
+            case SC_ComboBoxEditField:
+                return visualRect(
+                    option->direction, whole,
+                    {whole.x() + 3, rect.y(), whole.width() - arrow - 3, rect.height()});
+            default:
+                return rect;
+        }
+    }
+
     /// Choices that are too long end in dots.
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
