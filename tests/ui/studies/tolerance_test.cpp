@@ -203,6 +203,21 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     EXPECT_TRUE(trouble.last().at(0).toString().isEmpty());
 }
 
+TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
+    QTableView* view = tolerances->inputs()->view();
+    const auto paste = [&](const QString& text) {
+        view->setCurrentIndex(view->model()->index(0, ScatterTable::Scatter));
+        QGuiApplication::clipboard()->setText(text);
+        QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    };
+    paste(u"0.5\nabc\n"_s);
+    EXPECT_TRUE(study().vary.empty());
+    paste(u"0.5\n1 %\n"_s);
+    EXPECT_EQ(study().vary.size(), 2U);
+    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(study().vary.empty());
+}
+
 TEST_F(Tolerances, WhatCannotBeSolvedIsCounted) {
     // Some cranks would have no length at all.
     scatter("/crank_radius_mm", u"s 40"_s);

@@ -346,42 +346,43 @@ QString StudyModel::scatterText(const std::optional<Varied>& varied) {
     return values.join(QStringLiteral("; "));
 }
 
-QString StudyModel::setScatter(const std::string& pointer, const QString& text) {
+QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
     if (isRefused_) {
         return trouble_;
     }
     Study next = study_;
-    const auto there = std::find_if(next.vary.begin(), next.vary.end(), [&](const Varied& varied) {
-        return varied.pointer == pointer;
-    });
-    QString rest = text.trimmed();
-    if (rest.isEmpty()) {
-        if (there != next.vary.end()) {
-            next.vary.erase(there);
-            change(tr("Tolerance"), next);
+    for (const auto& [pointer, text] : texts) {
+        const auto there =
+            std::find_if(next.vary.begin(), next.vary.end(),
+                         [&](const Varied& varied) { return varied.pointer == pointer; });
+        QString rest = text.trimmed();
+        if (rest.isEmpty()) {
+            if (there != next.vary.end()) {
+                next.vary.erase(there);
+            }
+            continue;
         }
-        return {};
+        Varied varied{.pointer = pointer};
+        if (rest.endsWith(QLatin1Char('%'))) {
+            varied.spread = Varied::Spread::plus_minus_percent;
+            rest.chop(1);
+        } else if (rest.startsWith(QChar(0x03C3)) ||
+                   rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
+            varied.spread = Varied::Spread::normal;
+            rest.remove(0, 1);
+        }
+        if (rest.startsWith(QChar(0x00B1))) {
+            rest.remove(0, 1);
+        }
+        const auto number = readFormNumber(rest);
+        if (!number || !(*number > 0.0)) {
+            return tr("A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard "
+                      "deviation; %1 is none.")
+                .arg(text.trimmed());
+        }
+        varied.size = *number;
+        (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
-    Varied varied{.pointer = pointer};
-    if (rest.endsWith(QLatin1Char('%'))) {
-        varied.spread = Varied::Spread::plus_minus_percent;
-        rest.chop(1);
-    } else if (rest.startsWith(QChar(0x03C3)) ||
-               rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
-        varied.spread = Varied::Spread::normal;
-        rest.remove(0, 1);
-    }
-    if (rest.startsWith(QChar(0x00B1))) {
-        rest.remove(0, 1);
-    }
-    const auto number = readFormNumber(rest);
-    if (!number || !(*number > 0.0)) {
-        return tr("A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard "
-                  "deviation; %1 is none.")
-            .arg(text.trimmed());
-    }
-    varied.size = *number;
-    (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     change(tr("Tolerance"), next);
     return {};
 }
@@ -430,20 +431,18 @@ void StudyModel::unwatch(const std::string& pointer) {
     change(tr("Watch a result"), next);
 }
 
-QString StudyModel::setLimits(const std::string& pointer, std::optional<double> min,
-                              std::optional<double> max) {
+QString StudyModel::setLimits(const std::vector<Watched>& limits) {
     if (isRefused_) {
         return trouble_;
     }
-    if (min && max && *min > *max) {
-        return tr("The lower limit is above the upper one.");
-    }
     Study next = study_;
-    for (Watched& each : next.watch) {
-        if (each.pointer == pointer) {
-            each.min = min;
-            each.max = max;
+    for (const Watched& limit : limits) {
+        if (limit.min && limit.max && *limit.min > *limit.max) {
+            return tr("The lower limit is above the upper one.");
         }
+        std::replace_if(
+            next.watch.begin(), next.watch.end(),
+            [&](const Watched& each) { return each.pointer == limit.pointer; }, limit);
     }
     change(tr("Limits"), next);
     return {};

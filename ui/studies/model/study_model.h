@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/study.h"
@@ -78,18 +79,19 @@ class StudyModel : public QObject {
 
     /// "0.02", "1 %", "σ 0.5"; empty where the input does not scatter.
     static QString scatterText(const std::optional<studies::Varied>& varied);
-    /// Takes the same; an empty text takes the input out.
+    /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
+    /// out. All of them are taken, or none.
     /// @return an empty string, or why it cannot be
-    QString setScatter(const std::string& pointer, const QString& text);
+    QString setScatter(const std::vector<std::pair<std::string, QString>>& texts);
     /// Gives every input of a kind its usual scatter: masses ± 0.5 g, lengths ± 0.05 mm, all ± 1 %.
     void take(Preset preset);
     /// Nothing scatters and nothing is watched; what the case had is gone, one that is refused too.
     void clear();
     void watch(const std::string& pointer);
     void unwatch(const std::string& pointer);
+    /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
-    QString setLimits(const std::string& pointer, std::optional<double> min,
-                      std::optional<double> max);
+    QString setLimits(const std::vector<studies::Watched>& limits);
     /// Listed values become the range that they span where the method is no grid. Of a study that
     /// cannot be read the method alone is changed.
     void setMethod(studies::Method method);

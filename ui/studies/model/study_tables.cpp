@@ -89,7 +89,7 @@ bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int 
         return false;
     }
     const std::string pointer = model_->inputs()[static_cast<std::size_t>(index.row())].pointer;
-    const QString why = model_->setScatter(pointer, value.toString());
+    const QString why = model_->setScatter({{pointer, value.toString()}});
     if (why.isEmpty()) {
         refused_.erase(pointer);
     } else {
@@ -107,17 +107,15 @@ void ScatterTable::removeRowRange(int first, int count) {
 }
 
 QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStringList>& cells) {
+    std::vector<std::pair<std::string, QString>> texts;
     for (const QStringList& line : cells) {
         if (row >= rowCount() || line.isEmpty()) {
             break;
         }
-        const std::string pointer = model_->inputs()[static_cast<std::size_t>(row)].pointer;
-        if (QString why = model_->setScatter(pointer, line.back()); !why.isEmpty()) {
-            return why;
-        }
+        texts.emplace_back(model_->inputs()[static_cast<std::size_t>(row)].pointer, line.back());
         ++row;
     }
-    return {};
+    return model_->setScatter(texts);
 }
 
 WatchTable::WatchTable(StudyModel* model, QObject* parent)
@@ -180,15 +178,7 @@ bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
         return false;
     }
-    studies::Watched watched = model_->study().watch[static_cast<std::size_t>(index.row())];
-    const QString text = value.toString().trimmed();
-    const auto number = readFormNumber(text);
-    if (!text.isEmpty() && !number) {
-        Q_EMIT troubleChanged(tr("A limit is a number, or nothing; %1 is none.").arg(text));
-        return false;
-    }
-    (index.column() == Least ? watched.min : watched.max) = number;
-    const QString why = model_->setLimits(watched.pointer, watched.min, watched.max);
+    const QString why = pasteBlock(index.row(), index.column(), {{value.toString()}});
     Q_EMIT troubleChanged(why);
     return why.isEmpty();
 }
@@ -204,13 +194,26 @@ void WatchTable::removeRowRange(int first, int count) {
 }
 
 QString WatchTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    std::vector<studies::Watched> limits;
     for (const QStringList& line : cells) {
-        for (int i = 0; i < line.size() && row < rowCount() && column + i < Columns; ++i) {
-            setData(index(row, column + i), line[i], Qt::EditRole);
+        if (row >= rowCount()) {
+            break;
         }
-        ++row;
+        studies::Watched watched = model_->study().watch[static_cast<std::size_t>(row++)];
+        for (int i = 0; i < line.size() && column + i < Columns; ++i) {
+            const QString text = line[i].trimmed();
+            const auto number = readFormNumber(text);
+            if (column + i == Name) {
+                continue;
+            }
+            if (!text.isEmpty() && !number) {
+                return tr("A limit is a number, or nothing; %1 is none.").arg(text);
+            }
+            (column + i == Least ? watched.min : watched.max) = number;
+        }
+        limits.push_back(watched);
     }
-    return {};
+    return model_->setLimits(limits);
 }
 
 }  // namespace ravnoves
