@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "finite.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -82,17 +82,6 @@ std::vector<Example> read_examples(const std::vector<std::filesystem::path>& fol
         }
     }
     return examples;
-}
-
-const Json* not_finite(const Json& value) {
-    if (value.is_structured()) {
-        for (const Json& each : value) {
-            if (const Json* found = not_finite(each)) {
-                return found;
-            }
-        }
-    }
-    return value.is_number_float() && !std::isfinite(value.get<double>()) ? &value : nullptr;
 }
 
 struct Count {

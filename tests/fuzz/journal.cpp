@@ -1,0 +1,108 @@
+// A damaged journal: opened, or restored from. What cannot be read is set aside, and the journal is
+// there for the next job in any case.
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "workshop/model/journal.h"
+
+namespace {
+
+using namespace ravnoves;
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+JournalJob job(int number) {
+    JournalJob made;
+    made.scene = QStringLiteral("v8-plugs");
+    made.engineNumber = QStringLiteral("53-%1").arg(number);
+    made.customer = QString(20 * number, QLatin1Char('x'));
+    made.date = QDate(2026, 1, number);
+    made.bobWeight = 2000.0 + number;
+    made.form = QByteArrayLiteral(R"({"ravnoves":1,"scene":"v8-plugs","input":{}})");
+    return made;
+}
+
+QByteArray journalOfThree(const QString& path) {
+    {
+        Journal journal(path);
+        require(journal.open());
+        for (int number = 1; number <= 3; ++number) {
+            JournalJob added = job(number);
+            require(journal.save(added) == Journal::Saved::Yes);
+        }
+        require(journal.saveEngine({QStringLiteral("ZMZ"), QByteArrayLiteral("{}")}));
+    }
+    QFile file(path);
+    require(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+}
+
+/// Three bytes of the input are a place in the file and what is changed there; where it begins with
+/// "=" the rest is the whole file.
+QByteArray damaged(QByteArray file, const std::uint8_t* data, std::size_t size) {
+    if (size > 0 && data[0] == '=') {
+        return QByteArray(reinterpret_cast<const char*>(data + 1),
+                          static_cast<qsizetype>(size - 1));
+    }
+    for (std::size_t k = 0; k + 3 <= size; k += 3) {
+        const qsizetype at = (data[k] * 256 + data[k + 1]) % file.size();
+        file[at] = static_cast<char>(file[at] ^ data[k + 2]);
+    }
+    return size % 3 == 1 ? file.left(file.size() * data[size - 1] / 255) : file;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static int count = 1;
+    static char name[] = "fuzz-journal";
+    static char* arguments[] = {name, nullptr};
+    static QCoreApplication application(count, arguments);
+    static QTemporaryDir folder;
+    static const QByteArray whole = journalOfThree(folder.filePath(QStringLiteral("whole.sqlite")));
+
+    const QString own = folder.filePath(QStringLiteral("own"));
+    require(QDir().mkpath(own));
+    const QString path = own + QStringLiteral("/journal.sqlite");
+    {
+        QFile file(path);
+        require(file.open(QIODevice::WriteOnly));
+        file.write(damaged(whole, data, size));
+    }
+    const QString backup = own + QStringLiteral("/backup.sqlite");
+    require(QFile::copy(path, backup));
+    {
+        Journal journal(path);
+        JournalJob added = job(9);
+        if (journal.open()) {
+            journal.search({});
+            journal.engines();
+            if (journal.save(added) == Journal::Saved::No) {
+                require(!journal.lastError().isEmpty());
+            }
+        } else {
+            require(!journal.lastError().isEmpty());
+        }
+    }
+    {
+        Journal journal(own + QStringLiteral("/fresh.sqlite"));
+        require(journal.open());
+        const auto restored = journal.restore(backup);
+        require(restored || !journal.lastError().isEmpty());
+        require(!restored || journal.search({}).size() == restored->added);
+        JournalJob added = job(9);
+        require(journal.save(added) != Journal::Saved::No);
+    }
+    require(QDir(own).removeRecursively());
+    return 0;
+}

@@ -1,0 +1,106 @@
+// Text on the clipboard, pasted into each table that takes numbers: written whole or refused in
+// words. What stands there then is a case that can be solved, and undo brings back what stood.
+
+#include <QCoreApplication>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+#include "balance-shaft/model/torque_table_model.h"
+#include "bob-weights/model/bob_weights_model.h"
+#include "case-file/input_error.h"
+#include "finite.h"
+#include "inertia-moments/model/cylinder_table_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "studies/model/study_model.h"
+#include "studies/model/study_tables.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/weigh_in_table.h"
+
+namespace {
+
+using namespace ravnoves;
+using Cells = std::vector<QStringList>;
+
+void require(bool holds, const char* what) {
+    if (!holds) {
+        std::fprintf(stderr, "it does not hold: %s\n", what);
+        std::abort();
+    }
+}
+
+/// Pastes into a table of a model and takes it back.
+void paste(SceneModel& model, const std::function<QString()>& write) {
+    const Json before = model.inputJson();
+    const std::string study = model.study();
+    const int steps = model.history()->index();
+    const bool isRefused = !write().isEmpty();
+    const Json after = model.inputJson();
+    require(!isRefused || (after == before && model.study() == study),
+            "what is refused changes nothing");
+    require(not_finite(model.resultJson()) == nullptr, "results are numbers");
+    CaseContext nowhere;
+    nowhere.stays_in_directory = true;
+    model.loadInput(after, nowhere);
+    while (model.history()->index() > steps) {
+        model.undo();
+    }
+    require(model.inputJson() == before && model.study() == study, "undo brings back what stood");
+    model.history()->clear();
+}
+
+/// A model for all inputs: to make one anew for each takes longer than what is looked at.
+struct Pages {
+    V8PlugsModel v8{QString()};
+    WeighInTable weighIn{&v8};
+    BobWeightsModel bob{QString()};
+    InertiaMomentsModel engine;
+    CylinderTableModel cylinders{&engine};
+    StudyModel study{&engine};
+    ScatterTable scatter{&study};
+    WatchTable watch{&study};
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static int count = 1;
+    static char name[] = "fuzz-paste";
+    static char* arguments[] = {name, nullptr};
+    static QCoreApplication application(count, arguments);
+    static Pages pages;
+    if (size < 2) {
+        return 0;
+    }
+    const int row = data[0] % 16;
+    const int column = data[1] % 12;
+    const QString text = QString::fromUtf8(reinterpret_cast<const char*>(data + 2),
+                                           static_cast<qsizetype>(size - 2));
+    TorqueTableModel torque;
+    try {
+        torque.replaceByText(text, true);
+        require(torque.trouble().isEmpty(), "a table that is read is a cycle");
+    } catch (const InputError&) {
+        require(torque.rowCount() == 0, "a refused table changes nothing");
+    }
+    const Cells cells = readTextTable(text);
+    if (cells.empty()) {
+        return 0;
+    }
+    torque.pasteBlock(row, column % 2, cells);
+    for (const double each : torque.checkedTable().torque) {
+        require(std::isfinite(each), "torques are numbers");
+    }
+    paste(pages.v8, [&] {
+        return pages.weighIn.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
+    });
+    paste(pages.bob, [&] { return pages.bob.pasteWeights(row, column, cells); });
+    paste(pages.engine, [&] { return pages.cylinders.pasteBlock(row, column, cells); });
+    paste(pages.engine, [&] { return pages.scatter.pasteBlock(row, column, cells); });
+    paste(pages.engine, [&] { return pages.watch.pasteBlock(row, column, cells); });
+    return 0;
+}
