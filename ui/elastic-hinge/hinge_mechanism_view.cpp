@@ -49,6 +49,11 @@ QPainterPath springPath(const QPointF& from, const QPointF& to, double width) {
     return path;
 }
 
+/// A roller that can be seen, also where none is given.
+double shownRoller(double radius, double startRadius) {
+    return std::max(radius, 0.045 * startRadius);
+}
+
 }  // namespace
 
 HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
@@ -102,15 +107,15 @@ drawing::Frame HingeMechanismView::frame() const {
             continue;
         }
         const auto& mechanism = each->model_->result().design->mechanism();
-        const Guide& guide = model_->result().crank_guide;
+        const Guide& guide = each->model_->result().crank_guide;
         const double r = mechanism.crank_radius;
         const double rod = mechanism.rod_length();
         double ring = r;
-        if (guide.shape && each == this) {
+        if (guide.shape) {
             // Room for the relief as it is drawn.
             const double start = guide.shape->spring().start_radius(guide.branch);
             const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
-            ring = std::max(r, start + rise + model_->input().roller_radius);
+            ring = std::max(r, start + rise + each->model_->input().roller_radius);
         }
         const double block = 0.5 * r;
         left = std::max({left, ring, r + mechanism.counterweight_distance});
@@ -129,6 +134,37 @@ drawing::Frame HingeMechanismView::frame() const {
     return frame;
 }
 
+double HingeMechanismView::reliefFactor() const {
+    return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
+}
+
+QPainterPath HingeMechanismView::track(const drawing::Frame& map, double phi, double factor,
+                                       bool second) const {
+    const Guide& guide = model_->result().crank_guide;
+    QPainterPath path;
+    if (!guide.shape) {
+        return path;
+    }
+    const double start = guide.shape->spring().start_radius(guide.branch);
+    const double roller = shownRoller(model_->input().roller_radius, start);
+    const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
+    const auto& radii =
+        guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+    bool open = false;
+    for (std::size_t i = 0; i < radii.size(); i += 2) {
+        const double radius = start + factor * (radii[i] - start) + side * roller;
+        if (!std::isfinite(radius)) {
+            open = false;
+            continue;
+        }
+        const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
+        const QPointF p = map.at(radius * std::cos(angle), radius * std::sin(angle));
+        open ? path.lineTo(p) : path.moveTo(p);
+        open = true;
+    }
+    return path;
+}
+
 void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
                                     double phi) const {
     const auto& result = ghost()->model_->result();
@@ -136,6 +172,7 @@ void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map
     const double r = result.design->mechanism().crank_radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
+    painter.drawPath(ghost()->track(map, phi, reliefFactor(), false));
     painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
     painter.drawRect(QRectF(map.at(pose.slider.x - 0.36 * r, 0.26 * r),
                             map.at(pose.slider.x + 0.36 * r, -0.26 * r)));
@@ -186,41 +223,23 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     // the crank angle at which the still spring meets that place.
     double rollerRadius = 0.0;
     if (guide.shape) {
-        const double factor =
-            model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
+        const double factor = reliefFactor();
         const double start = guide.shape->spring().start_radius(guide.branch);
-        const double roller = std::max(model_->input().roller_radius, 0.045 * start);
-        const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
-        const auto drawn = [&](double radius) { return start + factor * (radius - start); };
-        const std::size_t n = guide.radius_compressed.size();
-        const auto& radii =
-            guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+        const double roller = shownRoller(model_->input().roller_radius, start);
         // Each end of the spring has a track of its own, half a turn apart.
         const QColor colour = theme.curve(guide.branch == Branch::compressed ? 2 : 1);
         for (const bool second : {true, false}) {
-            QPainterPath path;
-            bool open = false;
-            for (std::size_t i = 0; i < n; i += 2) {
-                const double radius = drawn(radii[i]) + side * roller;
-                if (!std::isfinite(radius)) {
-                    open = false;
-                    continue;
-                }
-                const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
-                const QPointF p = map.at(radius * std::cos(angle), radius * std::sin(angle));
-                open ? path.lineTo(p) : path.moveTo(p);
-                open = true;
-            }
             QColor shade = colour;
             shade.setAlphaF(second ? 0.3F : 1.0F);
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(shade, second || !guide.feasible ? 1.4 : 2.6,
                                 guide.feasible ? Qt::SolidLine : Qt::DotLine));
-            painter.drawPath(path);
+            painter.drawPath(track(map, phi, factor, second));
         }
 
         const GuidePoint here = guide.shape->at(guide.branch, phi);
-        const double reach = std::isfinite(here.radius) ? drawn(here.radius) : start;
+        const double reach =
+            std::isfinite(here.radius) ? start + factor * (here.radius - start) : start;
         const QPointF up = map.at(0, reach);
         const QPointF down = map.at(0, -reach);
         painter.setPen(QPen(theme.mutedText(), 1.3));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QPainterPath>
+
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
@@ -35,7 +37,11 @@ class HingeMechanismView : public MechanismPicture {
   private:
     /// The mapping of metres to pixels; it rests while the mechanism moves.
     drawing::Frame frame() const;
-    /// Crank, rod, slider and counterweight of the reference.
+    double reliefFactor() const;
+    /// The guide that one end of the spring rolls on, the other end's with `second`; its relief
+    /// enlarged by `factor`. Empty where there is none.
+    QPainterPath track(const drawing::Frame& map, double phi, double factor, bool second) const;
+    /// Guide, crank, rod, slider and counterweight of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
     const HingeMechanismView* ghost() const {
         return static_cast<const HingeMechanismView*>(reference());

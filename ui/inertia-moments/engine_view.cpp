@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -28,6 +29,7 @@ constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the ey
 // Sizes of the picture that the input does not give, in crank radii.
 constexpr double pistonHalf = 0.72;
 constexpr double crownHeight = 0.75;
+constexpr double pinShare = 0.26;  // half the length of a crankpin, from the side
 
 /// Number of the bank of each cylinder: cylinders with the same direction and offset stand in line.
 std::vector<int> banksOf(const std::vector<Cylinder>& cylinders) {
@@ -44,6 +46,23 @@ std::vector<int> banksOf(const std::vector<Cylinder>& cylinders) {
         }
     }
     return banks;
+}
+
+/// The counterweight on the front (0) or rear web (1); null where there is none.
+const inertia_moments::Counterweight* sideWeight(const InertiaMomentsModel& model,
+                                                 std::size_t end) {
+    const auto& webs = model.input().end_webs;
+    const auto& design = model.result().counterweights;
+    if (!webs || !webs->enabled || !design) {
+        return nullptr;
+    }
+    const auto& weight = end == 0 ? design->front : design->rear;
+    return std::abs(weight.unbalance) > 0.0 ? &weight : nullptr;
+}
+
+QRectF weightBlock(const QPointF& centre, double radiusPixels) {
+    const QPointF half(0.16 * radiusPixels, 0.3 * radiusPixels);
+    return {centre - half, centre + half};
 }
 
 double pointerAngle(const QPointF& from, const QPointF& to) {
@@ -253,6 +272,51 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     }
 }
 
+double EngineView::Side::height(double angle) const {
+    return std::cos(direction + angle);
+}
+
+std::pair<double, double> EngineView::sideBounds() const {
+    const Engine& engine = model_->result().engine;
+    const auto& input = model_->input();
+    std::pair<double, double> bounds(input.reference_position, input.reference_position);
+    const auto hold = [&bounds](double z) {
+        bounds = {std::min(bounds.first, z), std::max(bounds.second, z)};
+    };
+    for (const Cylinder& cylinder : engine.cylinders) {
+        hold(cylinder.axial_position);
+    }
+    if (input.end_webs && input.end_webs->enabled) {
+        hold(input.end_webs->front_position);
+        hold(input.end_webs->rear_position);
+    }
+    const double margin = 0.8 * engine.crank_radius;
+    return {bounds.first - margin, bounds.second + margin};
+}
+
+void EngineView::paintSideGhost(QPainter& painter, const Side& at) const {
+    const InertiaMomentsModel& model = *ghost()->model_;
+    const Engine& engine = model.result().engine;
+    const double radius = engine.crank_radius;
+    const double half = pinShare * radius;
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    for (const Cylinder& cylinder : engine.cylinders) {
+        const double z = cylinder.axial_position;
+        const double y = radius * at.height(cylinder.crankpin_angle);
+        painter.drawPolyline(
+            QPolygonF{at(z - half, 0), at(z - half, y), at(z + half, y), at(z + half, 0)});
+    }
+    for (const std::size_t end : {0U, 1U}) {
+        if (const auto* weight = sideWeight(model, end)) {
+            const double y = weight->radius * at.height(std::arg(weight->unbalance));
+            painter.drawLine(at(weight->position, 0), at(weight->position, y));
+            painter.drawRect(weightBlock(at(weight->position, y), radius * at.pixels));
+        }
+    }
+    painter.drawEllipse(at(model.input().reference_position, 0), 5.0, 5.0);
+}
+
 void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::instance();
     const Engine& engine = model_->result().engine;
@@ -261,61 +325,45 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const double phi = model_->crankAngleDeg() * degree;
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    double low = engine.cylinders.front().axial_position;
-    double high = low;
-    for (const Cylinder& cylinder : engine.cylinders) {
-        low = std::min(low, cylinder.axial_position);
-        high = std::max(high, cylinder.axial_position);
+    auto [low, high] = sideBounds();
+    double tall = radius;
+    if (ghost() != nullptr) {
+        const auto [first, last] = ghost()->sideBounds();
+        low = std::min(low, first);
+        high = std::max(high, last);
+        tall = std::max(tall, ghost()->model_->result().engine.crank_radius);
     }
-    const bool weights = input.end_webs && input.end_webs->enabled;
-    if (weights) {
-        low = std::min({low, input.end_webs->front_position, input.end_webs->rear_position});
-        high = std::max({high, input.end_webs->front_position, input.end_webs->rear_position});
-    }
-    low = std::min(low, input.reference_position) - 0.8 * radius;
-    high = std::max(high, input.reference_position) + 0.8 * radius;
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = painter.fontMetrics().height();  // the numbers stand below
     const double scale =
-        std::min(area.width() / (high - low), (area.height() - row) / (2.3 * radius));
-    const double middle = 0.5 * (low + high);
+        std::min(area.width() / (high - low), (area.height() - row) / (2.3 * tall));
     const double axisY = area.center().y() - 0.5 * row;
-    // Cylinder 1 to the left.
-    const auto at = [&](double z, double y) {
-        return QPointF(area.center().x() - (z - middle) * scale, axisY - y * scale);
-    };
-
+    const Side at{{area.center().x(), axisY},
+                  0.5 * (low + high),
+                  scale,
+                  phi + engine.cylinders.front().bank_angle};
+    if (ghost() != nullptr) {
+        paintSideGhost(painter, at);
+    }
     painter.setPen(QPen(theme.border(), 1.0));
     painter.drawLine(at(high, 0), at(low, 0));
-
-    const double direction = phi + engine.cylinders.front().bank_angle;
-    const auto heightOf = [&](double angle) { return std::cos(direction + angle); };
-
-    if (weights && model_->result().counterweights) {
-        const auto& design = *model_->result().counterweights;
-        const auto block = [&](const inertia_moments::Counterweight& weight, const QColor& colour) {
-            if (std::abs(weight.unbalance) <= 0.0) {
-                return;
-            }
-            const double y = weight.radius * heightOf(std::arg(weight.unbalance));
-            const double halfLength = 0.16 * radius * scale;
-            const double size = 0.3 * radius * scale;
+    const std::array colours{drawing::frontWeight(), drawing::rearWeight()};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        if (const auto* weight = sideWeight(*model_, i)) {
+            const double y = weight->radius * at.height(std::arg(weight->unbalance));
             painter.setPen(QPen(theme.text(), 1.0));
-            painter.drawLine(at(weight.position, 0), at(weight.position, y));
-            painter.setBrush(colour);
-            painter.drawRect(QRectF(at(weight.position, y) - QPointF(halfLength, size),
-                                    QSizeF(2 * halfLength, 2 * size)));
-        };
-        block(design.front, drawing::frontWeight());
-        block(design.rear, drawing::rearWeight());
+            painter.drawLine(at(weight->position, 0), at(weight->position, y));
+            painter.setBrush(colours[i]);
+            painter.drawRect(weightBlock(at(weight->position, y), radius * scale));
+        }
     }
 
     // Throws: web, pin, web.
-    const double pinHalf = 0.26 * radius;
+    const double pinHalf = pinShare * radius;
     std::map<int, QStringList> labels;
     for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
         const Cylinder& cylinder = engine.cylinders[i];
-        const double y = radius * heightOf(cylinder.crankpin_angle);
+        const double y = radius * at.height(cylinder.crankpin_angle);
         const double z = cylinder.axial_position;
         painter.setPen(QPen(theme.text(), 2.0, Qt::SolidLine, Qt::FlatCap));
         painter.drawLine(at(z - pinHalf, 0), at(z - pinHalf, y));
@@ -335,9 +383,9 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
             names << label->second;
             ++label;
         }
-        drawing::drawCentred(
-            painter, QPointF(0.5 * (first + last), axisY + 1.12 * radius * scale + 0.5 * row),
-            names.join(QLatin1Char(',')));
+        drawing::drawCentred(painter,
+                             QPointF(0.5 * (first + last), axisY + 1.12 * tall * scale + 0.5 * row),
+                             names.join(QLatin1Char(',')));
     }
     // The point that moments refer to.
     const QPointF reference = at(input.reference_position, 0);

@@ -35,11 +35,30 @@ class EngineView : public MechanismPicture {
     std::pair<QRectF, QRectF> areas() const;
     /// What the front view must hold, m, y up: it does not depend on φ, so the picture rests.
     QRectF frontBounds() const;
+    /// The mapping of the side view: place along the axis and height over it, m, to pixels.
+    struct Side {
+        QPointF middle;          ///< of the area, at the height of the axis
+        double along = 0.0;      ///< place along the axis that stands in the middle, m
+        double pixels = 1.0;     ///< to one metre
+        double direction = 0.0;  ///< of the first bank from the crank's zero, rad
+
+        /// Cylinder 1 to the left.
+        QPointF operator()(double z, double y) const {
+            return middle - QPointF(z - along, y) * pixels;
+        }
+        /// Share of a radius that is seen from the side.
+        double height(double angle) const;
+    };
+
     const EngineView* ghost() const { return static_cast<const EngineView*>(reference()); }
     /// Axes of the cylinders, pistons, rods and throws of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& frame) const;
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
+    /// Where the crank begins and ends along its axis, with what stands on it, m.
+    std::pair<double, double> sideBounds() const;
+    /// Throws, counterweights and reference point of the reference.
+    void paintSideGhost(QPainter& painter, const Side& at) const;
 
     InertiaMomentsModel* model_;
     double dragOffset_ = 0.0;  ///< crank angle less pointer's angle at the press, °

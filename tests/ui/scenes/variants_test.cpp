@@ -303,6 +303,34 @@ TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {
     QApplication::processEvents();
 }
 
+/// What only the crank's side view, only the guide shows.
+struct Detail {
+    const char* scene;
+    const char* key;
+    const char* value;
+};
+
+class PictureOfAReference : public ::testing::TestWithParam<Detail> {};
+
+TEST_P(PictureOfAReference, ShowsTheDetailThatDiffers) {
+    const Detail detail = GetParam();
+    const std::unique_ptr<ScenePage> page = test::makePage(detail.scene);
+    test::showAt(*page, {1280, 800});
+    SceneModel& model = *page->model();
+    auto* picture = page->findChild<MechanismPicture*>();
+    ASSERT_NE(picture, nullptr);
+    model.keepVariant();
+    model.setByKey(QString::fromLatin1(detail.key), QString::fromLatin1(detail.value));
+    const QImage againstOther = picture->grab().toImage();
+    model.keepVariant();  // the reference is now what is shown
+    EXPECT_NE(picture->grab().toImage(), againstOther);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, PictureOfAReference,
+                         ::testing::Values(Detail{"inertia-moments", "reference_position_mm", "60"},
+                                           Detail{"elastic-hinge", "spring/stiffness_N_m", "1e7"}),
+                         [](const auto& each) { return test::testName(each.param.scene); });
+
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesVariants,
                          ::testing::ValuesIn(test::sceneNamesWithCases()),
                          test::sceneOf<::testing::TestParamInfo<std::string>>);

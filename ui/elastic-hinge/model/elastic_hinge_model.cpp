@@ -161,6 +161,11 @@ void ElasticHingeModel::takeView(const SceneModel& other) {
         setCompareSpeeds(model->compareSpeeds());
         setCompareLambdas(model->compareLambdas());
         setShownHinge(model->shownHinge());
+        // Reliefs are compared at one scale, the chosen one or that of the other's relief.
+        if (const double factor = model->exaggeration(); factor != exaggeration_) {
+            exaggeration_ = factor;
+            Q_EMIT viewChanged();
+        }
     }
 }
 
