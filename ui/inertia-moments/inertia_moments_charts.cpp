@@ -3,7 +3,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QTabWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include "inertia-moments/shaft_view.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -47,14 +48,18 @@ void showTrace(PlotView* plot, int curve, const engine_curves::Trace& trace) {
 }  // namespace
 
 InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), tabs_(new QTabWidget(this)) {
+    : QWidget(parent), model_(model), orders_(new QWidget(this)), tabs_(new FittedTabs(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
+    auto* both = new QVBoxLayout(orders_);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->setSpacing(Theme::space);
     addMoments();
     for (PlotView* plot : moments_) {
-        column->addWidget(plot, 4);
+        both->addWidget(plot);
     }
+    column->addWidget(orders_, 8);
     tabs_->setDocumentMode(true);
     addHodographs();
     addBars();
@@ -75,6 +80,46 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
             &InertiaMomentsCharts::showCursor);
     showMoments();
     showCursor(model_->crankAngleDeg());
+}
+
+int InertiaMomentsCharts::heightOfBoth() const {
+    return orders_->minimumSizeHint().height() + Theme::space + tabs_->minimumSizeHint().height();
+}
+
+QSize InertiaMomentsCharts::minimumSizeHint() const {
+    const int bar = tabs_->tabBar()->sizeHint().height();
+    return {QWidget::minimumSizeHint().width(),
+            std::max(orders_->minimumSizeHint().height() + bar, tabs_->minimumSizeHint().height())};
+}
+
+void InertiaMomentsCharts::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    foldMoments(height() < heightOfBoth());
+}
+
+bool InertiaMomentsCharts::event(QEvent* event) {
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) {  // legends get lines
+        foldMoments(height() < heightOfBoth());
+    }
+    return done;
+}
+
+void InertiaMomentsCharts::foldMoments(bool folded) {
+    const int place = tabs_->indexOf(orders_);
+    if (folded == (place >= 0)) {
+        return;
+    }
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    if (folded) {
+        column->removeWidget(orders_);
+        tabs_->setTabToolTip(tabs_->addTab(orders_, tr("Orders 1, 2")),
+                             tr("Moments of orders 1 and 2 over two turns"));
+    } else {
+        tabs_->removeTab(place);
+        column->insertWidget(0, orders_, 8);
+        orders_->show();
+    }
 }
 
 void InertiaMomentsCharts::addMoments() {
@@ -212,7 +257,8 @@ void InertiaMomentsCharts::addCourses() {
         column->addWidget(plot, 1);
         courses_[force ? 0 : 1] = plot;
     }
-    tabs_->setTabToolTip(tabs_->addTab(pair, tr("Over φ")),
+    // Two plots: they scroll rather than take the room of what stands above.
+    tabs_->setTabToolTip(tabs_->addTab(scrolled(pair, tabs_), tr("Over φ")),
                          tr("Forces and moments of all orders over two turns"));
 }
 
@@ -288,7 +334,7 @@ void InertiaMomentsCharts::showFront() {
         roll_->setCurve(0, roll.crankAngleDeg, roll.sum);
         roll_->setCurve(1, roll.crankAngleDeg, roll.inertia);
         roll_->setCurve(2, roll.crankAngleDeg, roll.reactionTorque);
-    } else if (front == courses_[0]->parentWidget()) {
+    } else if (front->isAncestorOf(courses_[0])) {
         showCourse(true);
         showCourse(false);
     } else if (tabs_->currentIndex() == 0) {

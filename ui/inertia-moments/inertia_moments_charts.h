@@ -12,8 +12,9 @@ class OrderBars;
 class PlotView;
 class ShaftView;
 
-/// The moments of orders 1 and 2 over φ, and below them the tabs: hodographs, orders, roll moment,
-/// shafts, counterweights, firing order, forces and moments of all orders over φ.
+/// The moments of orders 1 and 2 over φ, and below them, or beside them as tabs: hodographs,
+/// orders, roll moment, shafts, counterweights, firing order, forces and moments of all orders over
+/// φ.
 class InertiaMomentsCharts : public QWidget {
     Q_OBJECT
 
@@ -28,6 +29,11 @@ class InertiaMomentsCharts : public QWidget {
     OrderBars* bars() const { return bars_; }
     ShaftView* shaftView() const { return shaftView_; }
     QTabWidget* tabs() const { return tabs_; }
+    QSize minimumSizeHint() const override;
+
+  protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     struct Hodograph {
@@ -35,6 +41,9 @@ class InertiaMomentsCharts : public QWidget {
         double reach = 0.0;  ///< of its axes
     };
 
+    /// Where the window is too low for both, the orders' moments are one more tab.
+    void foldMoments(bool folded);
+    int heightOfBoth() const;
     void addMoments();
     void addHodographs();
     void addBars();
@@ -49,6 +58,7 @@ class InertiaMomentsCharts : public QWidget {
 
     InertiaMomentsModel* model_;
     std::array<PlotView*, 2> moments_{};  ///< of forces where there are no moments
+    QWidget* orders_;                     ///< both
     bool isForce_ = false;
     QTabWidget* tabs_;
     std::array<Hodograph, 2> hodographs_;  ///< forces, moments
