@@ -33,7 +33,7 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     connect(plot_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     column->addWidget(plot_, 3);
 
-    constexpr int pairWidth = 540;
+    constexpr int pairWidth = 600;
     auto* lower = new FoldingRow(pairWidth, this);
     auto* formPanel = new Panel(this);
     auto* formColumn = new QVBoxLayout(formPanel);

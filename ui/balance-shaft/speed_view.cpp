@@ -61,8 +61,8 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     auto* barColumn = new QVBoxLayout(bar);
     barColumn->setContentsMargins(Theme::margin, 0, 0, 0);
     auto* barRow = new FoldingRow(pairWidth, bar);
-    barRow->add(buildSliders(), 3);
-    barRow->add(buildForm(), 2);
+    barRow->add(buildSliders());
+    barRow->add(buildForm());
     barColumn->addWidget(barRow);
     column->addWidget(bar);
 
@@ -87,6 +87,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     charts->add(angles_);
     charts->add(map_);
     column->addWidget(charts, 1);
+    charts_ = charts;
 
     auto* panel = new Panel(this);
     auto* row = new QHBoxLayout(panel);
@@ -108,6 +109,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     connect(rebuild_, &QPushButton::clicked, model_, &BalanceShaftModel::rebuildTorque);
     row->addWidget(rebuild_);
     column->addWidget(panel);
+    column->addStretch();
 
     connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);
     connect(study_, &SpeedStudyModel::studied, this, &SpeedView::showStudy);
@@ -206,6 +208,7 @@ void SpeedView::showStudy() {
     goLeastBad_->setEnabled(study_->isSolved());
     goLeastBad_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
+    charts_->setVisible(!study_->isRefused());
     if (!study_->isSolved()) {
         for (const int curve : {rangeAngle_, rmsAngle_}) {
             angles_->setCurve(curve, {}, {});

@@ -47,6 +47,7 @@ class SpeedView : public QWidget {
     QString mapTitle_;  ///< of an empty map
     QPushButton* goLeastBad_;
     QLabel* answer_;
+    QWidget* charts_;
     PlotView* angles_;
     SpeedMapPlot* map_;
     int rangeAngle_ = 0;

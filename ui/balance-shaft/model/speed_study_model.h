@@ -62,6 +62,8 @@ class SpeedStudyModel : public QObject {
     void cancel();
     /// False before the first study, and where none can be made of this input.
     bool isSolved() const { return study_.map.has_value(); }
+    /// None can be made of this input; answer() says why.
+    bool isRefused() const { return study_.study != nullptr && !isSolved(); }
 
     // Of what is solved.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
