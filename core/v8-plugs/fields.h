@@ -16,9 +16,8 @@ inline constexpr Word process_words[] = {{"manufacture", CORE_TEXT("V8", "Manufa
 inline constexpr Word crankshaft_words[] = {
     {"standard", CORE_TEXT("V8", "Standard")},
     {"new-plugs", CORE_TEXT("V8", "Made for plugs of the new design")}};
-inline constexpr Word numbering_words[] = {
-    {"bank-by-bank", CORE_TEXT("V8", "1 and 5, 2 and 6, … (bank by bank)")},
-    {"alternating", CORE_TEXT("V8", "1 and 2, 3 and 4, …")}};
+inline constexpr Word numbering_words[] = {{"bank-by-bank", CORE_TEXT("V8", "1+5, 2+6, 3+7, 4+8")},
+                                           {"alternating", CORE_TEXT("V8", "1+2, 3+4, 5+6, 7+8")}};
 inline constexpr Word source_words[] = {{"typed"}, {"weigh-in"}};
 
 namespace field {

@@ -145,6 +145,7 @@ void AnswerView::showAnswer() {
     showBobWeights();
     say(shiftNote_, model_->shiftText());
     compensation_->showSolution(model_->solution());
+    compensation_->setVisible(model_->solution().before.has_value());
     shift_->showRadius(model_->input().engine.crank_radius);
 }
 
@@ -173,6 +174,7 @@ void AnswerView::showAdvice() {
     say(plugs_, model_->plugsText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
+    excess_->setVisible(known);  // the room belongs to what is missing
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
     colourText(troubles_, theme.warning());
     options_->setRows(model_->optionRows(isNarrow_));

@@ -31,7 +31,9 @@ QVBoxLayout* columnOf(QWidget* sheet) {
 /// A label of the grid; those above and to the left of the cells wrap.
 QLabel* put(QGridLayout* grid, int row, int column, const QString& text, int size,
             bool bold = false) {
-    auto* label = new QLabel(text);
+    // A unit stays with the word before it.
+    const QString whole = QString(text).replace(QStringLiteral(", "), QStringLiteral(",\u00A0"));
+    auto* label = new QLabel(column == 0 ? whole : text);
     label->setFont(Theme::font(size, bold));
     label->setWordWrap(column == 0 || row == 0);
     if (column == 0) {
@@ -73,8 +75,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
         }));
     QComboBox* numbering = choice("/weigh_in/cylinder_numbering");
     numbering->setMinimumHeight(Theme::withText(cellHeight));
-    numbering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    numbering->setMinimumContentsLength(10);  // the grid below says how wide the sheet is
+    numbering->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     buildGrid();
     addGoal(false);
     buildFindings();
