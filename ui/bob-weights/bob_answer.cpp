@@ -50,6 +50,7 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
     row->add(buildLines(), 4);
     row->add(new ForcePlot(model_, row), 3);
     column->addWidget(row, 1);
+    linesAndForce_ = row;
     auto* pictures = new QWidget(this);
     auto* beside = new QHBoxLayout(pictures);
     beside->setContentsMargins(0, 0, 0, 0);
@@ -139,6 +140,7 @@ void BobAnswer::showAnswer() {
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     colourText(troubles_, theme.warning());
     lines_->setRows(model_->lineRows());
+    linesAndForce_->setVisible(known);
     runs_->setRows(model_->runRows());
     planes_->setRows(model_->planeRows());
     holes_->setRows(model_->holeRows());

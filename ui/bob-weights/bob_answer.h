@@ -38,6 +38,7 @@ class BobAnswer : public QWidget {
     QLabel* verdict_ = nullptr;
     QLabel* refused_ = nullptr;
     QLabel* troubles_ = nullptr;
+    QWidget* linesAndForce_ = nullptr;
     ResultTable* lines_ = nullptr;
     ResultTable* runs_ = nullptr;
     ResultTable* planes_ = nullptr;
