@@ -170,6 +170,9 @@ void MainWindow::buildNavigation() {
     column->setSpacing(Theme::gap);
     sceneGroup_ = new QActionGroup(this);
     sceneGroup_->addAction(startAction_);
+    // In a window that is too low for all of them they scroll; what is open or has the focus is
+    // seen.
+    auto* area = new QScrollArea(centre);
     const auto addButton = [&](QAction* action, int height) {
         auto* button = new QToolButton(navigation);
         button->setDefaultAction(action);
@@ -184,6 +187,11 @@ void MainWindow::buildNavigation() {
         button->setMinimumHeight(std::max(height, button->sizeHint().height()));
         button->setFocusPolicy(Qt::TabFocus);
         column->addWidget(button);
+        connect(action, &QAction::toggled, area, [area, button](bool on) {
+            if (on) {
+                area->ensureWidgetVisible(button, 0, Theme::gap);
+            }
+        });
     };
     addButton(startAction_, 0);
     for (const SceneInfo& info : documents_->scenes()) {
@@ -205,8 +213,6 @@ void MainWindow::buildNavigation() {
         scenes_.push_back(action);
     }
     column->addStretch();
-    // In a window that is too low for all of them they scroll.
-    auto* area = new QScrollArea(centre);
     area->setObjectName(QStringLiteral("navigation"));
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
@@ -217,6 +223,16 @@ void MainWindow::buildNavigation() {
     const QScrollBar* bar = area->verticalScrollBar();
     connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
         area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
+        for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
+            if (button->isChecked()) {
+                area->ensureWidgetVisible(button, 0, Theme::gap);
+            }
+        }
+    });
+    connect(qApp, &QApplication::focusChanged, area, [area, navigation](QWidget*, QWidget* now) {
+        if (now != nullptr && navigation->isAncestorOf(now)) {
+            area->ensureWidgetVisible(now, 0, Theme::gap);
+        }
     });
     row->addWidget(area);
     auto* line = new QFrame(centre);
