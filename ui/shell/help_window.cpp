@@ -101,7 +101,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     text_->setAccessibleName(tr("Help"));
     text_->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
     halves->setStretchFactor(1, 1);
-    halves->setSizes({250, 730});
+    halves->setSizes({Theme::withText(250), Theme::withText(730)});
     column->addWidget(halves, 1);
 
     readPages();

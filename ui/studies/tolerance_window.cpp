@@ -84,6 +84,7 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     parts->setStretchFactor(0, 2);
     parts->setStretchFactor(1, 3);
     parts->setChildrenCollapsible(false);
+    parts->setHandleWidth(Theme::space);
     constexpr double inputsPart = 0.36;
     const int inputsWidth = static_cast<int>(inputsPart * width());
     parts->setSizes({inputsWidth, width() - inputsWidth});

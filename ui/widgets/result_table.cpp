@@ -428,7 +428,13 @@ void ResultTable::fitStretched() {
     int wanted = 0;
     QList<int> least;
     const auto widest = [&](int column, int enough) {
-        int width = 0;
+        const QTableWidgetItem* heading =
+            horizontalHeader()->isHidden() ? nullptr : horizontalHeaderItem(column);
+        int width =
+            heading == nullptr
+                ? 0
+                : QFontMetrics(horizontalHeader()->font()).horizontalAdvance(heading->text()) +
+                      padding;
         for (int row = 0; row < rowCount() && width < enough; ++row) {
             if (const QTableWidgetItem* cell = item(row, column)) {
                 width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -113,10 +114,15 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     table_->setColumnCount(static_cast<int>(columns.size()));
     QStringList titles;
     for (const JournalColumn& each : columns) {
-        table_->setColumnWidth(static_cast<int>(titles.size()), Theme::withText(each.width));
         titles << shownTitle(each.title).text;
     }
     table_->setHorizontalHeaderLabels(titles);
+    const QFontMetrics headings(table_->horizontalHeader()->font());
+    for (int i = 0; i < titles.size(); ++i) {
+        table_->setColumnWidth(
+            i, std::max(Theme::withText(columns[i].width),
+                        headings.horizontalAdvance(titles[i]) + Theme::withText(2 * Theme::space)));
+    }
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setStretchLastSection(true);
     column->addWidget(table_, 1);
