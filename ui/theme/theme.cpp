@@ -96,21 +96,35 @@ class DenseTabs : public QProxyStyle {
         QProxyStyle::drawControl(element, &fitted, painter, widget);
     }
 
+    /// Fusion's mark of the focus is hardly seen on a dark window.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_FrameFocusRect) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+        } else if (option->state.testFlag(State_KeyboardFocusChange)) {
+            drawFocusFrame(painter, option);
+        }
+    }
+
     /// Fusion shows the focus of a choice only after Tab, and faintly.
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override {
         QProxyStyle::drawComplexControl(control, option, painter, widget);
         if (control == CC_ComboBox && option->state.testFlag(State_HasFocus)) {
-            painter->save();
-            painter->setRenderHint(QPainter::Antialiasing);
-            painter->setPen(QPen(option->palette.color(QPalette::Highlight), 2.0));
-            painter->setBrush(Qt::NoBrush);
-            painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), 2.0, 2.0);
-            painter->restore();
+            drawFocusFrame(painter, option);
         }
     }
 
   private:
+    static void drawFocusFrame(QPainter* painter, const QStyleOption* option) {
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(option->palette.color(QPalette::Highlight), 2.0));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), 2.0, 2.0);
+        painter->restore();
+    }
+
     /// With the usual space around them, the titles of a page's tabs would not all be seen.
     static bool isCrowded(const QWidget* widget) {
         const auto* bar = qobject_cast<const QTabBar*>(widget);
