@@ -197,7 +197,7 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
                                                        : messageText(result.firing_trouble));
         return;
     }
-    const double radius = 0.5 * std::min(width(), height()) - 34.0;
+    const double radius = 0.5 * std::min(width(), height()) - Theme::withText(34);
     if (radius < 16.0) {
         return;
     }
@@ -226,17 +226,18 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         painter.setFont(Theme::font(Theme::smallSize));
         painter.setPen(theme.mutedText());
         const QString interval = fixedNumber(event.interval / degree, even ? 0 : 1, QLocale());
-        drawing::drawCentred(painter,
-                             place(event.crank_angle + 0.5 * event.interval, radius - 20.0),
-                             interval + QStringLiteral("°"));
+        drawing::drawCentred(
+            painter, place(event.crank_angle + 0.5 * event.interval, radius - Theme::withText(20)),
+            interval + QStringLiteral("°"));
     }
+    const double disc = Theme::withText(11);
     double inwards = 0.0;  // those that fire at once stand one below the other
     for (const FiringEvent& event : result.firing) {
         const QPointF at = place(event.crank_angle, std::max(radius - inwards, 0.0));
-        inwards = event.interval < atOnce ? inwards + 24.0 : 0.0;
+        inwards = event.interval < atOnce ? inwards + Theme::withText(24) : 0.0;
         painter.setPen(QPen(theme.text(), 1.4));
         painter.setBrush(event.cylinder == 1 ? theme.accent() : theme.panel());
-        painter.drawEllipse(at, 11.0, 11.0);
+        painter.drawEllipse(at, disc, disc);
         painter.setPen(event.cylinder == 1 ? QColor(Qt::white) : theme.text());
         painter.setFont(Theme::font(Theme::baseSize, true));
         drawing::drawCentred(painter, at, QString::number(event.cylinder));
@@ -247,7 +248,7 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     const double zero = engine.top_dead_centre(first) - engine.crank_phase(engine.cylinders[first]);
     const double now = model_->crankAngleDeg() * degree - zero;
     painter.setPen(QPen(theme.accent(), 2.0));
-    painter.drawLine(centre, place(now, radius - 30.0));
+    painter.drawLine(centre, place(now, radius - Theme::withText(30)));
     painter.setBrush(theme.accent());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(centre, 3.5, 3.5);
