@@ -8,6 +8,7 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -33,6 +34,9 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
     grid->setSpacing(Theme::space);
+    constexpr int tablesWidth = 560;  ///< designed pixels of both beside each other
+    auto* tables = new FoldingRow(tablesWidth, this);
+    grid->addWidget(tables, 2, 0, 1, 2);
 
     // Without a shaft.
     auto* crank = new Form(model_, this);
@@ -68,7 +72,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
                                .toolTip = tr("With the shaft the first order is a point; the "
                                              "second order along the cylinder stays")});
     grid->addWidget(locus_, 1, 0);
-    forceTable_ = addTable(grid, 0, tr("Forces with and without a shaft"),
+    forceTable_ = addTable(tables, tr("Forces with and without a shaft"),
                            {tr("Force"), tr("Value"), tr("Unit")});
 
     // Gears.
@@ -98,7 +102,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     wrong_ = gears_->addCurve(
         {.name = tr("k teeth out"), .colour = 7, .width = 2.0, .toolTip = tr("Shaft k teeth out")});
     grid->addWidget(gears_, 1, 1);
-    gearTable_ = addTable(grid, 1, tr("Effect of gear error and play"),
+    gearTable_ = addTable(tables, tr("Effect of gear error and play"),
                           {tr("Gears"), tr("Value"), tr("Unit")});
     grid->setRowStretch(1, 1);
     grid->setColumnStretch(0, 1);
@@ -124,7 +128,7 @@ QWidget* ForcesView::inPanel(QWidget* widget) {
     return panel;
 }
 
-ResultTable* ForcesView::addTable(QGridLayout* grid, int column, const QString& name,
+ResultTable* ForcesView::addTable(FoldingRow* row, const QString& name,
                                   const QStringList& headings) {
     auto* table = new ResultTable(this);
     table->setAccessibleName(name);
@@ -132,7 +136,7 @@ ResultTable* ForcesView::addTable(QGridLayout* grid, int column, const QString& 
     QWidget* panel = inPanel(table);
     panel->layout()->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     static_cast<QVBoxLayout*>(panel->layout())->addStretch();
-    grid->addWidget(panel, 2, column);
+    row->add(panel);
     return table;
 }
 

@@ -2,11 +2,10 @@
 
 #include <QWidget>
 
-class QGridLayout;
-
 namespace ravnoves {
 
 class BalanceShaftModel;
+class FoldingRow;
 class PlotView;
 class ResultTable;
 class ValueSlider;
@@ -28,8 +27,7 @@ class ForcesView : public QWidget {
 
   private:
     QWidget* inPanel(QWidget* widget);
-    ResultTable* addTable(QGridLayout* grid, int column, const QString& name,
-                          const QStringList& headings);
+    ResultTable* addTable(FoldingRow* row, const QString& name, const QStringList& headings);
     void showLocus();
     void showGears();
 
