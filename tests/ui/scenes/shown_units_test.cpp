@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
@@ -24,6 +23,7 @@
 #include "plot/picture_file.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
+#include "scenes/open_example.h"
 #include "shell/page_drawing.h"
 #include "shell/scene_page.h"
 #include "text/csv_format.h"
@@ -73,17 +73,6 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
                                                            : Preferences::Units::RadPerSecond);
     }
 
-    void openExample(SceneModel& model) {
-        const QDir examples(QString::fromUtf8(RAVNOVES_EXAMPLES));
-        for (const QString& name : examples.entryList({u"*.case.json"_s})) {
-            const QString path = examples.filePath(name);
-            const CaseFile file = CaseDocument::read(path);
-            if (file.scene == GetParam()) {
-                CaseDocument(&model, {}).open(file, path);
-                return;
-            }
-        }
-    }
     static void settle(QWidget& page) {
         const auto isBusy = [&] {
             const auto jobs = page.findChildren<BackgroundJob*>();
@@ -126,7 +115,7 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
     Said allOf() {
         Said said;
         const std::unique_ptr<ScenePage> page = test::makePage(GetParam());
-        openExample(*page->model());
+        test::openExample(*page->model());
         test::showAt(*page, {1500, 950});
         look(*page, said);
         for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QDir>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "model/input_differences.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
+#include "scenes/open_example.h"
 #include "shell/comparison.h"
 #include "shell/input_comparison.h"
 #include "shell/scene_list.h"
@@ -38,7 +38,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
         test::showAt(*page, {1280, 800});
         page->activateWindow();
         if (model().resultJson().contains("error")) {
-            openExample();  // a new sheet is half filled
+            test::openExample(model());  // a new sheet is half filled
         }
     }
 
@@ -46,17 +46,6 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
     SceneModel& model() { return *page->model(); }
     Comparison& comparison() { return *page->findChild<Comparison*>(); }
 
-    void openExample() {
-        const QDir examples(QString::fromUtf8(RAVNOVES_EXAMPLES));
-        for (const QString& name : examples.entryList({u"*.case.json"_s})) {
-            const QString path = examples.filePath(name);
-            const CaseFile file = CaseDocument::read(path);
-            if (file.scene == GetParam()) {
-                CaseDocument(&model(), {}).open(file, path);
-                return;
-            }
-        }
-    }
     /// Types other numbers into fields of every tab, four at most on each.
     void changeByKeys() {
         const Json before = model().resultJson();
