@@ -51,9 +51,12 @@ class MethodsCommand final : public Command {
     explicit MethodsCommand(CLI::App& app) {
         app_ = app.add_subcommand(
             "methods", "Measure what each numerical method costs here, its error, where it fails");
-        app_->footer("Kernels: " + kernel_names() +
-                     ".\nTimes are of this machine; errors are against 50 digits. Progress goes "
-                     "to standard error.\n");
+        // Made when it is read: to have the kernels' names is to prepare the kernels.
+        app_->footer([] {
+            return "Kernels: " + kernel_names() +
+                   ".\nTimes are of this machine; errors are against 50 digits. Progress goes to "
+                   "standard error.\n";
+        });
         app_->add_option("--kernel", kernel_, "One kernel instead of all")->type_name("NAME");
         app_->add_option("--csv", csv_path_, "Write the tables to this file too")
             ->type_name("FILE");
