@@ -6,6 +6,7 @@
 
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
+#include "numerics/short_trigonometry.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -16,23 +17,6 @@ using Lanes = Eigen::Array<double, lanes, 1>;
 constexpr double longest_interval_deg = 15.0;
 constexpr std::size_t tile = 8;  ///< cells of a map's tile, each way
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-struct CosSin {
-    double cos;
-    double sin;
-};
-
-/// For 0 ≤ t ≤ 0.27; the next terms are below 1e-17.
-CosSin short_cos_sin(double t) {
-    const double q = t * t;
-    return {1.0 + q * (-1.0 / 2 +
-                       q * (1.0 / 24 +
-                            q * (-1.0 / 720 + q * (1.0 / 40320 +
-                                                   q * (-1.0 / 3628800 + q * (1.0 / 479001600)))))),
-            t * (1.0 + q * (-1.0 / 6 +
-                            q * (1.0 / 120 +
-                                 q * (-1.0 / 5040 + q * (1.0 / 362880 + q * (-1.0 / 39916800))))))};
-}
 
 }  // namespace
 

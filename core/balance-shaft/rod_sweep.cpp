@@ -2,18 +2,78 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
+#include "numerics/short_trigonometry.h"
+#include "numerics/vector_lanes.h"
+
 namespace ravnoves::balance_shaft {
+
+namespace {
+
+/// Segments from (x, y), as far as (along_x, along_y); `count` is a multiple of
+/// lanes_of<WideLanes>.
+struct Segments {
+    const double* x;
+    const double* y;
+    const double* along_x;
+    const double* along_y;
+    std::size_t count;
+    double per_length2;
+};
+
+/// Squares of the distances from a place; returns the least.
+template <typename Lanes>
+RAVNOVES_KERNEL double squares_from(const Segments& of, double place_x, double place_y,
+                                    double* out) {
+    Lanes least_of_all;
+    Lanes zero;
+    Lanes one;
+    set_all(least_of_all, std::numeric_limits<double>::infinity());
+    set_all(zero, 0.0);
+    set_all(one, 1.0);
+    for (std::size_t i = 0; i < of.count; i += lanes_of<Lanes>) {
+        Lanes x;
+        Lanes y;
+        Lanes along_x;
+        Lanes along_y;
+        load(x, of.x + i);
+        load(y, of.y + i);
+        load(along_x, of.along_x + i);
+        load(along_y, of.along_y + i);
+        const Lanes to_x = place_x - x;
+        const Lanes to_y = place_y - y;
+        Lanes t = (to_x * along_x + to_y * along_y) * of.per_length2;
+        t = t < zero ? zero : t;
+        t = one < t ? one : t;
+        const Lanes dx = to_x - t * along_x;
+        const Lanes dy = to_y - t * along_y;
+        const Lanes square = dx * dx + dy * dy;
+        store(out + i, square);
+        lower(least_of_all, square);
+    }
+    return least(least_of_all);
+}
+
+double squares_anywhere(const Segments& of, double x, double y, double* out) {
+    return squares_from<PlainLanes>(of, x, y, out);
+}
+
+RAVNOVES_AVX2 double squares_avx2(const Segments& of, double x, double y, double* out) {
+    return squares_from<WideLanes>(of, x, y, out);
+}
+
+}  // namespace
 
 RodSweep::RodSweep(const FrontView& view) : crank_(view.crank()) {
     const double length2 = crank_.rod_length * crank_.rod_length;
     per_length2_ = length2 > 0.0 ? 1.0 / length2 : 0.0;
     for (std::size_t i = 0; i < samples; ++i) {
-        const Rod rod = rod_at(step * static_cast<double>(i));
+        const double theta = step * static_cast<double>(i);
+        const Rod rod = rod_at(theta);
+        sin_[i] = std::sin(theta);
+        cos_[i] = std::cos(theta);
         x_[i] = rod.x;
         y_[i] = rod.y;
         along_x_[i] = rod.along_x;
@@ -54,20 +114,21 @@ double RodSweep::square(const Rod& rod, double x, double y) const {
 }
 
 double RodSweep::squares(double x, double y, Column& out) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < samples; ++i) {
-        out[i] = square({x_[i], y_[i], along_x_[i], along_y_[i]}, x, y);
-        least = std::min(least, out[i]);
-    }
-    return least;
+    static_assert(samples % lanes_of<WideLanes> == 0);
+    const Segments all{x_.data(),       y_.data(), along_x_.data(),
+                       along_y_.data(), samples,   per_length2_};
+    return (has_avx2() ? squares_avx2 : squares_anywhere)(all, x, y, out.data());
 }
 
-/// Where the square of the distance is least: its slope changes sign once beside the least sample.
-double RodSweep::flat_between(double low, double high, double x, double y) const {
-    const auto slope = [&](double theta) {
-        const double sin = std::sin(theta);
-        const double cos = std::cos(theta);
-        const auto piston = crank_.at(theta);
+/// Where the square of the distance is least within a step of a sample that lies lower than its
+/// neighbours: its slope changes sign there once.
+double RodSweep::flat_beside(std::size_t sample, double x, double y) const {
+    const double middle = step * static_cast<double>(sample);
+    const auto slope = [&](double beside) {
+        const auto [c, s] = short_cos_sin(beside);
+        const double sin = sin_[sample] * c + cos_[sample] * s;
+        const double cos = cos_[sample] * c - sin_[sample] * s;
+        const auto piston = crank_.at(sin, cos);
         const Rod rod{crank_.crank_radius * sin, crank_.crank_radius * cos,
                       crank_.offset - crank_.crank_radius * sin,
                       piston.s - crank_.crank_radius * cos};
@@ -80,39 +141,66 @@ double RodSweep::flat_between(double low, double high, double x, double y) const
         return -((to_x - t * rod.along_x) * (1.0 - t) * pin_x +
                  (to_y - t * rod.along_y) * ((1.0 - t) * pin_y + t * piston.ds));
     };
-    const double slope_low = slope(low);
-    const double slope_high = slope(high);
-    if (!(slope_low < 0.0 && slope_high > 0.0)) {
+    double other = -step;
+    double last = step;
+    double slope_other = slope(other);
+    double slope_last = slope(last);
+    if (!(slope_other < 0.0 && slope_last > 0.0)) {
         return boost::math::tools::brent_find_minima(
-                   [&](double theta) { return square(rod_at(theta), x, y); }, low, high, 26)
+                   [&](double theta) { return square(rod_at(theta), x, y); }, middle - step,
+                   middle + step, 26)
             .first;
     }
-    std::uintmax_t tries = 40;
-    // The distance is flat there: half of a double's digits are enough.
-    const auto [left, right] =
-        boost::math::tools::toms748_solve(slope, low, high, slope_low, slope_high,
-                                          boost::math::tools::eps_tolerance<double>(30), tries);
-    return left + (right - left) / 2.0;
+    // Secants over a bracket (Anderson and Björck). The distance is flat there: half of a double's
+    // digits are enough.
+    constexpr int most_secants = 60;
+    for (int i = 0; i < most_secants; ++i) {
+        const double at = last - slope_last * (last - other) / (slope_last - slope_other);
+        const double here = slope(at);
+        const double change = std::abs(at - last);
+        if ((here > 0.0) != (slope_last > 0.0)) {
+            other = last;
+            slope_other = slope_last;
+        } else {
+            const double kept = 1.0 - here / slope_last;
+            slope_other *= kept > 0.0 ? kept : 0.5;
+        }
+        last = at;
+        slope_last = here;
+        if (here == 0.0 || change <= 1e-9) {
+            break;
+        }
+    }
+    return middle + last;
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
     Column square_at;
-    double least = squares(x, y, square_at);
+    const double least = squares(x, y, square_at);
+    return nearest(x, y, square_at, least);
+}
+
+RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
+                                    double least) const {
+    // A minimum between samples is below them by no more than the rod moves.
+    const double reach = std::sqrt(least) + motion_;
+    const double candidate = reach * reach * (1.0 + 1e-12);
     double angle = 0.0;
+    double best = least;
     for (std::size_t i = 0; i < samples; ++i) {
-        const double before = square_at[(i + samples - 1) % samples];
-        const double after = square_at[(i + 1) % samples];
-        const double theta = step * static_cast<double>(i);
-        if (square_at[i] == least) {
-            angle = theta;
+        if (!(square_at[i] <= candidate)) {
+            continue;
         }
-        // A minimum between samples is below them by no more than the rod moves.
-        if (square_at[i] <= before && square_at[i] <= after &&
-            std::sqrt(square_at[i]) - motion_ <= std::sqrt(least)) {
-            const double at = flat_between(theta - step, theta + step, x, y);
+        if (square_at[i] == best) {
+            angle = step * static_cast<double>(i);
+        }
+        const double before = square_at[i == 0 ? samples - 1 : i - 1];
+        const double after = square_at[i + 1 == samples ? 0 : i + 1];
+        if (square_at[i] <= before && square_at[i] <= after) {
+            const double at = flat_beside(i, x, y);
             const double value = square(rod_at(at), x, y);
-            if (value <= least) {
-                least = value;
+            if (value <= best) {
+                best = value;
                 angle = at;
             }
         }
@@ -120,22 +208,40 @@ RodSweep::Nearest RodSweep::nearest(double x, double y) const {
     const Rod rod = rod_at(angle);
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;
     const double t = std::clamp(along * per_length2_, 0.0, 1.0);
-    return {std::sqrt(least), rod.x + t * rod.along_x, rod.y + t * rod.along_y};
+    return {std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y};
+}
+
+/// The box about all rods is that far away.
+bool RodSweep::is_far(double x, double y, double needed) const {
+    const double beside = std::max({left_ - x, x - right_, 0.0});
+    const double above = std::max({bottom_ - y, y - top_, 0.0});
+    return std::hypot(beside, above) - motion_ / 2.0 >= needed;
+}
+
+std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, double needed) const {
+    if (is_far(x, y, needed)) {
+        return std::nullopt;
+    }
+    Column square_at;
+    const double least = squares(x, y, square_at);
+    if (std::sqrt(least) - motion_ / 2.0 >= needed) {
+        return std::nullopt;
+    }
+    const Nearest found = nearest(x, y, square_at, least);
+    return found.distance < needed ? std::optional(found) : std::nullopt;
 }
 
 bool RodSweep::is_clear(double x, double y, double needed) const {
-    const double beside = std::max({left_ - x, x - right_, 0.0});
-    const double above = std::max({bottom_ - y, y - top_, 0.0});
-    const double motion = motion_ / 2.0;
-    if (std::hypot(beside, above) - motion >= needed) {
+    if (is_far(x, y, needed)) {
         return true;
     }
     Column square_at;
-    const double least = std::sqrt(squares(x, y, square_at));
-    if (least < needed) {
+    const double least = squares(x, y, square_at);
+    const double distance = std::sqrt(least);
+    if (distance < needed) {
         return false;
     }
-    return least - motion >= needed || distance(x, y) >= needed;
+    return distance - motion_ / 2.0 >= needed || nearest(x, y, square_at, least).distance >= needed;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "balance-shaft/envelope.h"
 #include "numerics/constants.h"
@@ -21,8 +22,10 @@ class RodSweep {
     /// To any of the segments, to rounding.
     Nearest nearest(double x, double y) const;
     double distance(double x, double y) const { return nearest(x, y).distance; }
-    /// distance(x, y) ≥ needed, mostly for the price of a comparison.
-    bool is_clear(double x, double y, double needed) const;
+    /// nearest(x, y) where its distance is less than `needed`, mostly for the price of a comparison
+    /// where it is not.
+    std::optional<Nearest> nearer_than(double x, double y, double needed) const;
+    bool is_clear(double x, double y, double needed) const;  ///< distance(x, y) ≥ needed
 
   private:
     static constexpr std::size_t samples = 96;
@@ -35,13 +38,16 @@ class RodSweep {
     };
     Rod rod_at(double theta) const;
     double square(const Rod& rod, double x, double y) const;
-    double flat_between(double low, double high, double x, double y) const;
+    bool is_far(double x, double y, double needed) const;
+    double flat_beside(std::size_t sample, double x, double y) const;
+    Nearest nearest(double x, double y, const Column& square_at, double least) const;
     /// Squares of the distances of all samples; returns the least.
     double squares(double x, double y, Column& out) const;
 
     SliderCrank<double> crank_;
     double per_length2_ = 0.0;  ///< 1/L², 0 for no rod
     double motion_ = 0.0;       ///< most that a place of the rod moves in one step, m
+    Column sin_{}, cos_{};      ///< of the crank angle
     Column x_{}, y_{}, along_x_{}, along_y_{};
     double left_ = 0.0, right_ = 0.0, bottom_ = 0.0, top_ = 0.0;  ///< of all samples, m
 };

@@ -213,13 +213,12 @@ void ShaftPlaces::find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d
         }
     }
 
-    if (!rods_.is_clear(middle.x(), middle.y(), needed_rod_ + r)) {
-        const RodSweep::Nearest rod = rods_.nearest(middle.x(), middle.y());
-        if (rod.distance + r < needed_rod_ - rounding_) {
+    if (const auto rod = rods_.nearer_than(middle.x(), middle.y(), needed_rod_ + r)) {
+        if (rod->distance + r < needed_rod_ - rounding_) {
             cuts.is_empty = true;
             return;
         }
-        keep_off({rod.x, rod.y}, needed_rod_);
+        keep_off({rod->x, rod->y}, needed_rod_);
     }
 }
 
