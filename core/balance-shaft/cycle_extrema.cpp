@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
 #include "numerics/real50.h"
+#include "numerics/short_trigonometry.h"
+#include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -22,6 +25,58 @@ Scalar degree_of() {
     return boost::math::constants::degree<Scalar>();
 }
 
+/// Of the knots, padded to whole blocks.
+struct KnotColumns {
+    const double* cos;
+    const double* sin;
+    const double* upper;
+    const double* lower;
+    std::size_t blocks;
+};
+
+/// The largest upper and the least lower value of each block.
+template <typename Lanes>
+RAVNOVES_KERNEL void block_extrema(const KnotColumns& knots, double x, double y, double* highest,
+                                   double* lowest) {
+    Lanes by_cos;
+    Lanes by_sin;
+    set_all(by_cos, x);
+    set_all(by_sin, y);
+    for (std::size_t k = 0; k < knots.blocks; ++k) {
+        Lanes top;
+        Lanes bottom;
+        set_all(top, -std::numeric_limits<double>::infinity());
+        set_all(bottom, std::numeric_limits<double>::infinity());
+        for (std::size_t i = k * block; i < (k + 1) * block; i += lanes_of<Lanes>) {
+            Lanes cos;
+            Lanes sin;
+            Lanes upper;
+            Lanes lower_value;
+            load(cos, knots.cos + i);
+            load(sin, knots.sin + i);
+            load(upper, knots.upper + i);
+            load(lower_value, knots.lower + i);
+            const Lanes sine = by_cos * cos + by_sin * sin;
+            upper += sine;
+            lower_value += sine;
+            raise(top, upper);
+            lower(bottom, lower_value);
+        }
+        highest[k] = greatest(top);
+        lowest[k] = least(bottom);
+    }
+}
+
+void block_extrema_anywhere(const KnotColumns& knots, double x, double y, double* highest,
+                            double* lowest) {
+    block_extrema<PlainLanes>(knots, x, y, highest, lowest);
+}
+
+RAVNOVES_AVX2 void block_extrema_avx2(const KnotColumns& knots, double x, double y, double* highest,
+                                      double* lowest) {
+    block_extrema<WideLanes>(knots, x, y, highest, lowest);
+}
+
 }  // namespace
 
 template <typename Scalar>
@@ -34,6 +89,8 @@ struct BasicCycleExtrema<Scalar>::Search {
 
     Scalar highest = Scalar(0);  ///< the best at the knots
     Scalar lowest = Scalar(0);
+    /// The last interval searched.
+    std::size_t searched = std::numeric_limits<std::size_t>::max();
 
     /// True where neither bound can improve on what is known.
     bool beaten(const Scalar& top, const Scalar& bottom) const {
@@ -189,6 +246,11 @@ void BasicCycleExtrema<Scalar>::search_interval(Eigen::Index j, Search& search) 
             }
             continue;
         }
+        if constexpr (std::is_same_v<Scalar, double>) {
+            if (search_smooth(branch, j, value_left, value_right, origin, search)) {
+                continue;
+            }
+        }
         const Scalar phase = (search.alpha_deg + left) * degree;
         for (const Scalar& t :
              stationary_points<Scalar>(branch.cubic, amplitude_, degree, phase, h)) {
@@ -200,15 +262,168 @@ void BasicCycleExtrema<Scalar>::search_interval(Eigen::Index j, Search& search) 
     }
 }
 
+/// The extrema within, where the bend changes its sign once at most.
+/// @return false where it may do so more often: nothing is known then
 template <typename Scalar>
-BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) const {
+bool BasicCycleExtrema<Scalar>::search_smooth(
+    const Branch& branch, Eigen::Index j, const Scalar& value_left, const Scalar& value_right,
+    const Scalar& origin, Search& search) const requires std::is_same_v<Scalar, double> {
+    using std::abs;
     using std::cos;
     using std::sin;
-    const Scalar degree = degree_of<Scalar>();
+    const Scalar w = degree_of<Scalar>();
+    const Scalar h =
+        knot_deg_[static_cast<std::size_t>(j) + 1] - knot_deg_[static_cast<std::size_t>(j)];
+    const Eigen::Index next = j + 1 < static_cast<Eigen::Index>(count_) ? j + 1 : 0;
+    const Cubic& p = branch.cubic;
+    // A sin(φ + α) is sine cos(wt) + slope sin(wt) from the left knot.
+    const Scalar sine = search.x * cos_[j] + search.y * sin_[j];
+    const Scalar slope = search.y * cos_[j] - search.x * sin_[j];
+    const Scalar sine_last = search.x * cos_[next] + search.y * sin_[next];
+    const Scalar slope_last = search.y * cos_[next] - search.x * sin_[next];
+    // What can matter here; an arch has a maximum at most, a hollow a minimum.
+    const bool wants_max = std::max(value_left, value_right) + branch.above >=
+                           std::max(search.highest, search.found.max.value);
+    const bool wants_min = std::min(value_left, value_right) - branch.below <=
+                           std::min(search.lowest, search.found.min.value);
+    const auto cos_sin = [&](const Scalar& t) -> CosSin {
+        const Scalar angle = w * t;
+        return angle <= longest_short_angle ? short_cos_sin(angle) : CosSin{cos(angle), sin(angle)};
+    };
+    constexpr int most_steps = 40;
+    const Scalar enough = 1e-9 * h;  // Newton's next step would be of the order of its square
+    struct End {
+        Scalar t;
+        Scalar value;
+        Scalar rise;
+    };
+    const auto search_bow = [&](const End& left, const End& right, bool is_arch) {
+        if (is_arch ? !(wants_max && left.rise > 0 && right.rise < 0)
+                    : !(wants_min && left.rise < 0 && right.rise > 0)) {
+            return;
+        }
+        // It lies within the tangents at its ends, so not beyond the place where they meet.
+        const Scalar corner =
+            left.value + left.rise * (right.value - left.value - right.rise * (right.t - left.t)) /
+                             (left.rise - right.rise);
+        if (is_arch ? corner < std::max(search.highest, search.found.max.value)
+                    : corner > std::min(search.lowest, search.found.min.value)) {
+            return;
+        }
+        Scalar low = left.t;
+        Scalar high = right.t;
+        Scalar t = low + (high - low) * left.rise / (left.rise - right.rise);
+        Scalar change = h;
+        for (int step = 0; step < most_steps && change > enough; ++step) {
+            const auto [c, s] = cos_sin(t);
+            const Scalar rise = p.slope(t) + w * (slope * c - sine * s);
+            const Scalar bend = 2 * p.c2 + 6 * p.c3 * t - w * w * (sine * c + slope * s);
+            ((rise > 0) == is_arch ? low : high) = t;
+            Scalar moved = t - rise / bend;
+            if (!(moved >= low && moved <= high)) {
+                moved = (low + high) / 2;
+            }
+            change = abs(moved - t);
+            t = moved;
+        }
+        const auto [c, s] = cos_sin(t);
+        const Scalar value = p.value(t) + sine * c + slope * s;
+        if (is_arch) {
+            search.offer_max(value, origin + t);
+        } else {
+            search.offer_min(value, origin + t);
+        }
+    };
+
+    const End first{Scalar(0), value_left, p.c1 + w * slope};
+    const End last{h, value_right, p.slope(h) + w * slope_last};
+    // A sine is off its chord by at most this.
+    const Scalar off = amplitude_ * w * w * h * h / 8;
+    const Scalar cubic_first = 2 * p.c2;
+    const Scalar cubic_last = cubic_first + 6 * p.c3 * h;
+    if (std::max(cubic_first, cubic_last) < w * w * (std::min(sine, sine_last) - off)) {
+        search_bow(first, last, true);
+        return true;
+    }
+    if (std::min(cubic_first, cubic_last) > w * w * (std::max(sine, sine_last) + off)) {
+        search_bow(first, last, false);
+        return true;
+    }
+    // The third derivative is 6 c₃ − w³ × (the cosine): where it keeps its sign, the bend changes
+    // its own once at most.
+    const Scalar third = 6 * p.c3 / (w * w * w);
+    if (third <= std::max(slope, slope_last) + off && third >= std::min(slope, slope_last) - off) {
+        return false;
+    }
+    const Scalar bend_first = cubic_first - w * w * sine;
+    const Scalar bend_last = cubic_last - w * w * sine_last;
+    if ((bend_first < 0) == (bend_last < 0)) {
+        search_bow(first, last, bend_first < 0);
+        return true;
+    }
+    const bool begins_as_arch = bend_first < 0;
+    const bool first_matters =
+        begins_as_arch ? wants_max && first.rise > 0 : wants_min && first.rise < 0;
+    const bool last_matters =
+        begins_as_arch ? wants_min && last.rise > 0 : wants_max && last.rise < 0;
+    if (!first_matters && !last_matters) {
+        return true;
+    }
+    Scalar low(0);
+    Scalar high = h;
+    Scalar t = h * bend_first / (bend_first - bend_last);
+    Scalar change = h;
+    for (int step = 0; step < most_steps && change > enough; ++step) {
+        const auto [c, s] = cos_sin(t);
+        const Scalar bend = cubic_first + 6 * p.c3 * t - w * w * (sine * c + slope * s);
+        ((bend < 0) == begins_as_arch ? low : high) = t;
+        Scalar moved = t - bend / (6 * p.c3 - w * w * w * (slope * c - sine * s));
+        if (!(moved >= low && moved <= high)) {
+            moved = (low + high) / 2;
+        }
+        change = abs(moved - t);
+        t = moved;
+    }
+    const auto [c, s] = cos_sin(t);
+    const End between{t, p.value(t) + sine * c + slope * s,
+                      p.slope(t) + w * (slope * c - sine * s)};
+    search_bow(first, between, begins_as_arch);
+    search_bow(between, last, !begins_as_arch);
+    return true;
+}
+
+template <typename Scalar>
+typename BasicCycleExtrema<Scalar>::Search BasicCycleExtrema<Scalar>::search_at(
+    const Scalar& alpha) const {
+    using std::cos;
+    using std::sin;
     Search search;
     search.x = amplitude_ * sin(alpha);
     search.y = amplitude_ * cos(alpha);
-    search.alpha_deg = wrap<Scalar>(alpha / degree, Scalar(360));
+    search.alpha_deg = wrap<Scalar>(alpha / degree_of<Scalar>(), Scalar(360));
+    return search;
+}
+
+/// Offers a knot that is near the best, and what lies in the intervals on its two sides.
+template <typename Scalar>
+void BasicCycleExtrema<Scalar>::offer_knot(std::size_t j, const Scalar& top, const Scalar& bottom,
+                                           Search& search) const {
+    const bool second_is_upper = branches_[2 * j].cubic.y < branches_[2 * j + 1].cubic.y;
+    search.offer_max(top, knot_deg_[j] + Scalar(second_is_upper ? 360 : 0));
+    search.offer_min(bottom, knot_deg_[j] + Scalar(second_is_upper ? 0 : 360));
+    const std::size_t before = (j == 0 ? count_ : j) - 1;
+    if (before != search.searched) {
+        search_interval(static_cast<Eigen::Index>(before), search);
+    }
+    if (j != before) {
+        search_interval(static_cast<Eigen::Index>(j), search);
+    }
+    search.searched = j;
+}
+
+template <typename Scalar>
+BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) const {
+    Search search = search_at(alpha);
 
     // First pass: extrema at the knots, block by block; they are kept so that the second pass opens
     // only blocks near the best.
@@ -224,11 +439,20 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
     Scalar* const block_min = block_max + blocks;
     Scalar highest = -std::numeric_limits<Scalar>::infinity();
     Scalar lowest = std::numeric_limits<Scalar>::infinity();
+    if constexpr (std::is_same_v<Scalar, double>) {
+        const KnotColumns knots{cos_.data(), sin_.data(), upper_.data(), lower_.data(),
+                                static_cast<std::size_t>(blocks)};
+        (has_avx2() ? block_extrema_avx2 : block_extrema_anywhere)(knots, search.x, search.y,
+                                                                   block_max, block_min);
+    } else {
+        for (Eigen::Index k = 0; k < blocks; ++k) {
+            const Block<Scalar> sine = search.x * cos_.template segment<block>(k * block) +
+                                       search.y * sin_.template segment<block>(k * block);
+            block_max[k] = (upper_.template segment<block>(k * block) + sine).maxCoeff();
+            block_min[k] = (lower_.template segment<block>(k * block) + sine).minCoeff();
+        }
+    }
     for (Eigen::Index k = 0; k < blocks; ++k) {
-        const Block<Scalar> sine = search.x * cos_.template segment<block>(k * block) +
-                                   search.y * sin_.template segment<block>(k * block);
-        block_max[k] = (upper_.template segment<block>(k * block) + sine).maxCoeff();
-        block_min[k] = (lower_.template segment<block>(k * block) + sine).minCoeff();
         highest = std::max(highest, block_max[k]);
         lowest = std::min(lowest, block_min[k]);
     }
@@ -238,7 +462,6 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
 
     // Second pass: every knot that near to the best is offered with the interior extrema of the
     // intervals on its two sides.
-    Eigen::Index searched = -1;  // the last interval searched
     for (Eigen::Index k = 0; k < blocks; ++k) {
         if (search.beaten(block_max[k] + block_above_[k], block_min[k] - block_below_[k])) {
             continue;
@@ -251,23 +474,124 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
             if (search.beaten(top + above_[row], bottom - below_[row])) {
                 continue;
             }
-            const auto j = static_cast<std::size_t>(row);
-            const bool second_is_upper = branches_[2 * j].cubic.y < branches_[2 * j + 1].cubic.y;
-            search.offer_max(top, knot_deg_[j] + Scalar(second_is_upper ? 360 : 0));
-            search.offer_min(bottom, knot_deg_[j] + Scalar(second_is_upper ? 0 : 360));
-            const Eigen::Index before = (row == 0 ? static_cast<Eigen::Index>(count_) : row) - 1;
-            if (before != searched) {
-                search_interval(before, search);
-            }
-            if (row != before) {
-                search_interval(row, search);
-            }
-            searched = row;
+            offer_knot(static_cast<std::size_t>(row), top, bottom, search);
         }
     }
     search.found.max.angle_deg = wrap<Scalar>(search.found.max.angle_deg, period_);
     search.found.min.angle_deg = wrap<Scalar>(search.found.min.angle_deg, period_);
     return search.found;
+}
+
+template <typename Scalar>
+struct BasicCycleExtrema<Scalar>::Near {
+    std::vector<std::size_t> knots;
+    std::vector<Scalar> cos, sin, upper, lower, above, below;  ///< of these knots
+    std::vector<Scalar> top, bottom;
+    std::vector<Scalar> block_max, block_min;  ///< of all knots
+};
+
+/// @param apart  the shaft's moment at the angles is no farther from (x, y) than this, N·m
+template <typename Scalar>
+void BasicCycleExtrema<Scalar>::find_near(
+    const Scalar& x, const Scalar& y, const Scalar& apart,
+    Near& near) const requires std::is_same_v<Scalar, double> {
+    near.knots.clear();
+    for (std::vector<Scalar>* const column :
+         {&near.cos, &near.sin, &near.upper, &near.lower, &near.above, &near.below}) {
+        column->clear();
+    }
+    const auto blocks = static_cast<std::size_t>(cos_.size() / block);
+    near.block_max.resize(blocks);
+    near.block_min.resize(blocks);
+    (has_avx2() ? block_extrema_avx2 : block_extrema_anywhere)(
+        {cos_.data(), sin_.data(), upper_.data(), lower_.data(), blocks}, x, y,
+        near.block_max.data(), near.block_min.data());
+    const auto highest = std::max_element(near.block_max.begin(), near.block_max.end());
+    const auto lowest = std::min_element(near.block_min.begin(), near.block_min.end());
+    const auto sine = [&](Eigen::Index row) { return x * cos_[row] + y * sin_[row]; };
+    Eigen::Index best = (highest - near.block_max.begin()) * block;
+    Eigen::Index worst = (lowest - near.block_min.begin()) * block;
+    for (Eigen::Index row = best; row < best / block * block + block; ++row) {
+        best = upper_[row] + sine(row) > upper_[best] + sine(best) ? row : best;
+    }
+    for (Eigen::Index row = worst; row < worst / block * block + block; ++row) {
+        worst = lower_[row] + sine(row) < lower_[worst] + sine(worst) ? row : worst;
+    }
+    // From (x, y) to an angle's moment a knot gains on the best one by at most the distance of
+    // their directions times that of the moments.
+    const Scalar square = 2 * apart * apart;
+    const Scalar slack = 100 * std::numeric_limits<Scalar>::epsilon() *
+                         (amplitude_ + std::max(*highest, Scalar(-*lowest)));
+    for (std::size_t k = 0; k < blocks; ++k) {
+        const auto first = static_cast<Eigen::Index>(k) * block;
+        const Scalar gain = 2 * apart + slack;
+        if (*highest - near.block_max[k] - block_above_[static_cast<Eigen::Index>(k)] > gain &&
+            near.block_min[k] - block_below_[static_cast<Eigen::Index>(k)] - *lowest > gain) {
+            continue;
+        }
+        const Eigen::Index end = std::min(first + block, static_cast<Eigen::Index>(count_));
+        for (Eigen::Index row = first; row < end; ++row) {
+            const auto within = [&](const Scalar& lack, Eigen::Index from) {
+                return lack <= 0 ||
+                       lack * lack <= square * (1 + Scalar(1e-9) - cos_[row] * cos_[from] -
+                                                sin_[row] * sin_[from]);
+            };
+            if (within(*highest - upper_[row] - sine(row) - above_[row] - slack, best) ||
+                within(lower_[row] + sine(row) - below_[row] - *lowest - slack, worst)) {
+                near.knots.push_back(static_cast<std::size_t>(row));
+                near.cos.push_back(cos_[row]);
+                near.sin.push_back(sin_[row]);
+                near.upper.push_back(upper_[row]);
+                near.lower.push_back(lower_[row]);
+                near.above.push_back(above_[row]);
+                near.below.push_back(below_[row]);
+            }
+        }
+    }
+    near.top.resize(near.knots.size());
+    near.bottom.resize(near.knots.size());
+}
+
+template <typename Scalar>
+void BasicCycleExtrema<Scalar>::ranges(std::span<const Scalar> alpha, std::span<Scalar> range)
+    const requires std::is_same_v<Scalar, double> {
+    using std::sqrt;
+    constexpr std::size_t group = 8;
+    thread_local Near near;
+    for (std::size_t from = 0; from < alpha.size(); from += group) {
+        const std::size_t to = std::min(from + group, alpha.size());
+        std::array<Search, group> searches;
+        for (std::size_t i = from; i < to; ++i) {
+            searches[i - from] = search_at(alpha[i]);
+        }
+        const Search middle = searches[(to - from) / 2];
+        Scalar apart(0);
+        for (std::size_t i = from; i < to; ++i) {
+            const Scalar x = searches[i - from].x - middle.x;
+            const Scalar y = searches[i - from].y - middle.y;
+            apart = std::max(apart, Scalar(x * x + y * y));
+        }
+        find_near(middle.x, middle.y, sqrt(apart), near);
+        const auto count = static_cast<Eigen::Index>(near.knots.size());
+        using Given = Eigen::Map<const Column>;
+        Eigen::Map<Column> top(near.top.data(), count);
+        Eigen::Map<Column> bottom(near.bottom.data(), count);
+        for (std::size_t i = from; i < to; ++i) {
+            Search& search = searches[i - from];
+            bottom =
+                search.x * Given(near.cos.data(), count) + search.y * Given(near.sin.data(), count);
+            top = Given(near.upper.data(), count) + bottom;
+            bottom += Given(near.lower.data(), count);
+            search.highest = top.maxCoeff();
+            search.lowest = bottom.minCoeff();
+            for (std::size_t n = 0; n < near.knots.size(); ++n) {
+                if (!search.beaten(near.top[n] + near.above[n], near.bottom[n] - near.below[n])) {
+                    offer_knot(near.knots[n], near.top[n], near.bottom[n], search);
+                }
+            }
+            range[i] = search.found.max.value - search.found.min.value;
+        }
+    }
 }
 
 template class BasicCycleExtrema<double>;

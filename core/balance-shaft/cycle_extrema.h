@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "numerics/periodic_piecewise.h"
@@ -33,8 +35,13 @@ using Extrema = BasicExtrema<double>;
 /// is searched. Between knots the function
 /// exceeds its larger end by at most A h²/8 (error of the sine's chord) plus what the cubic rises
 /// above its own chord, so only intervals with an end that near to the best are solved for their
-/// interior extremum: in closed form for lines (cos(φ + α) = −slope/A), by monotone brackets for
-/// cubics.
+/// interior extremum: in closed form for lines (cos(φ + α) = −slope/A); for cubics by Newton's
+/// method where the bend keeps its sign, so that there is one at most, elsewhere by monotone
+/// brackets.
+///
+/// For cubics an α costs twice what it does for lines, in ranges() four times where rows are few:
+/// as many intervals are near the best, and each takes bounds of its bend and tangents, and now and
+/// then three to five steps of Newton's, where a line has a closed form.
 template <typename Scalar>
 class BasicCycleExtrema {
   public:
@@ -46,6 +53,11 @@ class BasicCycleExtrema {
         const BasicExtrema<Scalar> found = (*this)(alpha);
         return found.max.value - found.min.value;
     }
+
+    /// range() of many angles, cheaper where neighbours in the list are near each other: then one
+    /// look at all knots serves eight of them.
+    void ranges(std::span<const Scalar> alpha,
+                std::span<Scalar> range) const requires std::is_same_v<Scalar, double>;
 
     Scalar amplitude() const { return amplitude_; }
 
@@ -67,8 +79,17 @@ class BasicCycleExtrema {
 
     /// The least and the largest value so far and where, and the search of one interval for more.
     struct Search;
+    /// The knots that can be an extremum, or stand beside one, at any of some angles.
+    struct Near;
 
+    Search search_at(const Scalar& alpha) const;
+    void offer_knot(std::size_t j, const Scalar& top, const Scalar& bottom, Search& search) const;
     void search_interval(Eigen::Index j, Search& search) const;
+    bool search_smooth(const Branch& branch, Eigen::Index j, const Scalar& value_left,
+                       const Scalar& value_right, const Scalar& origin,
+                       Search& search) const requires std::is_same_v<Scalar, double>;
+    void find_near(const Scalar& x, const Scalar& y, const Scalar& apart,
+                   Near& near) const requires std::is_same_v<Scalar, double>;
 
     Scalar amplitude_ = Scalar(0);
     Scalar period_ = Scalar(720);  ///< of M, °

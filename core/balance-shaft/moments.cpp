@@ -98,6 +98,16 @@ double Moments::rms_at(double alpha) const {
     return std::sqrt(std::max(variance_at(alpha), 0.0));
 }
 
+void Moments::sweep(std::span<const double> alpha, std::span<double> range,
+                    std::span<double> rms) const {
+    std::vector<double> turned(alpha.begin(), alpha.end());
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        turned[i] += phase;
+        rms[i] = rms_at(alpha[i]);
+    }
+    extrema.ranges(turned, range);
+}
+
 MomentMetrics Moments::tipping() const {
     return metrics_of(CycleExtrema(moment, 0.0)(0.0), mean, variance);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "balance-shaft/cycle_extrema.h"
@@ -54,8 +55,10 @@ struct Moments {
     std::size_t turns() const { return strokes == 2 ? 1 : 2; }
     std::size_t first_order() const { return turns() - 1; }
 
-    double variance_at(double alpha) const;   ///< of M_ups, (N·m)²
-    double rms_at(double alpha) const;        ///< of M_ups, N·m
+    double variance_at(double alpha) const;  ///< of M_ups, (N·m)²
+    double rms_at(double alpha) const;       ///< of M_ups, N·m
+    /// Ranges and RMS of M_ups at many angles, see CycleExtrema::ranges().
+    void sweep(std::span<const double> alpha, std::span<double> range, std::span<double> rms) const;
     MomentMetrics tipping() const;            ///< of M_up
     MomentMetrics shaft(double alpha) const;  ///< of M_s
     MomentMetrics at(double alpha) const;     ///< of M_ups

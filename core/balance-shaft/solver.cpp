@@ -13,6 +13,7 @@
 #include "case-file/unusual_engine.h"
 #include "numerics/angle.h"
 #include "numerics/periodic_piecewise.h"
+#include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -60,6 +61,45 @@ double printed_mean_of_rows(const Input& input, const PeriodicPiecewise& moment)
 
 OrderLine order_line(double order, const FourierPair& pair) {
     return {order, std::hypot(pair.a, pair.b), std::atan2(pair.a, pair.b)};
+}
+
+/// At the angles of the curves.
+struct CurveColumns {
+    const double* cos;
+    const double* sin;
+    const double* tipping;  ///< M_up, N·m
+    std::size_t count;
+};
+
+/// M_s = x cos φ + y sin φ and M_up + M_s.
+template <typename Lanes>
+RAVNOVES_KERNEL void shaft_curves(const CurveColumns& at, double x, double y, double* shaft,
+                                  double* sum) {
+    std::size_t i = 0;
+    for (; i + lanes_of<Lanes> <= at.count; i += lanes_of<Lanes>) {
+        Lanes cos;
+        Lanes sin;
+        Lanes tipping;
+        load(cos, at.cos + i);
+        load(sin, at.sin + i);
+        load(tipping, at.tipping + i);
+        const Lanes moment = x * cos + y * sin;
+        store(shaft + i, moment);
+        store(sum + i, tipping + moment);
+    }
+    for (; i < at.count; ++i) {
+        shaft[i] = x * at.cos[i] + y * at.sin[i];
+        sum[i] = at.tipping[i] + shaft[i];
+    }
+}
+
+void shaft_curves_anywhere(const CurveColumns& at, double x, double y, double* shaft, double* sum) {
+    shaft_curves<PlainLanes>(at, x, y, shaft, sum);
+}
+
+RAVNOVES_AVX2 void shaft_curves_avx2(const CurveColumns& at, double x, double y, double* shaft,
+                                     double* sum) {
+    shaft_curves<WideLanes>(at, x, y, shaft, sum);
 }
 
 }  // namespace
@@ -188,14 +228,17 @@ void Solver::Prepared::prepare_sweep() {
     const std::size_t count = sweep.shaft_angle_deg.size();
     sweep.mean_M_s.assign(count, 0.0);
     sweep.mean_M_ups.assign(count, base.M_up.mean);
-    sweep.range.reserve(count);
-    sweep.rms.reserve(count);
+    sweep.range.resize(count);
+    sweep.rms.resize(count);
+    std::vector<double> alpha;
+    alpha.reserve(count);
     for (const double angle : sweep.shaft_angle_deg) {
-        const double alpha = angle * degree;
-        sweep.range.push_back(extrema.range(alpha + phase));
-        sweep.rms.push_back(rms_at(alpha));
+        alpha.push_back(angle * degree);
+    }
+    Moments::sweep(alpha, sweep.range, sweep.rms);
+    for (const double angle : alpha) {
         const double printed =
-            printed_mean_of_shaft_moment(forces.moment_amplitude, alpha + phase, input.strokes);
+            printed_mean_of_shaft_moment(forces.moment_amplitude, angle + phase, input.strokes);
         sweep.printed_mean_M_s.push_back(printed);
         sweep.printed_mean_M_ups.push_back(printed + base.printed_mean_M_up);
     }
@@ -316,12 +359,10 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     result.spectrum_M_ups[prepared.first_order()] =
         order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
 
-    const auto count = static_cast<Eigen::Index>(prepared.cos_curve.size());
-    using Curve = Eigen::Map<const Eigen::ArrayXd>;
-    Eigen::Map<Eigen::ArrayXd> M_s(result.curves.M_s.data(), count);
-    Eigen::Map<Eigen::ArrayXd> M_ups(result.curves.M_ups.data(), count);
-    M_s = x * Curve(prepared.cos_curve.data(), count) + y * Curve(prepared.sin_curve.data(), count);
-    M_ups = Curve(prepared.base.curves.M_up.data(), count) + M_s;
+    (has_avx2() ? shaft_curves_avx2 : shaft_curves_anywhere)(
+        {prepared.cos_curve.data(), prepared.sin_curve.data(), prepared.base.curves.M_up.data(),
+         prepared.cos_curve.size()},
+        x, y, result.curves.M_s.data(), result.curves.M_ups.data());
 }
 
 double Solver::M_up(double crank_angle) const {
@@ -351,6 +392,11 @@ double Solver::range(double shaft_angle) const {
 
 double Solver::rms(double shaft_angle) const {
     return prepared_->rms_at(shaft_angle);
+}
+
+void Solver::sweep(std::span<const double> shaft_angle, std::span<double> range,
+                   std::span<double> rms) const {
+    prepared_->sweep(shaft_angle, range, rms);
 }
 
 const CycleExtrema& Solver::extrema() const {

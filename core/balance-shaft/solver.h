@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/envelope.h"
@@ -41,6 +42,10 @@ class Solver {
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
+    /// Both at many angles, cheaper where neighbours in the list are near each other; as many
+    /// ranges and RMS as angles.
+    void sweep(std::span<const double> shaft_angle, std::span<double> range,
+               std::span<double> rms) const;
     /// Of M_up + M_s, for what asks about many angles.
     const CycleExtrema& extrema() const;
     /// M_up over φ in degrees, its variance, (N·m)², and its first order a cos φ + b sin φ, N·m.
