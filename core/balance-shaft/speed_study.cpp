@@ -6,6 +6,7 @@
 #include <deque>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "balance-shaft/best_range.h"
@@ -29,6 +30,19 @@ double rms_of(double variance) {
 
 double squared(double x) {
     return x * x;
+}
+
+/// The speeds of a band that a search for its worst begins with. In N·m the criterion is convex in
+/// ω²: the worst speed is an end of the band. Of the ratio a few are enough to begin with, each
+/// round adds the worst of the whole band.
+std::vector<std::size_t> first_speeds(std::size_t count, SpeedStudy::Measure measure) {
+    const std::size_t intervals =
+        std::min<std::size_t>(count - 1, measure == SpeedStudy::Measure::absolute ? 1 : 12);
+    std::vector<std::size_t> speeds{0};
+    for (std::size_t k = 1; k <= intervals; ++k) {
+        speeds.push_back(k * (count - 1) / intervals);
+    }
+    return speeds;
 }
 
 }  // namespace
@@ -121,7 +135,12 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
     for (std::size_t i = 0; i < angles; ++i) {
         map.shaft_angle_deg.push_back(360.0 * static_cast<double>(i) / static_cast<double>(angles));
     }
-    map.range.reserve(speeds_.size() * angles);
+    std::vector<double> turned;
+    turned.reserve(angles);
+    for (const double angle : map.shaft_angle_deg) {
+        turned.push_back(angle * degree + phase_);
+    }
+    map.range.resize(speeds_.size() * angles);
     map.rms.reserve(speeds_.size() * angles);
     for (std::size_t k = 0; k < speeds_.size(); ++k) {
         if (progress && !progress(static_cast<double>(k) / static_cast<double>(speeds_.size()))) {
@@ -129,9 +148,8 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
         }
         const Speed& speed = speeds_[k];
         const double amplitude = points_[k].moment_amplitude;
-        for (const double angle : map.shaft_angle_deg) {
-            const double alpha = angle * degree + phase_;
-            map.range.push_back(speed.extrema.range(alpha));
+        speed.extrema.ranges(turned, std::span(map.range).subspan(k * angles, angles));
+        for (const double alpha : turned) {
             map.rms.push_back(rms_of(
                 speed.variance + amplitude * (amplitude / 2.0 + std::sin(alpha) * speed.order_1.a +
                                               std::cos(alpha) * speed.order_1.b)));
@@ -334,12 +352,12 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     }
     turn(within);
     const bool by_range = criterion == Criterion::range;
-    std::vector<const Speed*> speeds;
-    for (const Speed& speed : speeds_) {
-        speeds.push_back(&speed);
-    }
     // The best angle for some speeds, the worst speed for that angle, which joins them: so the best
     // for some becomes the best for the band.
+    std::vector<const Speed*> speeds;
+    for (const std::size_t k : first_speeds(speeds_.size(), measure)) {
+        speeds.push_back(&speeds_[k]);
+    }
     std::deque<Speed> added;
     AtSpeeds best;
     double worst = 0.0;
@@ -435,16 +453,11 @@ std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
     if (speeds_.empty() || unit_.force() == 0.0) {
         return std::nullopt;
     }
-    // In N·m the criterion is convex in ω²: its worst speed is an end of the band. Of the ratio a
-    // few speeds are enough to begin with, each round adds the worst of the whole band.
-    const std::size_t intervals =
-        std::min<std::size_t>(speeds_.size() - 1, measure == Measure::absolute ? 1 : 12);
     std::vector<SpeedPlane> planes;
     std::vector<const Speed*> speeds;
-    for (std::size_t k = 0; k <= intervals; ++k) {
-        const Speed& speed = speeds_[intervals == 0 ? 0 : k * (speeds_.size() - 1) / intervals];
-        planes.push_back(speed_plane(speed.angular_speed, criterion, measure));
-        speeds.push_back(&speed);
+    for (const std::size_t k : first_speeds(speeds_.size(), measure)) {
+        planes.push_back(speed_plane(speeds_[k].angular_speed, criterion, measure));
+        speeds.push_back(&speeds_[k]);
     }
     std::deque<Speed> added;
     LeastBadPlace answer;
