@@ -27,14 +27,28 @@ namespace ravnoves {
 
 namespace {
 
-void check_finite(const Json& value, const std::string& pointer) {
-    RAVNOVES_DEMAND(!value.is_number_float() || std::isfinite(value.get<double>()),
-                    "the result " + pointer + " must be finite");
-    if (value.is_structured()) {
-        for (const auto& item : value.items()) {
-            check_finite(item.value(), pointer + "/" + item.key());
+/// A pointer to the first number below a value that is not finite; empty where all are.
+std::string find_not_finite(const Json& value) {
+    if (value.is_number_float()) {
+        return std::isfinite(*value.get_ptr<const Json::number_float_t*>()) ? "" : "/";
+    }
+    const auto below = [](const std::string& key, const std::string& rest) {
+        return "/" + key + (rest == "/" ? "" : rest);
+    };
+    if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (const std::string found = find_not_finite(value[i]); !found.empty()) {
+                return below(std::to_string(i), found);
+            }
+        }
+    } else if (value.is_object()) {
+        for (const auto& [key, item] : value.get_ref<const Json::object_t&>()) {
+            if (const std::string found = find_not_finite(item); !found.empty()) {
+                return below(key, found);
+            }
         }
     }
+    return {};
 }
 
 /// Calls `visit` with each text under a key "csv".
@@ -153,7 +167,8 @@ Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& 
         throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
     }
     Json result = wanted.pick(scene->solve(file.input, context, wanted));
-    check_finite(result, "/result");
+    const std::string wrong = find_not_finite(result);
+    RAVNOVES_DEMAND(wrong.empty(), "the result /result" + wrong + " must be finite");
     return {{"format", result_format},
             {"version", case_version},
             {"scene", file.scene},
