@@ -14,6 +14,7 @@
 #include "balance-shaft/speed_study.h"
 #include "case-file/text_file.h"
 #include "numerics/periodic_piecewise.h"
+#include "numerics/vector_lanes.h"
 #include "scenes/scenes.h"
 
 namespace {
@@ -65,9 +66,31 @@ void move_shaft(benchmark::State& state) {
 }
 BENCHMARK(move_shaft)->ArgsProduct({{49, 721}, {0, 1}})->ArgNames({"rows", "cubic"});
 
-/// Range and RMS at 360 angles, exact over the continuous cycle.
+/// Range and RMS at 360 angles, exact over the continuous cycle, as the page's sweep asks for them.
 void sweep(benchmark::State& state) {
     const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    std::vector<double> alpha(360);
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        alpha[i] = static_cast<double>(i) * degree;
+    }
+    std::vector<double> range(alpha.size());
+    std::vector<double> rms(alpha.size());
+    for (auto _ : state) {
+        solver.sweep(alpha, range, rms);
+        benchmark::DoNotOptimize(range.data());
+        benchmark::DoNotOptimize(rms.data());
+        benchmark::ClobberMemory();
+    }
+}
+BENCHMARK(sweep)
+    ->ArgsProduct({{49, 721}, {0, 1}})
+    ->ArgNames({"rows", "cubic"})
+    ->Unit(benchmark::kMicrosecond);
+
+/// The same, each angle for itself, with the processor's vector units and without.
+void angle_by_angle(benchmark::State& state) {
+    const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    want_avx2(state.range(2) != 0);
     std::vector<double> range(360);
     std::vector<double> rms(360);
     for (auto _ : state) {
@@ -80,10 +103,11 @@ void sweep(benchmark::State& state) {
         benchmark::DoNotOptimize(rms.data());
         benchmark::ClobberMemory();
     }
+    want_avx2(true);
 }
-BENCHMARK(sweep)
-    ->ArgsProduct({{49, 721}, {0, 1}})
-    ->ArgNames({"rows", "cubic"})
+BENCHMARK(angle_by_angle)
+    ->ArgsProduct({{49, 721}, {0, 1}, {0, 1}})
+    ->ArgNames({"rows", "cubic", "avx2"})
     ->Unit(benchmark::kMicrosecond);
 
 /// The global minimum of the range over α.

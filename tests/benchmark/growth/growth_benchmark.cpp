@@ -1,0 +1,257 @@
+/// How the cost of what a user may make large grows with its size: processor times over a range of
+/// sizes, the exponent fitted to them on log axes, and the one that theory gives. Then the most
+/// memory that this process has had, before and after ten times as many cases and samples.
+///
+/// bench-core-growth [NAME]: only what begins with NAME.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "balance-shaft/presets.h"
+#include "balance-shaft/solver.h"
+#include "balance-shaft/speed_study.h"
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/solver.h"
+#include "inertia-moments/orders.h"
+#include "inertia-moments/presets.h"
+#include "inertia-moments/solver.h"
+#include "numerics/constants.h"
+#include "scenes/scenes.h"
+#include "studies/study_run.h"
+
+namespace {
+
+using namespace ravnoves;
+
+using Work = std::function<void()>;
+
+struct Growth {
+    std::string name;
+    std::vector<int> sizes;
+    double theory;  ///< exponent; of n log n what it is over these sizes
+    std::function<Work(int size)> prepare;
+};
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The least of some runs, each of at least a few milliseconds.
+double seconds_of(const Work& work) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int run = 0; run < 3; ++run) {
+        const double begin = processor_seconds();
+        int times = 0;
+        double taken = 0.0;
+        do {
+            work();
+            ++times;
+            taken = processor_seconds() - begin;
+        } while (taken < 5e-3);
+        least = std::min(least, taken / times);
+    }
+    return least;
+}
+
+/// The slope of log time over log size, by least squares.
+double exponent_of(const std::vector<std::pair<double, double>>& points) {
+    double x_mean = 0.0;
+    double y_mean = 0.0;
+    for (const auto& [size, time] : points) {
+        x_mean += std::log(size) / static_cast<double>(points.size());
+        y_mean += std::log(time) / static_cast<double>(points.size());
+    }
+    double xy = 0.0;
+    double xx = 0.0;
+    for (const auto& [size, time] : points) {
+        xy += (std::log(size) - x_mean) * (std::log(time) - y_mean);
+        xx += (std::log(size) - x_mean) * (std::log(size) - x_mean);
+    }
+    return xy / xx;
+}
+
+balance_shaft::Input engine_of_rows(int rows, balance_shaft::Interpolation interpolation) {
+    balance_shaft::Input input = balance_shaft::preset_tmz_650d();
+    input.interpolation = interpolation;
+    balance_shaft::TorqueTable& table = input.torque.table;
+    table = {};
+    for (int i = 0; i <= rows; ++i) {
+        const double turn = two_pi * (i % rows) / rows;
+        table.crank_angle_deg.push_back(720.0 * i / rows);
+        table.torque.push_back(300.0 * std::sin(turn) + 80.0 * std::cos(7.0 * turn));
+    }
+    return input;
+}
+
+balance_shaft::Input diesel() {
+    balance_shaft::Input input = balance_shaft::preset_tmz_650d();
+    input.rod_length = 0.150;
+    input.torque = {};
+    input.torque.kind = balance_shaft::TorqueSource::Kind::cycle;
+    input.torque.cylinder.bore = 0.0955;
+    input.torque.cycle.heat = 1300.0;
+    input.torque.cycle.combustion_start = 352.0 * degree;
+    input.torque.cycle.combustion_duration = 60.0 * degree;
+    return input;
+}
+
+CaseFile example(const std::string& name) {
+    return parse_case(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/" + name + ".case.json"));
+}
+
+/// Runs so many samples of a study of the balance shaft's range.
+Work study_of(int samples) {
+    CaseFile file = example("tmz-650d");
+    file.study = {{"vary",
+                   {{"/crank_radius_mm", {{"plus_minus", 0.02}}},
+                    {"/centre_distance_mm", {{"plus_minus_percent", 0.1}}}}},
+                  {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
+                  {"samples", samples}};
+    return [problem = studies::problem_of(file, {}), samples] {
+        studies::Part part = studies::begin_part(problem, 1, 1, 1);
+        part.to = static_cast<std::uint64_t>(samples);
+        studies::run_part(problem, part, 1);
+    };
+}
+
+Work batch_of(int cases) {
+    return
+        [text = Json::parse(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/tmz-650d.case.json"))
+                    .dump(),
+         wanted = Wanted({"/metrics/M_ups/range_Nm", "/optimum/range"}), cases] {
+            for (int i = 0; i < cases; ++i) {
+                solve_case(parse_case(text), {}, wanted).dump();
+            }
+        };
+}
+
+std::vector<Growth> all_growths() {
+    using balance_shaft::Interpolation;
+    const auto rows = [](Interpolation interpolation) {
+        return [interpolation](int size) -> Work {
+            return [input = engine_of_rows(size, interpolation)] { balance_shaft::Solver{input}; };
+        };
+    };
+    return {
+        // Knots are sorted, each is looked up.
+        {"rows, straight lines", {1000, 10'000, 100'000}, 1.1, rows(Interpolation::linear)},
+        {"rows, spline", {1000, 10'000, 100'000}, 1.1, rows(Interpolation::periodic_cubic)},
+        {"cylinders",
+         {8, 16, 32, 64},
+         1.0,
+         [](int size) -> Work {
+             inertia_moments::Input input = inertia_moments::preset_vw_vr5();
+             input.layout->cylinders = size;
+             input.layout->firing_order.clear();
+             for (int i = 0; i < size; ++i) {
+                 input.layout->firing_order.push_back(i + 1);
+             }
+             return [engine = make_engine(input)] { exact_orders(engine); };
+         }},
+        {"speeds of a band",
+         {50, 100, 200, 400},
+         1.0,
+         [](int size) -> Work {
+             return [input = diesel(), size] {
+                 balance_shaft::SpeedStudy{input, {1000.0 * rpm, 4000.0 * rpm, size, false}};
+             };
+         }},
+        {"speeds, least bad angle",
+         {50, 100, 200, 400},
+         1.0,
+         [](int size) -> Work {
+             return [study = balance_shaft::SpeedStudy(diesel(),
+                                                       {1000.0 * rpm, 4000.0 * rpm, size, false})] {
+                 study.least_bad_angle(balance_shaft::SpeedStudy::Criterion::range,
+                                       balance_shaft::SpeedStudy::Measure::relative);
+             };
+         }},
+        {"samples of a study", {1000, 10'000, 100'000}, 1.0, study_of},
+        {"turns of the motion",
+         {10, 100, 1000},
+         1.0,
+         [](int size) -> Work {
+             elastic_hinge::Input input = elastic_hinge::preset_zotov();
+             input.motion =
+                 elastic_hinge::MotionWish{static_cast<double>(size), {}, 0.0, 0.0, false};
+             return [input, result = elastic_hinge::solve(input)] {
+                 elastic_hinge::simulate(input, result, elastic_hinge::HingeSet::crank);
+             };
+         }},
+        {"names in a case",
+         {1000, 10'000, 100'000},
+         1.1,
+         [](int size) -> Work {
+             Json json = write_case(example("tmz-650d"));
+             for (int i = 0; i < size; ++i) {
+                 json["study"]["v" + std::to_string(i)] = i;
+                 json["variants"].push_back(
+                     {{"name", "v" + std::to_string(i)}, {"input", Json::object()}});
+             }
+             return [text = json.dump()] { parse_case(text); };
+         }},
+    };
+}
+
+/// kB
+long peak_memory() {
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word) {
+        if (word == "VmHWM:") {
+            long kilobytes = 0;
+            status >> kilobytes;
+            return kilobytes;
+        }
+    }
+    return 0;
+}
+
+void print_memory(const std::string& name, const std::function<Work(int size)>& work, int size) {
+    work(size)();
+    const long before = peak_memory();
+    work(10 * size)();
+    std::printf("memory  %-24s peak %ld kB after %d, %ld kB after %d\n", name.c_str(), before, size,
+                peak_memory(), 10 * size);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::string only = argc > 1 ? argv[1] : "";
+    if (std::string("memory").starts_with(only)) {
+        print_memory("cases of a batch", batch_of, 2000);
+        print_memory("samples of a study", study_of, 100'000);
+    }
+    for (const Growth& growth : all_growths()) {
+        if (!growth.name.starts_with(only)) {
+            continue;
+        }
+        std::vector<std::pair<double, double>> points;
+        for (const int size : growth.sizes) {
+            points.emplace_back(size, seconds_of(growth.prepare(size)));
+        }
+        std::printf("growth  %-24s exponent %5.2f  theory %4.2f ", growth.name.c_str(),
+                    exponent_of(points), growth.theory);
+        for (const auto& [size, time] : points) {
+            std::printf("  %.0f: %.3g ms", size, 1e3 * time);
+        }
+        std::printf("\n");
+        std::fflush(stdout);
+    }
+    return 0;
+}
