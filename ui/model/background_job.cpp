@@ -1,6 +1,5 @@
 #include "model/background_job.h"
 
-#include <QMetaObject>
 #include <exception>
 #include <new>
 #include <utility>
@@ -17,7 +16,6 @@ constexpr qint64 reportMs = 5;  ///< between two reports of progress
 }  // namespace
 
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);
     pause_.setSingleShot(true);
     connect(&pause_, &QTimer::timeout, this, &BackgroundJob::launch);
 }
@@ -26,13 +24,11 @@ BackgroundJob::~BackgroundJob() {
     if (stop_) {
         *stop_ = true;
     }
-    pool_.waitForDone();  // its queued calls find no receiver and are dropped
 }
 
 void BackgroundJob::setPatience(int patienceMs, int pauseMs) {
     patienceMs_ = patienceMs;
     pause_.setInterval(pauseMs);
-    pool_.setThreadPriority(QThread::LowPriority);
 }
 
 void BackgroundJob::start(Work work) {
@@ -55,43 +51,40 @@ void BackgroundJob::launch() {
     }
     stop_ = std::make_shared<std::atomic<bool>>(false);
     clock_.start();
-    pool_.start([this, work = std::exchange(pending_, nullptr), stop = stop_] {
-        QElapsedTimer sinceReport;
-        sinceReport.start();
-        const auto report = [&](double part) {
-            if (sinceReport.elapsed() >= reportMs) {
-                sinceReport.restart();
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, stop, part] {
+    worker_.begin(
+        [this, work = std::exchange(pending_, nullptr), stop = stop_]() -> WorkerThread::Telling {
+            QElapsedTimer sinceReport;
+            sinceReport.start();
+            const auto report = [&](double part) {
+                if (sinceReport.elapsed() >= reportMs) {
+                    sinceReport.restart();
+                    worker_.post([this, stop, part] {
                         if (!*stop) {
                             Q_EMIT progress(part);
                         }
-                    },
-                    Qt::QueuedConnection);
-            }
-            return !*stop;
-        };
-        std::function<void()> apply;
-        clear_vector_state();
-        try {
-            apply = work(report);
-        } catch (...) {
-            apply = [this, thrown = std::current_exception()] {
-                try {
-                    std::rethrow_exception(thrown);
-                } catch (const std::bad_alloc&) {
-                    Q_EMIT failed(tr("There is not enough memory for this."));
-                } catch (const std::exception& error) {
-                    Q_EMIT failed(errorText(error));
-                } catch (...) {
-                    Q_EMIT failed(tr("The computation failed."));
+                    });
                 }
+                return !*stop;
             };
-        }
-        QMetaObject::invokeMethod(
-            this, [this, stop, apply] { done(*stop, apply); }, Qt::QueuedConnection);
-    });
+            std::function<void()> apply;
+            clear_vector_state();
+            try {
+                apply = work(report);
+            } catch (...) {
+                apply = [this, thrown = std::current_exception()] {
+                    try {
+                        std::rethrow_exception(thrown);
+                    } catch (const std::bad_alloc&) {
+                        Q_EMIT failed(tr("There is not enough memory for this."));
+                    } catch (const std::exception& error) {
+                        Q_EMIT failed(errorText(error));
+                    } catch (...) {
+                        Q_EMIT failed(tr("The computation failed."));
+                    }
+                };
+            }
+            return [this, stop, apply] { done(*stop, apply); };
+        });
 }
 
 void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {

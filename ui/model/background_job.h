@@ -2,11 +2,12 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <atomic>
 #include <functional>
 #include <memory>
+
+#include "model/worker_thread.h"
 
 namespace ravnoves {
 
@@ -47,13 +48,13 @@ class BackgroundJob : public QObject {
     void done(const std::atomic<bool>& stopped, const std::function<void()>& apply);
     void setRunning(bool running);
 
-    QThreadPool pool_;
     QTimer pause_;
     QElapsedTimer clock_;                      ///< of the work under way
     std::shared_ptr<std::atomic<bool>> stop_;  ///< of the work under way; null where there is none
     Work pending_;                             ///< to follow
     int patienceMs_ = -1;
     bool running_ = false;
+    WorkerThread worker_;  ///< goes first: what it does uses the others
 };
 
 }  // namespace ravnoves
