@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
@@ -157,7 +158,7 @@ void WorkshopPage::setActive(bool active) {
     if (active) {
         banner_->keepOnly(desk()->crashedDrafts());  // another page may have taken one over
     } else {
-        desk()->flushDraft();
+        desk()->keepDraft();
     }
 }
 
@@ -172,7 +173,7 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     } else if (event->type() == QEvent::FocusOut) {
-        desk()->flushDraft();  // what was typed is in the draft when the next field is entered
+        desk()->keepDraft();  // what was typed is in the draft when the next field is entered
     } else if (event->type() == QEvent::FocusIn) {
         auto* field = static_cast<QWidget*>(watched);
         for (QWidget* parent = field->parentWidget(); parent != nullptr;
@@ -283,7 +284,8 @@ void WorkshopPage::dropDraft(const QString& name) {
 
 bool WorkshopPage::leaveJob() {
     if (desk()->isWaiting()) {
-        return false;  // the window is to close while a job is being saved
+        Q_EMIT status(tr("The job is still being saved."));
+        return false;  // the window is to close meanwhile
     }
     if (!model()->hasChanges() || desk()->isJournaled()) {
         return true;
@@ -335,18 +337,25 @@ std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
 }
 
 void WorkshopPage::saveJob(bool isFinished) {
+    if (desk()->isWaiting()) {
+        Q_EMIT status(tr("The job is still being saved."));
+        return;
+    }
     // What is not what stands on the sheet is no finished job.
     isFinished = isFinished && refusedEntries(this).isEmpty();
     if (!refusedEntriesAreKnown() || !isJobKnown()) {
         return;
     }
-    bool saved = false;
-    const QString text = desk()->saveJob(&saved, isFinished);
-    if (saved) {
-        Q_EMIT status(text);
-    } else {
-        QMessageBox::warning(this, tr("Journal"), text);
-    }
+    desk()->saveJob(isFinished, [page = QPointer(this)](bool saved, const QString& text) {
+        if (page == nullptr) {
+            return;
+        }
+        if (saved) {
+            Q_EMIT page->status(text);
+        } else {
+            QMessageBox::warning(page, tr("Journal"), text);
+        }
+    });
 }
 
 bool WorkshopPage::isJobKnown() {

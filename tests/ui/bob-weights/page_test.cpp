@@ -72,7 +72,11 @@ class BobPageTest : public ::testing::Test {
     void save() {
         page.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+        pressSave();
+    }
+    void pressSave() {
         QTest::keyClick(&page, Qt::Key_F2);
+        ASSERT_TRUE(QTest::qWaitFor([this] { return !model->desk()->isWaiting(); }, 20'000));
     }
     void typeShopCard() {
         const std::pair<const char*, const char*> masses[] = {
@@ -352,7 +356,7 @@ TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
     EXPECT_EQ(model->planeRows().last(),
               QStringList({u"Verdict"_s, u"fails → passes"_s, u"passes"_s}));
     EXPECT_EQ(label("verdict"), u"Before, measured: fails. After the correction: passes."_s);
-    QTest::keyClick(&page, Qt::Key_F2);
+    pressSave();
     EXPECT_EQ(jobs().at(0).verdict, u"fails-then-passes"_s);
     EXPECT_TRUE(card().contains(u"fails → passes"_s));
 }
@@ -361,7 +365,7 @@ TEST_F(BobPageTest, JournalAndCard) {
     typeShopCard();
     typeReadings();
     type("engine_number", u"ZMZ-53 7"_s);
-    QTest::keyClick(&page, Qt::Key_F2);
+    pressSave();
     EXPECT_GT(model->desk()->jobId(), 0);
     JournalQuery query;
     query.scene = u"bob-weights"_s;
@@ -390,7 +394,7 @@ TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
     EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
     EXPECT_FALSE(model->solution().bob_weight);
     // The journal keeps the sheet, not an answer that it does not have.
-    QTest::keyClick(&page, Qt::Key_F2);
+    pressSave();
     JournalQuery query;
     query.scene = u"bob-weights"_s;
     const auto jobs = model->desk()->journal()->search(query);
@@ -408,7 +412,7 @@ TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {
     typeShopCard();
     ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
     EXPECT_FALSE(document.path().isEmpty());
-    QTest::keyClick(&page, Qt::Key_F2);
+    pressSave();
     QTest::keyClick(&page, Qt::Key_F4);
     EXPECT_TRUE(document.path().isEmpty());
 }

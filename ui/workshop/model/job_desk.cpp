@@ -1,5 +1,7 @@
 #include "workshop/model/job_desk.h"
 
+#include <QCoreApplication>
+#include <QEventLoop>
 #include <QSettings>
 #include <utility>
 
@@ -15,6 +17,10 @@ namespace ravnoves {
 namespace {
 
 constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
+// Where another program holds the journal, ms:
+constexpr int callPatience = 1000;  // of what the window waits for, which then says so
+constexpr int savePatience = 100;   // before the window goes on without the job being saved
+constexpr int endPatience = 2000;   // of what is not written yet when the program ends
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
 
@@ -30,7 +36,7 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     }
     draftTimer_.setSingleShot(true);
     draftTimer_.setInterval(draftDelay);
-    connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::flushDraft);
+    connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::keepDraft);
     connect(model_, &SceneModel::changed, this, [this] {
         draftStale_ = true;
         isJournaled_ = false;
@@ -42,18 +48,22 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
     // A job that was saved as a case file, or undone to where it was, needs no draft.
     connect(model_, &SceneModel::historyChanged, this, [this] {
-        if (!model_->hasChanges() && draftKept_ && isOpen()) {
+        if (!model_->hasChanges() && (draftKept_ || draftUnderWay_) && isOpen()) {
             draftStale_ = false;
             draftTimer_.stop();
-            draftKept_ = !journal_->discardDraft(journal_->session());
+            draftKept_ = false;
+            writer_->discardDraft(journal_->session());
         }
     });
 }
 
 JobDesk::~JobDesk() {
     // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
-    if (draftKept_ && isOpen()) {
-        journal_->discardDraft(journal_->session());
+    if ((draftKept_ || draftUnderWay_) && isOpen()) {
+        writer_->discardDraft(journal_->session());
+    }
+    if (writer_) {
+        writer_->wait(endPatience);
     }
 }
 
@@ -74,16 +84,21 @@ bool JobDesk::openJournal() {
     if (!journal_) {
         journal_ = std::make_unique<Journal>(journalPath_);
         connect(journal_.get(), &Journal::waits, this, &JobDesk::journalWaits);
-        connect(journal_.get(), &Journal::reopened, this, [this](const QString& message) {
+        writer_ = std::make_unique<JournalWriter>(journalPath_, journal_->session());
+        connect(writer_.get(), &JournalWriter::waits, this, &JobDesk::journalWaits);
+        const auto sayReopened = [this](const QString& message) {
             if (!message.isEmpty()) {
                 setJournalTrouble(message);
             }
-        });
+        };
+        connect(journal_.get(), &Journal::reopened, this, sayReopened);
+        connect(writer_.get(), &JournalWriter::reopened, this, sayReopened);
     }
     if (!journal_->open()) {
         setJournalTrouble(journal_->lastError());
         return false;
     }
+    journal_->setPatience(callPatience);
     setJournalTrouble(journal_->openMessage());
     Q_EMIT journalOpened();
     return true;
@@ -92,6 +107,11 @@ bool JobDesk::openJournal() {
 void JobDesk::putJobId(qint64 id, int revision) {
     jobId_ = id;
     jobRevision_ = revision;
+}
+
+void JobDesk::forgetJob() {
+    ++sheet_;
+    putJobId(0, 0);
 }
 
 void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {
@@ -103,6 +123,7 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
         putJobId(before.first, before.second);
         throw;
     }
+    ++sheet_;
     draftStale_ = false;
     draftTimer_.stop();
 }
@@ -167,15 +188,19 @@ QString JobDesk::otherEngine() {
                : QString();
 }
 
-QString JobDesk::saveJob(bool* ok, bool isFinished) {
-    if (ok != nullptr) {
-        *ok = false;
+void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
+    if (saving_) {
+        told(false, tr("The job is still being saved."));
+        return;
     }
     if (jobId_ == 0 && !model_->hasChanges() && !scene_.isWorthKeeping()) {
-        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing();
+        told(false,
+             tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing());
+        return;
     }
     if (!openJournal()) {
-        return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
+        told(false, journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_);
+        return;
     }
     model_->keepTyped();
     JournalJob job = scene_.entry();
@@ -184,39 +209,80 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     job.scene = model_->sceneName();
     job.isFinished = isFinished;
     job.form = formText();
-    const Journal::Saved saved = journal_->save(job);
-    if (saved == Journal::Saved::No) {
-        setJournalTrouble(journal_->lastError());
-        return journal_->lastError();
-    }
-    putJobId(job.id, job.revision);
+    draftTimer_.stop();
+    saving_ = true;
+    // A case file that does not have it yet: a crash must not part the job from it.
+    const bool endsDraft = !(CaseDocument::hasFile(*model_) && model_->hasChanges());
+    writer_->saveJob(job, endsDraft,
+                     [this, told, sheet = sheet_](Journal::Saved saved, const JournalJob& written,
+                                                  const QString& why) {
+                         saving_ = false;
+                         if (saved == Journal::Saved::No) {
+                             setJournalTrouble(why);
+                             if (draftStale_) {
+                                 draftTimer_.start();
+                             }
+                             told(false, why);
+                             return;
+                         }
+                         takeSaved(written, sheet == sheet_);
+                         told(true, savedText(saved, written));
+                     });
+    writer_->wait(savePatience);
+}
+
+/// @param isOnSheet  no other job has come onto the sheet meanwhile
+void JobDesk::takeSaved(const JournalJob& job, bool isOnSheet) {
     if (!job.technician.isEmpty()) {
         QSettings().setValue(technicianKey, job.technician);
     }
-    draftTimer_.stop();
-    if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
-        // The file does not have it yet: a crash must not part the job from it.
+    if (!isOnSheet) {
+        return;
+    }
+    putJobId(job.id, job.revision);
+    isJournaled_ = formText() == job.form;
+    if (!isJournaled_ || (CaseDocument::hasFile(*model_) && model_->hasChanges())) {
         draftStale_ = true;
         flushDraft();
     } else {
         draftStale_ = false;
-        journal_->discardDraft(journal_->session());
         draftKept_ = false;
         model_->history()->setClean();
+        isJournaled_ = true;
     }
-    isJournaled_ = true;
-    if (ok != nullptr) {
-        *ok = true;
-    }
+}
+
+QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
     const QString number =
         job.engineNumber.isEmpty() ? tr("without an engine number") : job.engineNumber;
     const QString done =
         saved == Journal::Saved::AsCopy
             ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
-        : isFinished ? tr("Job %1 saved in the journal.").arg(number)
-                     : tr("Job %1 put aside in the journal, unfinished.").arg(number);
+        : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
+                         : tr("Job %1 put aside in the journal, unfinished.").arg(number);
     const QString missing = scene_.missing();
     return missing.isEmpty() ? done : done + QLatin1Char(' ') + missing;
+}
+
+QString JobDesk::saveJob(bool* ok, bool isFinished) {
+    bool ended = false;
+    bool saved = false;
+    QString said;
+    saveJob(isFinished, [&](bool isSaved, const QString& text) {
+        ended = true;
+        saved = isSaved;
+        said = text;
+    });
+    // The window paints meanwhile, but takes no keys.
+    constexpr int step = 20;  // ms
+    while (!ended) {
+        writer_->wait(step);
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    }
+    if (ok != nullptr) {
+        *ok = saved;
+    }
+    return said;
 }
 
 QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy) {
@@ -250,9 +316,9 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
     return trouble;
 }
 
-void JobDesk::flushDraft() {
+void JobDesk::keepDraft() {
     draftTimer_.stop();
-    if (isWaiting()) {
+    if (isWaiting() || draftUnderWay_) {
         draftTimer_.start();
         return;
     }
@@ -265,13 +331,30 @@ void JobDesk::flushDraft() {
     draft.jobRevision = jobRevision_;
     draft.engineNumber = scene_.entry().engineNumber;
     draft.form = formText();
-    if (journal_->saveDraft(draft)) {
-        draftStale_ = false;
-        draftKept_ = true;
-    } else if (journal_->wasBusy()) {
-        draftTimer_.start();
-    } else {
-        setJournalTrouble(journal_->lastError());
+    draftStale_ = false;
+    draftUnderWay_ = true;
+    writer_->saveDraft(draft, [this](JournalWriter::Kept kept, const QString& why) {
+        draftUnderWay_ = false;
+        if (kept == JournalWriter::Kept::Yes) {
+            draftKept_ = true;
+            return;
+        }
+        draftStale_ = true;
+        if (kept == JournalWriter::Kept::Busy) {
+            draftTimer_.start();
+        } else {
+            setJournalTrouble(why);
+        }
+    });
+}
+
+void JobDesk::flushDraft() {
+    if (writer_) {
+        writer_->wait(endPatience);  // an older one may be under way
+    }
+    keepDraft();
+    if (writer_) {
+        writer_->wait(endPatience);
     }
 }
 
@@ -291,14 +374,15 @@ QString JobDesk::restoreDraft(const JournalDraft& draft, bool keepsFile) {
     draftStale_ = true;
     flushDraft();
     if (draftKept_ && !draftStale_) {
-        journal_->discardDraft(draft.session);
+        discardDraft(draft.session);
     }
     return {};
 }
 
 void JobDesk::discardDraft(const QString& session) {
     if (isOpen()) {
-        journal_->discardDraft(session);
+        writer_->discardDraft(session);
+        writer_->wait(callPatience);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "model/scene_model.h"
 #include "workshop/model/journal.h"
+#include "workshop/model/journal_writer.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -39,7 +40,8 @@ class JobDesk : public QObject {
     /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
     bool openJournal();
     Journal* journal() { return journal_.get(); }
-    bool isWaiting() const { return journal_ && journal_->isWaiting(); }
+    /// A job is being saved, or a call waits for another program.
+    bool isWaiting() const { return saving_ || (journal_ && journal_->isWaiting()); }
     bool isOpen() const { return journal_ && journal_->isOpen(); }
     /// What is wrong with the journal, or what happened to it; empty where nothing.
     QString journalTrouble() const { return journalTrouble_; }
@@ -48,7 +50,7 @@ class JobDesk : public QObject {
     /// Id of the job on the sheet; 0 where it is not in the journal.
     qint64 jobId() const { return jobId_; }
     /// Another case comes in that is no job of the journal.
-    void forgetJob() { putJobId(0, 0); }
+    void forgetJob();
     /// `take` brings another job onto the sheet: it has no draft yet.
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
     /// The same with a new job, which is of no file.
@@ -59,8 +61,13 @@ class JobDesk : public QObject {
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
-    /// Saves the job on the sheet, finished or to go on with another day.
-    /// @return a sentence for the status bar; `ok` says whether it is saved
+    /// How a save ended, with a sentence for the status bar.
+    using SaveTold = std::function<void(bool saved, const QString& text)>;
+    /// Saves the job as it stands on the sheet, finished or to go on with another day. It is told
+    /// before this returns, or later where the journal is slow: what is typed meanwhile stays a
+    /// change that is not saved.
+    void saveJob(bool isFinished, const SaveTold& told);
+    /// The same, and waits for it. @return the sentence; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
     /// The same returns: a sentence.
     QString backUpJournal(const QString& file);
@@ -70,7 +77,9 @@ class JobDesk : public QObject {
     /// Its values as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
-    /// Writes the draft now if something is not in it yet.
+    /// Begins to write the draft now if something is not in it yet.
+    void keepDraft();
+    /// The same, and waits for it.
     void flushDraft();
     /// Drafts of the scene that a crash left.
     QList<JournalDraft> crashedDrafts();
@@ -95,6 +104,8 @@ class JobDesk : public QObject {
   private:
     static QString numbersOf(const JournalJob& job);
     void putJobId(qint64 id, int revision);
+    void takeSaved(const JournalJob& job, bool isOnSheet);
+    QString savedText(Journal::Saved saved, const JournalJob& job) const;
     QByteArray formText() const;
     QString takeJob(qint64 id, bool isCopy);
     QString takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy);
@@ -103,14 +114,18 @@ class JobDesk : public QObject {
     Scene scene_;
     QString cardLanguage_;
     QString journalPath_;
-    std::unique_ptr<Journal> journal_;
+    std::unique_ptr<Journal> journal_;       // reads, and writes what the user waits for
+    std::unique_ptr<JournalWriter> writer_;  // jobs and drafts
     QString journalTrouble_;
     qint64 jobId_ = 0;
     int jobRevision_ = 0;
     QTimer draftTimer_;
     bool draftStale_ = false;
     bool draftKept_ = false;
+    bool draftUnderWay_ = false;
     bool isJournaled_ = false;
+    bool saving_ = false;
+    int sheet_ = 0;  // counts the jobs that came onto the sheet
 };
 
 }  // namespace ravnoves

@@ -6,6 +6,7 @@
 #include <QScopedValueRollback>
 #include <QSqlDatabase>
 #include <QStandardPaths>
+#include <QThread>
 #include <QTimer>
 #include <QUuid>
 #include <utility>
@@ -46,6 +47,12 @@ Journal::~Journal() {
     closeDatabase();
 }
 
+void Journal::writeFor(const QString& session, const std::atomic<bool>* giveUp) {
+    session_ = session;
+    giveUp_ = giveUp;
+    writesForAnother_ = true;
+}
+
 void Journal::setKept(bool kept) {
     journalKept = kept;
 }
@@ -76,6 +83,10 @@ void Journal::pause() {
     if (!std::exchange(waiting_, true)) {
         Q_EMIT waits();
     }
+    if (writesForAnother_) {  // in a thread that has nothing else to do
+        QThread::msleep(pauseLength);
+        return;
+    }
     QEventLoop loop;
     QTimer::singleShot(pauseLength, &loop, &QEventLoop::quit);
     loop.exec(QEventLoop::ExcludeUserInputEvents);
@@ -88,7 +99,7 @@ bool Journal::execute(QSqlQuery& query, const std::function<bool()>& exec) {
     const QDeadlineTimer deadline(patience_);
     bool done = exec();
     while (!done && !isNested && journal_rows::saysBusy(query.lastError()) &&
-           !deadline.hasExpired()) {
+           !deadline.hasExpired() && !(giveUp_ != nullptr && *giveUp_)) {
         pause();
         done = exec();
     }
@@ -105,7 +116,8 @@ bool Journal::run(QSqlQuery& query, const QString& what) {
     }
     busy_ = journal_rows::saysBusy(query.lastError());
     damaged_ = journal_rows::saysDamaged(query.lastError());
-    return fail(what, query.lastError().text());
+    return fail(what,
+                busy_ ? tr("another program is writing to the journal") : query.lastError().text());
 }
 
 bool Journal::runText(const QString& sql, const QString& what) {

@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QString>
 #include <QVariant>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -96,6 +97,11 @@ class Journal : public QObject {
 
     /// @param path  the database file; its folder is made where it is missing
     explicit Journal(const QString& path = defaultPath(), QObject* parent = nullptr);
+    /// Writes the drafts of another journal's session over the same file; called before open().
+    /// @param giveUp  true from outside: nothing waits for another program's write any more
+    void writeFor(const QString& session, const std::atomic<bool>* giveUp);
+    /// How long a call waits for another program's write, ms.
+    void setPatience(int ms) { patience_ = ms; }
     ~Journal() override;
 
     /// journal.sqlite in the user's data folder; empty where no journal is kept.
@@ -199,6 +205,8 @@ class Journal : public QObject {
     bool busy_ = false;                                    // … or another program's write
     bool waiting_ = false;
     int patience_;  // ms, for another program's write
+    bool writesForAnother_ = false;
+    const std::atomic<bool>* giveUp_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -101,10 +101,12 @@ bool Journal::open() {
                        QLatin1Char(' ') + takeOver(setAside_);
     }
     identity_ = fileIdentity();
-    sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
-    sessionLock_->setStaleLockTime(0);
-    sessionLock_->tryLock(0);
-    removeStaleLocks();
+    if (!writesForAnother_) {
+        sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
+        sessionLock_->setStaleLockTime(0);
+        sessionLock_->tryLock(0);
+        removeStaleLocks();
+    }
     error_.clear();
     return true;
 }
