@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -222,7 +223,11 @@ class CaseModel : public SceneModel {
     Input readInput(const Json& json, const Json& kept, const CaseContext& context) const;
     Solved solve(const Input& input) const {
         clear_vector_state();  // painting may have left it in use
-        return scene_.solve(input);
+        try {
+            return scene_.solve(input);
+        } catch (const std::bad_alloc&) {
+            throw InputError("/input", CORE_TEXT("core", "needs more memory than there is"));
+        }
     }
     State state() const {
         return {input_, title(), notes(), named_, context().directory, variantState(), study()};

@@ -61,6 +61,17 @@ TEST_F(CaseModelTest, WhatIsRefusedChangesNothingAndSaysWhy) {
     EXPECT_EQ(model.root(), 4.0);
 }
 
+TEST_F(CaseModelTest, WhatNeedsTooMuchMemoryIsRefusedInWords) {
+    const QString why = model.set("square", 1e300);
+    EXPECT_TRUE(why.contains(QStringLiteral("memory"))) << why.toStdString();
+    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_FALSE(model.history()->canUndo());
+    EXPECT_THROW(model.loadInput({{"crank_radius_mm", 1e300}}, {}), InputError);
+    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_EQ(model.set("square", 9.0), QString());
+    EXPECT_EQ(model.root(), 3.0);
+}
+
 TEST_F(CaseModelTest, ChangesOfOneNameAreOneStepUntilTheDragEnds) {
     model.set("square", 9.0);
     model.set("square", 16.0);

@@ -34,6 +34,9 @@ struct RootScene {
     Solved solve(const Input& input) const {
         ++*solves;
         *dirty += are_vector_registers_dirty() ? 1 : 0;
+        if (input.square > 1e100) {
+            throw std::bad_alloc();
+        }
         if (input.square < 0.0) {
             throw InputError("/input/crank_radius_mm", "must not be negative");
         }
