@@ -5,10 +5,13 @@
 
 #include "case-file/object_reader.h"
 #include "case-file/range.h"
+#include "case-file/said_messages.h"
 
 namespace ravnoves {
 
 namespace {
+
+thread_local SaidMessages* listener = nullptr;
 
 /// Without "-0".
 std::string fixed(double value, int decimals) {
@@ -86,7 +89,28 @@ std::string Message::english() const {
     for (const Argument& argument : arguments_) {
         values.push_back(std::visit(EnglishWriter{}, argument));
     }
-    return fill_pattern(pattern_.english, values);
+    std::string text = fill_pattern(pattern_.english, values);
+    if (listener != nullptr) {
+        listener->keep(text, *this);
+    }
+    return text;
+}
+
+SaidMessages::SaidMessages() : around_(listener) {
+    listener = this;
+}
+
+SaidMessages::~SaidMessages() {
+    listener = around_;
+}
+
+void SaidMessages::keep(const std::string& english, const Message& message) {
+    messages_.emplace(english, message);
+}
+
+Message SaidMessages::of(const std::string& english) const {
+    const auto found = messages_.find(english);
+    return found != messages_.end() ? found->second : Message(english);
 }
 
 }  // namespace ravnoves

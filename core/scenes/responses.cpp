@@ -19,8 +19,11 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
 
 std::optional<BestChoice> best_choice(const CaseFile& file) {
     if (file.scene == "balance-shaft") {
-        return BestChoice{"/shaft_angle_deg", "/metrics/M_ups/range_Nm",
-                          "/optimum/range/shaft_angle_deg", "/moment_amplitude_Nm",
+        return BestChoice{"/shaft_angle_deg",
+                          "/metrics/M_ups/range_Nm",
+                          "/optimum/range/shaft_angle_deg",
+                          "/optimum_buildable/range/shaft_angle_deg",
+                          "/moment_amplitude_Nm",
                           "/buildable/shaft_angles_deg"};
     }
     return std::nullopt;

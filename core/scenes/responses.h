@@ -21,11 +21,12 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
 
 /// An angle of a scene's input that is there to make one of its results least.
 struct BestChoice {
-    std::string input;      ///< pointer to the angle, degrees, below "input"
-    std::string value;      ///< to what it makes least, below "result"
-    std::string best;       ///< to the angle that does so
-    std::string amplitude;  ///< the value moves by no more than twice this per radian
-    std::string buildable;  ///< to the stretches of angles that can be built, degrees
+    std::string input;           ///< pointer to the angle, degrees, below "input"
+    std::string value;           ///< to what it makes least, below "result"
+    std::string best;            ///< to the angle that does so
+    std::string best_buildable;  ///< to the one among those that can be built
+    std::string amplitude;       ///< the value moves by no more than twice this per radian
+    std::string buildable;       ///< to the stretches of angles that can be built, degrees
 };
 std::optional<BestChoice> best_choice(const CaseFile& file);
 

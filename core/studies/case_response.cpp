@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
+#include "case-file/said_messages.h"
 #include "case-file/text_file.h"
 #include "case-file/wanted.h"
 #include "scenes/responses.h"
@@ -45,7 +46,7 @@ std::optional<double> number_at(const Json& result, const Pointer& place) {
 }
 
 /// Why there is no number: the reason that the objects around it give, the nearest first.
-Message why_missing(const Json& result, const Pointer& place) {
+Message why_missing(const Json& result, const Pointer& place, const SaidMessages& said) {
     for (Pointer around = place; !around.empty();) {
         around = around.parent_pointer();
         if (!result.contains(around)) {
@@ -55,7 +56,7 @@ Message why_missing(const Json& result, const Pointer& place) {
         for (const char* key : {"reason", "note"}) {
             if (object.is_object() && object.contains(key) && object[key].is_string() &&
                 !object[key].get_ref<const std::string&>().empty()) {
-                return object[key].get<std::string>();
+                return said.of(object[key].get<std::string>());
             }
         }
     }
@@ -91,6 +92,7 @@ class CaseResponse final : public Response {
             *slots_[j] = x[j];
         }
         std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
+        const SaidMessages said;
         Json result;
         try {
             result = solver_.solve(input_, context_, wanted_);
@@ -104,7 +106,7 @@ class CaseResponse final : public Response {
                 y[w] = *number;
             } else if (whole) {
                 whole = false;
-                reason_ = {places_[w].to_string(), why_missing(result, places_[w])};
+                reason_ = {places_[w].to_string(), why_missing(result, places_[w], said)};
             }
         }
         return whole;
@@ -205,11 +207,26 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
                          [&](const Varied& each) { return each.pointer == choice->input; })) {
             tried.vary.push_back({.pointer = choice->input});
         }
-        const Study best{.vary = {}, .watch = {{.pointer = choice->best}}};
         problem.choice = {.input = choice->input,
                           .value = choice->value,
-                          .nominal_best = nominal_result(solver, file, context, best).front(),
                           .make = responses_of(solver, file, context, tried)};
+        const SaidMessages said;
+        const Json result = solver.solve(
+            file.input, context, Wanted({choice->best, choice->best_buildable, choice->buildable}));
+        const Pointer stretches(choice->buildable);
+        const bool knows = result.contains(stretches) && result.at(stretches).is_array();
+        problem.choice->nominal_best =
+            number_at(result, Pointer(knows ? choice->best_buildable : choice->best));
+        if (knows) {
+            problem.choice->buildable.emplace();
+            for (const Json& each : result.at(stretches)) {
+                problem.choice->buildable->emplace_back(each.at(0).get<double>(),
+                                                        each.at(1).get<double>());
+            }
+            if (problem.choice->buildable->empty()) {
+                problem.choice->unbuildable = why_missing(result, stretches, said);
+            }
+        }
     }
     return problem;
 }

@@ -84,6 +84,26 @@ class AngleTable {
         return !stopped;
     }
 
+    /// Whether there is room for the shaft at an angle.
+    bool is_buildable(double angle) const {
+        const auto& stretches = problem_.choice->buildable;
+        return !stretches ||
+               std::any_of(stretches->begin(), stretches->end(), [&](const auto& stretch) {
+                   constexpr double rounding = 1e-9;
+                   return wrap(angle - stretch.first + rounding, turn_deg) <=
+                          stretch.second - stretch.first + 2.0 * rounding;
+               });
+    }
+    /// Ends of the stretches that can be built.
+    std::vector<double> ends() const {
+        std::vector<double> found;
+        for (const auto& [from, to] :
+             problem_.choice->buildable.value_or(std::vector<std::pair<double, double>>())) {
+            found.insert(found.end(), {from, to});
+        }
+        return found;
+    }
+
     std::size_t size() const { return angles_.size(); }
     double angle(std::size_t i) const { return angles_[i]; }
     std::uint64_t samples() const { return count_; }
@@ -233,7 +253,8 @@ std::vector<double> quarters(const AngleTable& table, const std::vector<double>&
         const double from = table.angle(order[i]);
         const double width = wrap(table.angle(next) - from, turn_deg);
         const double bound = 0.5 * (values[order[i]] + values[next] - table.steepest() * width);
-        if (width > narrowest && bound < best - tolerance) {
+        if (width > narrowest && bound < best - tolerance &&
+            table.is_buildable(from + 0.5 * width)) {
             for (const double part : {0.25, 0.5, 0.75}) {
                 found.push_back(from + part * width);
             }
@@ -245,9 +266,11 @@ std::vector<double> quarters(const AngleTable& table, const std::vector<double>&
 /// Tries angles until the best is found. @return false where the work was stopped
 bool search_angles(AngleTable& table) {
     constexpr double first_step = 5.0;
-    std::vector<double> next;
+    std::vector<double> next = table.ends();
     for (double angle = 0.0; angle < turn_deg; angle += first_step) {
-        next.push_back(angle);
+        if (table.is_buildable(angle)) {
+            next.push_back(angle);
+        }
     }
     constexpr std::size_t most_angles = 600;
     while (!next.empty() && table.size() < most_angles) {
@@ -269,8 +292,9 @@ bool search_angles(AngleTable& table) {
         const double best = table.angle(least(percentiles(table)));
         std::vector<double> about;
         for (int k = -7; k <= 7; ++k) {
-            if (k != 0) {
-                about.push_back(best + 0.125 * k * width);
+            if (const double angle = best + 0.125 * k * width;
+                k != 0 && table.is_buildable(angle)) {
+                about.push_back(angle);
             }
         }
         if (!table.add(about)) {
@@ -333,19 +357,28 @@ std::optional<RobustBest> find_robust_best(const Problem& problem, int threads,
     } else {
         of_nominal = std::numeric_limits<std::size_t>::max();
     }
+    RobustBest found{.input = problem.choice->input, .value = problem.choice->value};
+    const auto& buildable = problem.choice->buildable;
+    if (buildable && buildable->empty()) {
+        found.reason = {CORE_TEXT("studies", "No angle can be built: %1"),
+                        problem.choice->unbuildable};
+        return found;
+    }
     if (!search_angles(table)) {
         return std::nullopt;
     }
-    RobustBest found{.input = problem.choice->input,
-                     .value = problem.choice->value,
-                     .samples = table.samples(),
-                     .refused = table.refused()};
+    found.samples = table.samples();
+    found.refused = table.refused();
     if (!has_enough(table)) {
+        found.reason = {CORE_TEXT("studies", "Too few samples can be solved: %1 of %2."),
+                        std::to_string(found.samples - found.refused),
+                        std::to_string(found.samples)};
         return found;
     }
     const auto values = percentiles(table);
     const std::size_t best = least(values);
-    if (is_flat(values)) {
+    if (values.size() > 1 && is_flat(values)) {
+        found.reason = CORE_TEXT("studies", "No angle is better than another.");
         return found;
     }
     found.robust = place_at(table, best);
@@ -376,7 +409,8 @@ Json write_robust_best(const RobustBest& best) {
             {"best", write_place(best.robust)},
             {"nominal_best", write_place(best.nominal)},
             {"gain", both ? Json(best.gain) : Json(nullptr)},
-            {"gain_error", both ? Json(best.gain_error) : Json(nullptr)}};
+            {"gain_error", both ? Json(best.gain_error) : Json(nullptr)},
+            {"reason", best.robust ? Json(nullptr) : Json(best.reason.english())}};
 }
 
 RobustBest read_robust_best(const Json& json) {
@@ -388,6 +422,9 @@ RobustBest read_robust_best(const Json& json) {
             .samples = json.at("samples").get<std::uint64_t>(),
             .refused = json.at("refused").get<std::uint64_t>(),
             .robust = read_place(json.at("best")),
+            .reason = json.contains("reason") && json.at("reason").is_string()
+                          ? json.at("reason").get<std::string>()
+                          : std::string(),
             .nominal = read_place(json.at("nominal_best")),
             .gain = number("gain"),
             .gain_error = number("gain_error")};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "case-file/json_fwd.h"
+#include "case-file/message.h"
 
 /// The angle that holds best when the inputs scatter, beside the one that is best of the inputs as
 /// they are.
@@ -30,8 +31,9 @@ struct RobustBest {
     std::string value;
     std::uint64_t samples = 0;
     std::uint64_t refused = 0;  ///< of them, at one of the angles that were tried, or more
-    /// Empty where no angle is better than another, or too few samples are solved.
+    /// Of the angles that can be built; empty with a reason.
     std::optional<Place> robust{};
+    Message reason{};
     /// The scene's own best angle; it is what it is, without an error.
     std::optional<Place> nominal{};
     /// Percentile at the nominal best less that at the robust one, with its standard error, which
@@ -44,11 +46,11 @@ struct RobustBest {
 /// Whether the study watches what the angle is chosen for.
 bool asks_for_robust_best(const Problem& problem);
 
-/// The least 95th percentile over all angles, by the study's first 2048 samples (Sobol points where
-/// it has none): the percentile moves with the angle by no more than the steepest sample does, so
-/// stretches are quartered until none can hold less, up to a twentieth of its standard error or
-/// 0.1°; about the best the angles are 0.00125° apart. Standard errors by the jackknife, sixteen
-/// groups of samples left out in turn.
+/// The least 95th percentile over all angles that can be built of the inputs as they are, by the
+/// study's first 2048 samples (Sobol points where it has none): the percentile moves with the angle
+/// by no more than the steepest sample does, so stretches are quartered until none can hold less,
+/// up to a twentieth of its standard error or 0.1°; about the best the angles are 0.00125° apart.
+/// Standard errors by the jackknife, sixteen groups of samples left out in turn.
 /// @param threads  0: as many as there are cores
 /// @param goes_on  asked now and then; false stops the work
 /// @return nothing where the scene chooses no angle, the study is a grid, or it was stopped

@@ -263,9 +263,16 @@ Number shown(double value, double size, int digits, double rounding = 1e-10) {
 }
 
 Message reason_of(const Departure& departure, const Part& part, double deviation) {
-    const std::string& input = part.study.vary[departure.input].pointer;
+    return departure_text(departure, part.basis.laws[departure.input],
+                          part.study.vary[departure.input].pointer, deviation);
+}
+
+}  // namespace
+
+Message departure_text(const Departure& departure, const Law& law, const std::string& input,
+                       double deviation) {
     constexpr double halved_to = 1e-6;  // the place was halved to about that of the deviation
-    const Number at = shown(departure.at, part.basis.laws[departure.input].deviation, 6, halved_to);
+    const Number at = shown(departure.at, law.deviation, 6, halved_to);
     if (departure.size < 0.05 * deviation) {
         return CORE_TEXT("studies", "the inputs act on it together");
     }
@@ -287,7 +294,13 @@ Message reason_of(const Departure& departure, const Part& part, double deviation
     return {CORE_TEXT("studies", "it is curved along %1"), input};
 }
 
-}  // namespace
+Message distance_text(const std::string& name, double distance, double deviation,
+                      const Message& why) {
+    return {CORE_TEXT("studies",
+                      "The linear answer fails for %1: samples lie %2 from it (root mean "
+                      "square), at a standard deviation of %3; %4."),
+            name, Number{distance, {}, 4}, Number{deviation, {}, 4}, why};
+}
 
 bool same_basis(const Basis& one, const Basis& other) {
     return write_basis(one) == write_basis(other);
@@ -296,20 +309,20 @@ bool same_basis(const Basis& one, const Basis& other) {
 namespace {
 
 /// Of the means and slopes alone: what they do not know of.
-void add_notes_of_expansions(const Part& part, std::vector<Message>& notes) {
+void add_notes_of_expansions(const Part& part, std::vector<Note>& notes) {
     const Basis& basis = part.basis;
     if (basis.tried_refused != 0) {
-        notes.push_back({CORE_TEXT("studies",
-                                   "%1 of %2 samples that were tried cannot be solved; an "
-                                   "expansion does not know of these."),
-                         std::to_string(basis.tried_refused), std::to_string(basis.tried)});
+        notes.push_back({{CORE_TEXT("studies",
+                                    "%1 of %2 samples that were tried cannot be solved; an "
+                                    "expansion does not know of these."),
+                          std::to_string(basis.tried_refused), std::to_string(basis.tried)}});
     }
     const bool second = part.study.method == Method::second_order;
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
         const auto found = basis.expansions[w].propagated(basis.laws, second);
         if (!found) {
-            notes.push_back({no_derivative, name});
+            notes.push_back({{no_derivative, name}, w});
             continue;
         }
         const Departure& departure = basis.departures[w];
@@ -322,30 +335,40 @@ void add_notes_of_expansions(const Part& part, std::vector<Message>& notes) {
         }
         const Message why = reason_of(departure, part, basis.distances[w]);
         if (refused) {
-            notes.push_back({second ? CORE_TEXT("studies",
-                                                "The second order fails for %1 within two standard "
-                                                "deviations of an input: %2.")
-                                    : CORE_TEXT("studies",
-                                                "The linear answer fails for %1 within two "
-                                                "standard deviations of an input: %2."),
-                             name, why});
+            notes.push_back(
+                {{second ? CORE_TEXT("studies",
+                                     "The second order fails for %1 within two standard "
+                                     "deviations of an input: %2.")
+                         : CORE_TEXT("studies",
+                                     "The linear answer fails for %1 within two "
+                                     "standard deviations of an input: %2."),
+                  name, why},
+                 w});
             continue;
         }
         notes.push_back(
-            {second ? CORE_TEXT("studies",
-                                "The second order fails for %1: samples lie %2 from it (root mean "
-                                "square), at a standard deviation of %3; %4.")
-                    : CORE_TEXT("studies",
-                                "The linear answer fails for %1: samples lie %2 from it (root mean "
-                                "square), at a standard deviation of %3; %4."),
-             name, Number{basis.distances[w], {}, 4}, Number{found->deviation, {}, 4}, why});
+            {second ? Message(CORE_TEXT("studies",
+                                        "The second order fails for %1: samples lie %2 from it "
+                                        "(root mean square), at a standard deviation of %3; %4."),
+                              name, Number{basis.distances[w], {}, 4},
+                              Number{found->deviation, {}, 4}, why)
+                    : distance_text(name, basis.distances[w], found->deviation, why),
+             w});
     }
 }
 
 }  // namespace
 
 std::vector<Message> notes_of(const Part& part) {
-    std::vector<Message> notes;
+    std::vector<Message> texts;
+    for (Note& note : noted(part)) {
+        texts.push_back(std::move(note.text));
+    }
+    return texts;
+}
+
+std::vector<Note> noted(const Part& part) {
+    std::vector<Note> notes;
     if (part.study.method == Method::grid) {
         return notes;
     }
@@ -354,8 +377,8 @@ std::vector<Message> notes_of(const Part& part) {
         return notes;
     }
     if (part.tally.solved() < 2) {
-        notes.emplace_back(
-            CORE_TEXT("studies", "A standard deviation takes two samples that can be solved."));
+        notes.push_back(
+            {CORE_TEXT("studies", "A standard deviation takes two samples that can be solved.")});
         return notes;
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
@@ -363,13 +386,13 @@ std::vector<Message> notes_of(const Part& part) {
         const auto linear = part.basis.expansions[w].propagated(part.basis.laws, false);
         const Statistics found = part.tally.statistics(w);
         if (const auto most = vague_sensitivities(found)) {
-            notes.push_back({CORE_TEXT("studies",
-                                       "The samples are too few for the sensitivities of %1: "
-                                       "standard errors up to %2."),
-                             name, Number{*most, {}, 2}});
+            notes.push_back({{CORE_TEXT("studies",
+                                        "The samples are too few for the sensitivities of %1: "
+                                        "standard errors up to %2."),
+                              name, Number{*most, {}, 2}}});
         }
         if (!linear) {
-            notes.push_back({no_derivative, name});
+            notes.push_back({{no_derivative, name}, w});
             continue;
         }
         // What three standard errors, and a thousandth that nobody minds, do not explain.
@@ -386,13 +409,14 @@ std::vector<Message> notes_of(const Part& part) {
             continue;
         }
         const double size = std::max(std::abs(found.mean), found.plain_deviation);
-        notes.emplace_back(
-            CORE_TEXT("studies",
-                      "The linear answer fails for %1: mean %2 and standard deviation %3 against "
-                      "%4 and %5 of the samples; %6."),
-            name, shown(linear->mean, size, 6), shown(linear->deviation, size, 4),
-            shown(linear->mean + shift, size, 6), shown(found.plain_deviation, size, 4),
-            reason_of(part.basis.departures[w], part, found.deviation));
+        notes.push_back(
+            {{CORE_TEXT("studies",
+                        "The linear answer fails for %1: mean %2 and standard deviation %3 against "
+                        "%4 and %5 of the samples; %6."),
+              name, shown(linear->mean, size, 6), shown(linear->deviation, size, 4),
+              shown(linear->mean + shift, size, 6), shown(found.plain_deviation, size, 4),
+              reason_of(part.basis.departures[w], part, found.deviation)},
+             w});
     }
     return notes;
 }

@@ -20,6 +20,10 @@ struct FirstSamples {
     std::vector<Reason> reasons;  ///< empty where solved
 };
 
+struct KeptValues {
+    std::vector<double> values;  ///< row by row from the part's first sample; NaN where refused
+};
+
 namespace {
 
 constexpr std::uint64_t most_first_samples = 4096;
@@ -27,7 +31,43 @@ constexpr std::uint64_t pairs_per_input = 16'384;
 /// Points at which an expansion is asked for its percentiles.
 constexpr std::uint64_t expansion_points = 16'384;
 constexpr std::uint64_t block = 256;
+constexpr double not_solved = std::numeric_limits<double>::quiet_NaN();
 
+/// The work was stopped while a part began.
+struct Stopped {};
+
+/// Tells `begun` now and then how much of the work is done.
+class Pace {
+  public:
+    using Clock = std::chrono::steady_clock;
+    explicit Pace(const Begun& begun) : begun_(begun) {}
+
+    /// @throws Stopped
+    void tell(double done, const std::function<Part()>& so_far) {
+        constexpr auto often = std::chrono::milliseconds(50);
+        if (!begun_ || Clock::now() - told_ < often) {
+            return;
+        }
+        if (!begun_(done, so_far)) {
+            throw Stopped{};
+        }
+        told_ = Clock::now();
+    }
+
+  private:
+    const Begun& begun_;
+    Clock::time_point told_ = Clock::now();
+};
+
+/// What a study costs, in solutions.
+struct Work {
+    double basis = 0.0;  ///< expansions and looking for departures, estimated
+    double samples = 0.0;
+    double first = 0.0;  ///< of the samples, solved while the part begins
+    double pairs = 0.0;  ///< samples that are solved a second time
+
+    double whole() const { return basis + samples + pairs; }
+};
 /// Samples, points of a grid, or points of an expansion.
 std::uint64_t points_of(const Study& study) {
     return is_sampled(study.method) || study.method == Method::grid ? study.points()
@@ -37,13 +77,34 @@ std::uint64_t points_of(const Study& study) {
 /// Samples that an expansion is tried by.
 constexpr std::uint64_t tried_samples = 64;
 
+Work work_of(const Part& part) {
+    const auto inputs = static_cast<double>(part.study.vary.size());
+    const auto count = static_cast<double>(part.to - part.from);
+    if (part.study.method == Method::grid) {
+        return {.samples = count};
+    }
+    constexpr double of_slopes = 20.0;
+    constexpr double of_departures = 33.0;
+    const double basis = inputs * (of_slopes + of_departures);
+    if (!is_sampled(part.study.method)) {
+        const double curvatures = part.study.method == Method::second_order ? inputs * inputs : 0.0;
+        return {.basis = basis + 4.0 * curvatures + tried_samples};
+    }
+    return {.basis = basis,
+            .samples = count,
+            .first = static_cast<double>(std::min(points_of(part.study), most_first_samples)),
+            .pairs = std::min(count, static_cast<double>(pairs_per_input) * inputs)};
+}
+
 /// Counts what is asked of another.
 class CountingResponse final : public Response {
   public:
-    explicit CountingResponse(std::unique_ptr<Response> response)
-        : response_(std::move(response)) {}
+    CountingResponse(std::unique_ptr<Response> response,
+                     std::function<void(std::uint64_t count)> counted)
+        : response_(std::move(response)), counted_(std::move(counted)) {}
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
+        counted_(count_);
         const bool there = response_->evaluate(x, y);
         if (!there) {
             reason_ = response_->reason();
@@ -57,6 +118,7 @@ class CountingResponse final : public Response {
 
   private:
     std::unique_ptr<Response> response_;
+    std::function<void(std::uint64_t count)> counted_;
     Tally tally_;
     std::uint64_t count_ = 0;
 };
@@ -135,6 +197,11 @@ class Worker {
             return;
         }
         tally.add(u_, y_);
+        if (KeptValues* kept = part_.kept.get()) {
+            std::copy(y_.begin(), y_.end(),
+                      kept->values.begin() +
+                          static_cast<std::ptrdiff_t>((sample - part_.from) * y_.size()));
+        }
         if (sampled_ && sample < pairs_per_input * inputs_) {
             const auto input = static_cast<std::size_t>(random_.bits(sample, 1, 0) % inputs_);
             u_[input] = random_.uniform(sample, 1, 1);
@@ -192,21 +259,24 @@ std::vector<std::unique_ptr<Worker>> make_workers(const Problem& problem, const 
     return workers;
 }
 
-/// Every worker takes blocks of the stretch until none is left.
+/// Every worker takes blocks of the stretch until none is left. The first one works in the thread
+/// that calls.
 template <typename Visit>
 void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from, std::uint64_t to,
                const Visit& visit) {
     std::atomic<std::uint64_t> next{from};
+    const std::uint64_t taken =
+        std::clamp<std::uint64_t>((to - from) / (8 * workers.size()), 1, block);
     std::exception_ptr fault;
     std::mutex guard;
     const auto work = [&](Worker& worker) {
         try {
             for (;;) {
-                const std::uint64_t start = next.fetch_add(block);
+                const std::uint64_t start = next.fetch_add(taken);
                 if (start >= to) {
                     return;
                 }
-                for (std::uint64_t i = start; i < std::min(start + block, to); ++i) {
+                for (std::uint64_t i = start; i < std::min(start + taken, to); ++i) {
                     visit(worker, i);
                 }
             }
@@ -227,19 +297,6 @@ void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from
     if (fault) {
         std::rethrow_exception(fault);
     }
-}
-
-FirstSamples take_first(const Problem& problem, const Part& part, int threads) {
-    const std::uint64_t count = std::min(points_of(part.study), most_first_samples);
-    const std::size_t watched = part.study.watch.size();
-    FirstSamples first{std::vector<double>(count * watched), std::vector<Reason>(count)};
-    auto workers = make_workers(problem, part, threads, count);
-    share_out(workers, 0, count, [&](Worker& worker, std::uint64_t i) {
-        if (!worker.solve(i, std::span(first.values).subspan(i * watched, watched))) {
-            first.reasons[i] = worker.reason();
-        }
-    });
-    return first;
 }
 
 /// 360° or, where a value says so, the 720° of a four-stroke cycle; 0 of what is no angle.
@@ -293,6 +350,67 @@ void plan_counting(Part& part, const FirstSamples& first) {
         part.basis.plan.push_back(counting_plan(part.study.watch[w], part.basis.nominal[w],
                                                 std::move(values), part.basis.periods[w]));
     }
+}
+
+/// What is known of a part while its first samples are solved.
+Part part_so_far(const Part& part, const FirstSamples& first,
+                 const std::vector<std::atomic<bool>>& solved) {
+    Part now = part;
+    auto known = std::make_shared<FirstSamples>(
+        FirstSamples{first.values, std::vector<Reason>(solved.size(), Reason{{}, no_value})});
+    now.kept = std::make_shared<KeptValues>();
+    now.kept->values.resize(first.values.size(), not_solved);
+    const std::size_t watched = part.study.watch.size();
+    std::vector<std::size_t> there;
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        if (solved[i].load(std::memory_order_acquire)) {
+            known->reasons[i] = first.reasons[i];
+            there.push_back(i);
+        }
+    }
+    plan_counting(now, *known);
+    now.tally = Tally(now.basis.plan, part.study.vary.size());
+    Sampler sampler(part.study.method, part.study.points(), part.study.seed,
+                    part.study.vary.size());
+    std::vector<double> u(part.study.vary.size());
+    for (const std::size_t i : there) {
+        if (!known->reasons[i].empty()) {
+            now.tally.refuse(i, known->reasons[i]);
+            continue;
+        }
+        sampler.point(i, u);
+        const auto values = std::span(first.values).subspan(i * watched, watched);
+        now.tally.add(u, values);
+        std::copy(values.begin(), values.end(),
+                  now.kept->values.begin() + static_cast<std::ptrdiff_t>(i * watched));
+    }
+    now.done = now.from + there.size();
+    now.first = std::move(known);
+    return now;
+}
+
+/// @throws Stopped
+FirstSamples take_first(const Problem& problem, const Part& part, int threads, Pace& pace) {
+    const std::uint64_t count = std::min(points_of(part.study), most_first_samples);
+    const std::size_t watched = part.study.watch.size();
+    FirstSamples first{std::vector<double>(count * watched), std::vector<Reason>(count)};
+    std::vector<std::atomic<bool>> solved(count);
+    std::atomic<std::uint64_t> done{0};
+    const Work work = work_of(part);
+    auto workers = make_workers(problem, part, threads, count);
+    share_out(workers, 0, count, [&](Worker& worker, std::uint64_t i) {
+        if (!worker.solve(i, std::span(first.values).subspan(i * watched, watched))) {
+            first.reasons[i] = worker.reason();
+        }
+        solved[i].store(true, std::memory_order_release);
+        ++done;
+        if (&worker == workers.front().get()) {
+            const auto so_far = [&] { return part_so_far(part, first, solved); };
+            pace.tell((work.basis + static_cast<double>(done)) / std::max(work.whole(), 1.0),
+                      is_sampled(part.study.method) ? std::function<Part()>(so_far) : nullptr);
+        }
+    });
+    return first;
 }
 
 /// How far true samples lie from the expansions that stand for them.
@@ -363,7 +481,44 @@ std::vector<std::vector<double>> first_samples(const Part& part, std::size_t mos
     return rows;
 }
 
-Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads) {
+namespace {
+
+/// Expansions and departures, about the means of the inputs.
+void expand(const Problem& problem, Part& part, Pace& pace) {
+    Basis& basis = part.basis;
+    const bool sampled = is_sampled(part.study.method);
+    const Work work = work_of(part);
+    CountingResponse response(problem.make(), [&](std::uint64_t count) {
+        pace.tell(std::min(static_cast<double>(count), work.basis) / work.whole(), {});
+    });
+    Differences differences(response, basis.laws, part.study.watch.size());
+    basis.expansions = differences.expand(basis.periods, part.study.method == Method::second_order);
+    constexpr double sampled_reach = 3.0;
+    constexpr double expanded_reach = 2.0;
+    basis.departures = find_departures(response, basis.laws, basis.expansions, basis.periods,
+                                       sampled ? sampled_reach : expanded_reach);
+    if (!sampled) {
+        plan_counting(part, take_first(problem, part, 1, pace));
+        try_expansions(response, part.study, basis);
+    }
+    basis.evaluations = response.count();
+    basis.refusals = response.refusals();
+}
+
+}  // namespace
+
+double share_done(const Part& part) {
+    const Work work = work_of(part);
+    const auto done = static_cast<double>(part.done - part.from);
+    if (!(work.samples > 0.0)) {
+        return part.finished() ? 1.0 : 0.99;
+    }
+    const double solved = work.basis + std::max(work.first, done) + std::min(done, work.pairs);
+    return std::min(solved / std::max(work.whole(), 1.0), 1.0);
+}
+
+Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads,
+                const Begun& begun) {
     Part part;
     part.origin = problem.origin;
     part.study = problem.study;
@@ -384,26 +539,51 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
     for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
         basis.laws.push_back(law_of(part.study.vary[j], problem.nominal[j]));
     }
-    const bool sampled = is_sampled(part.study.method);
-    if (sampled) {
-        part.first = std::make_shared<FirstSamples>(take_first(problem, part, threads));
-        plan_counting(part, *part.first);
+    Pace pace(begun);
+    try {
+        expand(problem, part, pace);
+        if (is_sampled(part.study.method)) {
+            part.first = std::make_shared<FirstSamples>(take_first(problem, part, threads, pace));
+            const std::vector<double> periods = basis.periods;
+            plan_counting(part, *part.first);
+            if (basis.periods != periods) {
+                expand(problem, part, pace);  // an angle that goes on to 720°
+            }
+        }
+    } catch (const Stopped&) {
+        return part;
     }
-    CountingResponse response(problem.make());
-    Differences differences(response, basis.laws, part.study.watch.size());
-    basis.expansions = differences.expand(basis.periods, part.study.method == Method::second_order);
-    constexpr double sampled_reach = 3.0;
-    constexpr double expanded_reach = 2.0;
-    basis.departures = find_departures(response, basis.laws, basis.expansions, basis.periods,
-                                       sampled ? sampled_reach : expanded_reach);
-    if (!sampled) {
-        plan_counting(part, take_first(problem, part, threads));
-        try_expansions(response, part.study, basis);
-    }
-    basis.evaluations = response.count();
-    basis.refusals = response.refusals();
     part.tally = Tally(basis.plan, part.study.vary.size());
     return part;
+}
+
+void keep_values(Part& part, std::uint64_t most) {
+    if (part.study.method != Method::grid && part.done == part.from &&
+        (part.to - part.from) <= most / std::max<std::size_t>(part.study.watch.size(), 1)) {
+        part.kept = std::make_shared<KeptValues>();
+    }
+}
+
+bool change_limits(Part& part, const std::vector<Watched>& watch) {
+    if (part.kept == nullptr) {
+        return false;
+    }
+    const std::size_t watched = watch.size();
+    for (std::size_t w = 0; w < watched; ++w) {
+        if (watch[w] == part.study.watch[w]) {
+            continue;
+        }
+        part.study.watch[w] = watch[w];
+        part.basis.plan[w].min = watch[w].min;
+        part.basis.plan[w].max = watch[w].max;
+        std::uint64_t within = 0;
+        for (std::size_t i = w; i < part.kept->values.size(); i += watched) {
+            const double value = part.kept->values[i];
+            within += !std::isnan(value) && part.basis.plan[w].within(value) ? 1 : 0;
+        }
+        part.tally.set_limits(w, watch[w].min, watch[w].max, within);
+    }
+    return true;
 }
 
 void run_part(const Problem& problem, Part& part, int threads,
@@ -411,12 +591,16 @@ void run_part(const Problem& problem, Part& part, int threads,
     using Clock = std::chrono::steady_clock;
     const bool grid = part.study.method == Method::grid;
     auto workers = make_workers(problem, part, threads, part.to - part.done);
-    std::uint64_t stretch = block * workers.size();
+    constexpr std::uint64_t few = 16;  // a slow scene shows them soon
+    std::uint64_t stretch = few * workers.size();
     while (part.done < part.to) {
         const auto start = Clock::now();
         const std::uint64_t end = std::min(part.done + stretch, part.to);
         for (auto& worker : workers) {
             worker->start_tally();
+        }
+        if (part.kept != nullptr) {
+            part.kept->values.resize((end - part.from) * part.study.watch.size(), not_solved);
         }
         if (grid) {
             part.rows.resize(end - part.from);
@@ -438,7 +622,7 @@ void run_part(const Problem& problem, Part& part, int threads,
         constexpr double wanted = 0.25;
         if (seconds < 0.5 * wanted) {
             stretch *= 2;
-        } else if (seconds > 2.0 * wanted && stretch > block * workers.size()) {
+        } else if (seconds > 2.0 * wanted && stretch > workers.size()) {
             stretch /= 2;
         }
     }

@@ -46,7 +46,11 @@ struct Problem {
     struct Choice {
         std::string input;  ///< pointers
         std::string value;
-        std::optional<double> nominal_best;  ///< degrees, by the scene
+        std::optional<double> nominal_best{};  ///< degrees, by the scene
+        /// Stretches of angles that can be built, degrees, and why there is none; nothing where the
+        /// scene knows none that cannot.
+        std::optional<std::vector<std::pair<double, double>>> buildable{};
+        Message unbuildable{};
         /// The study's inputs and, unless it is one of them, the angle; the value and half its
         /// steepest slope per radian.
         MakeResponse make;
@@ -78,6 +82,8 @@ struct Basis {
 
 /// The watched values of a study's first samples, from which the basis was made.
 struct FirstSamples;
+/// The watched values of all samples of a part.
+struct KeptValues;
 
 /// A row of a grid's table; a value that does not exist is empty.
 using Row = std::vector<std::optional<double>>;
@@ -94,8 +100,10 @@ struct Part {
     std::uint64_t to = 0;
     Tally tally;
     std::vector<Row> rows;
-    std::optional<RobustBest> robust_best{};      ///< of the first shard, where it was asked for
-    std::shared_ptr<const FirstSamples> first{};  ///< not written
+    std::optional<RobustBest> robust_best{};  ///< of the first shard, where it was asked for
+    // Not written:
+    std::shared_ptr<const FirstSamples> first{};
+    std::shared_ptr<KeptValues> kept{};
 
     bool finished() const { return done == to; }
 };
@@ -106,9 +114,25 @@ std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uin
 
 inline constexpr std::uint64_t most_shards = 1'000'000;
 
+/// Sees now and then how much of all work is done, 0…1, and may stop it by false. The second makes
+/// a part of the samples solved so far, for looking at: their values are counted by a plan that
+/// these alone have made.
+using Begun = std::function<bool(double done, const std::function<Part()>& so_far)>;
+
 /// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
+/// @param begun  where it stops the work, the part is worth nothing
 Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
-                int threads = 0);
+                int threads = 0, const Begun& begun = {});
+
+/// How much of all work a part's samples and basis are, 0…1.
+double share_done(const Part& part);
+
+/// Keeps the watched values of a part that has just begun, where they are no more than `most`
+/// numbers: other limits need no solution then.
+void keep_values(Part& part, std::uint64_t most);
+/// Counts what is within other limits of the same watched values, as the samples themselves did.
+/// @return false where the values were not kept
+bool change_limits(Part& part, const std::vector<Watched>& watch);
 
 /// Goes on with a part until it is done. Several threads (0: as many as there are cores) work on
 /// stretches of samples; after each stretch, some tenths of a second, `went_on` sees the part and
@@ -145,8 +169,16 @@ Part read_part(const Json& json);
 /// Whether two parts of a study began with the same numbers.
 bool same_basis(const Basis& one, const Basis& other);
 
+/// What is to be known of an answer.
+struct Note {
+    Message text;
+    /// Of the watched value whose linear answer fails, or that of the second order where that is
+    /// the method.
+    std::optional<std::size_t> fails{};
+};
 /// Where the linear answer fails by more than its error bars, and why; what too few samples do not
 /// tell.
+std::vector<Note> noted(const Part& part);
 std::vector<Message> notes_of(const Part& part);
 
 /// Why samples were refused, the most frequent first.

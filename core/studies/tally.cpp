@@ -233,6 +233,13 @@ void Tally::add_pair(std::size_t input, std::span<const double> y, std::span<con
     }
 }
 
+void Tally::set_limits(std::size_t watched, std::optional<double> min, std::optional<double> max,
+                       std::uint64_t within) {
+    plan_[watched].min = min;
+    plan_[watched].max = max;
+    values_[watched].within = within;
+}
+
 void Tally::add(const Tally& other) {
     for (std::size_t w = 0; w < values_.size(); ++w) {
         Value& value = values_[w];

@@ -84,6 +84,9 @@ class Tally {
     void refuse(std::uint64_t sample, const Reason& reason);
     /// Two samples that differ in one input alone.
     void add_pair(std::size_t input, std::span<const double> y, std::span<const double> other);
+    /// Other limits of a watched value, which so many of the samples keep.
+    void set_limits(std::size_t watched, std::optional<double> min, std::optional<double> max,
+                    std::uint64_t within);
     /// Of another with the same plan.
     void add(const Tally& other);
 

@@ -76,6 +76,15 @@ struct Departure {
     friend bool operator==(const Departure&, const Departure&) = default;
 };
 
+/// Why an expansion fails, as the end of a sentence.
+/// @param input  its name or pointer
+/// @param deviation  of the value; what is much less is not the reason
+Message departure_text(const Departure& departure, const Law& law, const std::string& input,
+                       double deviation);
+/// That samples lie so far from the linear answer, and why.
+Message distance_text(const std::string& name, double distance, double deviation,
+                      const Message& why);
+
 /// Looks along every input, 33 places each, and finds places of jumps and refusals by bisection.
 /// @param reach  standard deviations to each side, no further than the law goes
 std::vector<Departure> find_departures(Response& response, std::span<const Law> laws,

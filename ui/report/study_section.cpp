@@ -155,12 +155,15 @@ void addRobustBest(Report& report, StudyModel& study) {
             QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
     }
     const studies::RobustBest* best = model.best();
-    if (best == nullptr || !best->robust) {
-        return;
-    }
     const auto say = [&](const QString& text, Paragraph::Kind kind = Paragraph::Kind::Text) {
         report.items.push_back(Paragraph{text.toHtmlEscaped(), kind});
     };
+    if (best == nullptr || !best->robust) {
+        if (!model.trouble().isEmpty()) {
+            say(model.trouble(), Paragraph::Kind::Warning);
+        }
+        return;
+    }
     constexpr int decimals = 2;
     const auto shown = [](double value) { return fixedDecimals(value, decimals, QLocale()); };
     say(ReportWords::tr("Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.")
@@ -170,10 +173,6 @@ void addRobustBest(Report& report, StudyModel& study) {
     if (best->nominal) {
         say(ReportWords::tr("At the α that is best of the inputs as they are, %1°, it is %2.")
                 .arg(shown(best->nominal->angle), shown(best->nominal->percentile)));
-    }
-    if (model.canBeBuilt() == false) {
-        say(ReportWords::tr("The robust α cannot be built: the shaft has no room there."),
-            Paragraph::Kind::Warning);
     }
 }
 
@@ -198,7 +197,7 @@ void addTolerances(Report& report, SceneModel& model) {
         report.items.push_back(
             Paragraph{ReportWords::tr(
                           "The bands about the curves and the ± beside the numbers of the results "
-                          "go from 5 % to 95 % of what these make of them, by slopes alone.")
+                          "go from 5 % to 95 % of what these make of them.")
                           .toHtmlEscaped(),
                       Paragraph::Kind::Muted});
     }

@@ -38,7 +38,8 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     auto* about =
         captionLabel(tr("The α whose 95 % point is least: nineteen of twenty engines have "
                         "at most that, each with parts within their tolerances. Beside "
-                        "it the α that is best of the inputs as they are."),
+                        "it the α that is best of the inputs as they are. Both of the angles "
+                        "that can be built."),
                      this);
     column->addWidget(about);
     table_ = new ResultTable(this);
@@ -112,10 +113,10 @@ void RobustView::showBest() {
                          .arg(resultName(best->value).withUnit(),
                               withError(best->gain, best->gain_error, 2));
         }
-        if (best->robust && model_->canBeBuilt() == false) {
-            lines.prepend(tr("The robust α cannot be built: the shaft has no room there."));
+        if (best->samples > 0) {
+            lines << tr("Samples: %1")
+                         .arg(QLocale().toString(static_cast<qulonglong>(best->samples)));
         }
-        lines << tr("Samples: %1").arg(QLocale().toString(static_cast<qulonglong>(best->samples)));
         if (best->refused > 0) {
             lines.last() +=
                 QStringLiteral("; ") +

@@ -110,7 +110,28 @@ TEST(RobustBest, IsNoneWhereNothingDependsOnTheAngle) {
     EXPECT_FALSE(find_robust_best(without));
 }
 
-TEST(RobustBest, OfABalanceShaftIsTheLeastOfAllAngles) {
+TEST(RobustBest, LooksAtAnglesThatCanBeBuiltAlone) {
+    Problem tried = chosen({{"plus_minus", 10}}, 1.0, 4.0);
+    // The best of all lies between the first two; the third goes over 0°.
+    tried.choice->buildable = {{100.0, 118.0}, {129.0, 140.0}, {350.0, 365.0}};
+    const auto found = find_robust_best(tried, 1);
+    ASSERT_TRUE(found && found->robust);
+    EXPECT_NEAR(found->robust->angle, 118.0, 1e-9);
+    tried.choice->buildable = {{350.0, 365.0}};
+    tried.choice->nominal_best.reset();
+    const auto over = find_robust_best(tried, 1);
+    ASSERT_TRUE(over && over->robust);
+    EXPECT_NEAR(over->robust->angle, 5.0, 1e-9);
+    tried.choice->buildable.emplace();
+    tried.choice->unbuildable = "no room";
+    const auto none = find_robust_best(tried, 1);
+    ASSERT_TRUE(none);
+    EXPECT_FALSE(none->robust);
+    EXPECT_EQ(none->reason.english(), "No angle can be built: no room");
+    EXPECT_EQ(*none, read_robust_best(Json::parse(write_robust_best(*none).dump())));
+}
+
+TEST(RobustBest, OfABalanceShaftIsTheLeastOfTheAnglesThatCanBeBuilt) {
     CaseFile file =
         parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"));
     file.study = {{"vary",
@@ -120,13 +141,16 @@ TEST(RobustBest, OfABalanceShaftIsTheLeastOfAllAngles) {
                   {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
                   {"samples", 256}};
     const Problem all = problem_of(file, {});
+    ASSERT_TRUE(all.choice->buildable);
+    ASSERT_EQ(all.choice->buildable->size(), 1U);
+    EXPECT_EQ(all.choice->nominal_best, all.choice->buildable->front().first);
     ASSERT_TRUE(asks_for_robust_best(all));
     const auto found = find_robust_best(all);
     ASSERT_TRUE(found && found->robust && found->nominal);
     EXPECT_EQ(found->refused, 0U);
     EXPECT_GE(found->gain, 0.0);
     // Whole studies at other angles: the 95 % point of each is one of the table's.
-    for (const double angle : {found->robust->angle, found->nominal->angle, 30.0, 60.0, 200.0}) {
+    for (const double angle : {found->robust->angle, found->nominal->angle, 70.0, 100.0, 200.0}) {
         CaseFile turned = file;
         turned.input["shaft_angle_deg"] = angle;
         const double percentile = whole(problem_of(turned, {})).tally.statistics(0).percentiles[6];

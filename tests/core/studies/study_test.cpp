@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
@@ -239,6 +241,67 @@ TEST(Study, SaysWhyTheLinearAnswerFails) {
                   return true;
               }).find("it is curved along /x0."),
               std::string::npos);
+}
+
+TEST(Study, OtherLimitsNeedNoOtherSamples) {
+    const auto half = [](const Json& limits) {
+        Json study = normal_study(2, "latin-hypercube", 6000, 3);
+        study["watch"]["/y"] = limits;
+        return problem(study, {0.0, 0.0}, [](auto x, auto y) {
+            y[0] = x[0] + 0.3 * x[1] * x[1];
+            return x[1] < 2.5;
+        });
+    };
+    const Problem first = half({{"max", 0.5}});
+    Part part = begin_part(first, 1, 1, 2);
+    keep_values(part, 6000);
+    // One change while the samples are solved, one when they are.
+    run_part(first, part, 2, [&](const Part&) {
+        return change_limits(part, {{.pointer = "/y", .min = 0.1, .max = {}}});
+    });
+    ASSERT_TRUE(change_limits(part, {{.pointer = "/y", .min = -0.25, .max = 1.5}}));
+    const Part wanted = whole(half({{"min", -0.25}, {"max", 1.5}}));
+    EXPECT_EQ(write_results(part), write_results(wanted));
+    Part without = begin_part(first, 1, 1, 1);
+    keep_values(without, 5999);
+    EXPECT_FALSE(change_limits(without, first.study.watch));
+}
+
+TEST(Study, SaysHowFarItIsByTime) {
+    const Problem slow = problem(normal_study(2, "sobol", 256, 1), {0.0, 0.0}, [](auto x, auto y) {
+        std::this_thread::sleep_for(std::chrono::microseconds(500));
+        y[0] = x[0] + x[1];
+        return true;
+    });
+    double last = 0.0;
+    int told = 0;
+    std::uint64_t shown = 0;
+    Part part = begin_part(slow, 1, 1, 2, [&](double done, const auto& so_far) {
+        EXPECT_GE(done, last);
+        last = done;
+        ++told;
+        if (so_far) {
+            const Part now = so_far();
+            EXPECT_GE(now.tally.solved(), shown);
+            shown = now.tally.solved();
+            EXPECT_TRUE(shown < 2 || write_results(now).at("watched").contains("/y"));
+        }
+        return true;
+    });
+    EXPECT_GE(told, 2);
+    EXPECT_GT(shown, 0U);
+    EXPECT_LT(last, 0.7);
+    run_part(slow, part, 2, [&](const Part& now) {
+        EXPECT_GE(share_done(now), last);
+        last = share_done(now);
+        ++told;
+        return true;
+    });
+    EXPECT_GE(told, 4);
+    EXPECT_EQ(last, 1.0);
+    EXPECT_EQ(write_results(part), write_results(whole(slow)));
+    EXPECT_TRUE(
+        begin_part(slow, 1, 1, 2, [](double, const auto&) { return false; }).basis.plan.empty());
 }
 
 std::string notes_text(const Part& part) {

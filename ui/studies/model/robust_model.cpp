@@ -1,7 +1,5 @@
 #include "studies/model/robust_model.h"
 
-#include <algorithm>
-
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "model/background_job.h"
@@ -9,28 +7,13 @@
 #include "scenes/responses.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 
 namespace {
 
 constexpr int robustRestMs = 300;
-
-/// Whether an angle, degrees, is in one of the stretches that a result lists.
-std::optional<bool> isAmong(const Json& result, const std::string& pointer, double angle) {
-    const Json::json_pointer place(pointer);
-    if (pointer.empty() || !result.contains(place) || !result.at(place).is_array()) {
-        return std::nullopt;
-    }
-    const Json& stretches = result.at(place);
-    return std::any_of(stretches.begin(), stretches.end(), [&](const Json& each) {
-        constexpr double turn = 360.0;
-        const double from = each.at(0).get<double>();
-        const double to = each.at(1).get<double>();
-        return (angle >= from && angle <= to) || (angle + turn >= from && angle + turn <= to) ||
-               (angle - turn >= from && angle - turn <= to);
-    });
-}
 
 }  // namespace
 
@@ -117,22 +100,17 @@ void RobustModel::start() {
     }
     study.watch = {{.pointer = choice->value}};
     file.study = studies::write_study(study);
-    job_->start([this, choice, file = std::move(file), context = study_->scene()->context()](
+    job_->start([this, file = std::move(file), context = study_->scene()->context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const auto best = studies::find_robust_best(studies::problem_of(file, context), 1,
                                                     [&] { return progress(0.0); });
         if (!progress(1.0)) {
             return {};
         }
-        return [this, best, choice] {
+        return [this, best] {
             best_ = best;
             stale_ = false;
-            canBeBuilt_ = best && best->robust ? isAmong(study_->scene()->resultJson(),
-                                                         choice->buildable, best->robust->angle)
-                                               : std::nullopt;
-            trouble_ = !best || !best->robust
-                           ? tr("No angle is better than another, or too few samples are solved.")
-                           : QString();
+            trouble_ = best && !best->robust ? messageText(best->reason) : QString();
             Q_EMIT changed();
         };
     });

@@ -29,8 +29,6 @@ class RobustModel : public QObject {
     bool isStale() const { return stale_; }
     /// Nothing varies, or it cannot be found; empty otherwise.
     QString trouble() const { return trouble_; }
-    /// Whether the parts have room at the robust angle; nothing where the case does not say.
-    std::optional<bool> canBeBuilt() const { return canBeBuilt_; }
     void stop();
     void run();
     bool isStopped() const { return stopped_; }
@@ -50,7 +48,6 @@ class RobustModel : public QObject {
     std::optional<studies::RobustBest> best_;
     std::string followed_;  ///< what the angle depends on
     QString trouble_;
-    std::optional<bool> canBeBuilt_;
     bool stopped_ = false;
     bool stale_ = false;
     bool watched_ = false;
