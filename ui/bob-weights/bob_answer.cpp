@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "bob-weights/force_plot.h"
+#include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "bob-weights/plane_view.h"
 #include "theme/theme.h"
@@ -136,7 +137,10 @@ void BobAnswer::showAnswer() {
     colourText(verdict_, isStale ? theme.warning() : theme.text());
     sayOrHide(hang_, model_->hangText());
     sayOrHide(factor_, known ? model_->factorText() : QString());
-    sayOrHide(limits_, model_->limitText());
+    QStringList limits{model_->limitText(),
+                       bob_text::weighing(Words(), model_->input(), model_->solution())};
+    limits.removeAll(QString());
+    sayOrHide(limits_, limits.join(QLatin1Char('\n')));
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     colourText(troubles_, theme.warning());
     lines_->setRows(model_->lineRows());

@@ -7,6 +7,7 @@
 
 #include "bob-weights/scene.h"
 #include "bob-weights/solver.h"
+#include "bob-weights/weighing.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -49,6 +50,23 @@ std::string error_of(const Json& input) {
 TEST(Example, ShopCard) {
     const Json document = ravnoves::test::check_example("bob-weights-v8");
     EXPECT_NEAR(document.at("result").at("bobweight_g").get<double>(), 1505.2, 1e-9);
+}
+
+TEST(Weighing, AddsTheRoundingOfEachPartBySquares) {
+    // Five parts count once (twice 50 %), two twice, and the bob weight is weighed itself.
+    constexpr double d = 1e-4;
+    Json card = with_correction();
+    card["tolerance"] = {{"g_mm", 30}};
+    const Input input = read_input(card);
+    const auto found = weighing(input, solve(input), d);
+    ASSERT_TRUE(found && found->largest_radius);
+    EXPECT_NEAR(found->bob_weight, 2.0 * d * std::sqrt((1.0 + 5.0 + 2.0 * 4.0) / 12.0), 1e-15);
+    EXPECT_NEAR(found->bob_weight * *found->largest_radius, 30e-6 / 3.0, 1e-15);
+    // Of eight weighed pistons the mean counts.
+    card["weigh_in"]["piston"]["mass_g"] = Json::array({584, 583, 584, 583, 584, 583, 584, 583});
+    const Input sheet = read_input(card);
+    EXPECT_NEAR(weighing(sheet, solve(sheet), d)->bob_weight,
+                2.0 * d * std::sqrt((1.0 + 4.0 + 1.0 / 8.0 + 8.0) / 12.0), 1e-15);
 }
 
 TEST(BobWeight, FollowsFactorAndOverbalance) {

@@ -2,6 +2,8 @@
 
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
+#include "bob-weights/weighing.h"
+#include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves::bob_text {
@@ -176,6 +178,28 @@ QString holeNote(const Words& words, const Result& result) {
                : words.translate("BobWeights",
                                  "Depths are to the full diameter, the cone of the drill’s point "
                                  "lies beyond; the rim counts as flat where a hole begins.");
+}
+
+QString weighing(const Words& words, const Input& input, const Result& result) {
+    const double resolution = ScaleSettings::load().resolution;
+    const auto found =
+        resolution > 0.0 ? bob_weights::weighing(input, result, resolution) : std::nullopt;
+    if (!found) {
+        return {};
+    }
+    const QString sure =
+        words
+            .translate("BobWeights", "Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).")
+            .arg(words.plainWithUnit(resolution, units::gram, 6),
+                 words.number(found->bob_weight, units::gram, 2));
+    return !found->largest_radius
+               ? sure
+               : sure + QLatin1Char(' ') +
+                     words
+                         .translate("BobWeights",
+                                    "That is enough for what may remain in a plane with a crank "
+                                    "radius up to %1.")
+                         .arg(words.number(*found->largest_radius, units::mm, 0));
 }
 
 QString planeName(const Words& words, std::size_t plane) {

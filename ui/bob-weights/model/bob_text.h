@@ -22,6 +22,10 @@ QString factor(const Words& words, const bob_weights::Input& input,
 /// What may remain, and where that comes from.
 QString limits(const Words& words, const bob_weights::Input& input,
                const bob_weights::Result& result);
+/// What the last digit of the scale that is set up leaves uncertain, and whether that is enough;
+/// empty where scale or bob weight are not known.
+QString weighing(const Words& words, const bob_weights::Input& input,
+                 const bob_weights::Result& result);
 QString planeName(const Words& words, std::size_t plane);
 /// "Measured: fails. After the correction: passes."
 QString verdict(const Words& words, const bob_weights::Result& result);
