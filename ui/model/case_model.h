@@ -117,6 +117,7 @@ class CaseModel : public SceneModel {
     Json keptJson() const override;
     void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
     void loadInput(const Json& input, const CaseContext& context) override;
+    SolveApart solvesApart() override;
     void loadDefault() override {
         load(newName(), {scene_.defaultInput(),
                          scene_.defaultTitle(),

@@ -53,6 +53,12 @@ class SceneModel : public QObject {
     void loadCase(const Json& input, const CaseContext& context, const QString& title);
     /// Another input under the present title and notes.
     virtual void loadInput(const Json& input, const CaseContext& context);
+    /// Solves inputs that are like the present one, in a worker thread, one at a time, and throws
+    /// InputError for one that is refused. What it returns takes the solved input over, without a
+    /// step of the history, in this model's thread.
+    using SolveApart = std::function<std::function<void()>(const Json& input)>;
+    /// Empty where the model solves none.
+    virtual SolveApart solvesApart() { return {}; }
     /// The "result" object, the same that the command line prints.
     virtual Json resultJson() const = 0;
     /// The input that a new document starts with.

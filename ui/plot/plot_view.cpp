@@ -233,12 +233,10 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
     curve.stale = true;
     if (spreadItem_ == nullptr) {
         spreadItem_ = new LegendItem(this);
+        spreadItem_->setObjectName(QStringLiteral("spread"));
         spreadItem_->setText(tr("5…95 %"));
         spreadItem_->setChecked(data_.spreadShown);
         spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
-        spreadItem_->setToolTip(
-            tr("Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band "
-               "and 5 % above it where the results go straight with the inputs"));
         spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
         connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
             data_.spreadShown = on;

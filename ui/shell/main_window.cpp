@@ -38,6 +38,7 @@
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
+#include "studies/band_progress.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setAcceptDrops(true);
     documents_ = new Documents(this);
     scale_ = new ScaleButton(this);
+    statusBar()->addPermanentWidget(new BandProgress(this));
     statusBar()->addPermanentWidget(scale_);
     connect(scale_, &ScaleButton::status, this,
             [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
@@ -622,6 +624,7 @@ void MainWindow::showCurrent() {
     const bool atStart = isAtStart();
     (atStart ? startAction_ : scenes_[documents_->current().scene])->setChecked(true);
     hint_->setText(atStart ? QString() : documents_->currentScene().summary);
+    statusBar()->findChild<BandProgress*>()->follow(atStart ? nullptr : currentPage());
     for (QAction* action : pageActions_) {
         action->setEnabled(!atStart);
     }

@@ -1,26 +1,35 @@
 #include "studies/tolerance_bands.h"
 
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QPointer>
 #include <QShowEvent>
 #include <QTabWidget>
 #include <algorithm>
 #include <cmath>
+#include <condition_variable>
 #include <limits>
+#include <mutex>
 #include <set>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/background_job.h"
+#include "model/input_differences.h"
+#include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "studies/law.h"
+#include "studies/model/band_samples.h"
+#include "studies/model/result_words.h"
 #include "studies/study.h"
 #include "studies/tolerance_switch.h"
 #include "text/all_digits.h"
+#include "text/capital.h"
 #include "text/difference_text.h"
+#include "text/message_text.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 
@@ -31,6 +40,8 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// 95 % point of the normal distribution.
 constexpr double point95 = 1.6448536269514722;
+constexpr int handRestsMs = 250;
+constexpr int lookAgainMs = 20;
 
 /// The page's plots, or its tables, in the order in which they were made.
 template <typename Part>
@@ -57,7 +68,7 @@ std::vector<std::pair<QPointer<Part>, QPointer<Part>>> seen(const ScenePage& pag
 }
 
 /// A result with both sides of a standard deviation, as far as there are.
-double moved(double nominal, double plus, double minus, double period = 0.0) {
+double moved(double nominal, double plus, double minus, double period) {
     const auto apart = [&](double from, double to) {
         return period > 0.0 ? std::remainder(to - from, period) : to - from;
     };
@@ -67,52 +78,93 @@ double moved(double nominal, double plus, double minus, double period = 0.0) {
     return std::isfinite(plus) ? apart(nominal, plus) : apart(minus, nominal);
 }
 
-}  // namespace
+bool isEmpty(const PlotView& plot) {
+    const auto& curves = plot.data().curves;
+    return std::all_of(curves.begin(), curves.end(),
+                       [](const PlotCurve& curve) { return curve.x.empty(); });
+}
 
-struct ToleranceBands::Snapshot {
-    /// By plot and curve, at the x of the nominal curve; empty where it has no band.
-    std::vector<std::vector<std::vector<double>>> curves;
-    /// By table, row by row.
-    std::vector<std::vector<double>> cells;
+bool isAngle(const QTableWidgetItem* item) {
+    return item != nullptr && item->text().endsWith(QChar(0x00B0));
+}
+
+/// What the entry of the bands in a plot's legend says; where slopes fail it is marked.
+void sayOfBands(PlotView& plot, bool isMarked, const QString& tip) {
+    auto* entry = plot.findChild<LegendItem*>(QStringLiteral("spread"), Qt::FindDirectChildrenOnly);
+    if (entry == nullptr) {
+        return;
+    }
+    entry->setToolTip(tip);
+    const QString mark = QStringLiteral(" ⚠");
+    QString text = entry->text();
+    if (text.endsWith(mark) != isMarked) {
+        isMarked ? void(text += mark) : text.chop(mark.size());
+        entry->setText(text);
+        plot.setTitle(plot.title());  // it takes another room
+    }
+}
+
+/// Numbers that the worker waits for.
+class AwaitedNumbers {
+  public:
+    using Numbers = std::optional<std::vector<double>>;
+    void give(Numbers numbers) {
+        const std::lock_guard lock(guard_);
+        numbers_ = std::move(numbers);
+        isThere_ = true;
+        there_.notify_one();
+    }
+    Numbers wait(const std::function<bool()>& goesOn) {
+        std::unique_lock lock(guard_);
+        while (!isThere_) {
+            there_.wait_for(lock, std::chrono::milliseconds(10));
+            if (!isThere_ && !goesOn()) {
+                return std::nullopt;
+            }
+        }
+        return std::move(numbers_);
+    }
+
+  private:
+    std::mutex guard_;
+    std::condition_variable there_;
+    Numbers numbers_;
+    bool isThere_ = false;
 };
+
+}  // namespace
 
 /// One input after the other.
 struct ToleranceBands::Run {
-    struct Source {
-        Json::json_pointer place;
-        double mean = 0.0;
-        double deviation = 0.0;
-        bool isCentred = true;  ///< its mean is its nominal value
-    };
-    struct Sum {
-        double variance = 0.0;
-        double shift = 0.0;  ///< of the mean
-
-        void add(double nominal, double plus, double minus, const Source& source, double period) {
-            const double by = moved(nominal, plus, minus, period);
-            if (!std::isfinite(by)) {
-                return;
-            }
-            variance += by * by;
-            if (!source.isCentred && std::isfinite(plus) && std::isfinite(minus)) {
-                shift += 0.5 * (plus + minus) - nominal;
-            }
-        }
-        double half() const { return point95 * std::sqrt(variance); }
+    /// Numbers that stand together.
+    struct Stretch {
+        std::size_t from = 0;
+        std::size_t count = 0;
     };
 
     Json input;
-    std::vector<Source> sources;
+    studies::Study study;
+    std::vector<BandTask::Source> sources;
     std::vector<std::pair<QPointer<PlotView>, QPointer<PlotView>>> plots;  ///< page's and twin's
     std::vector<std::pair<QPointer<ResultTable>, QPointer<ResultTable>>> tables;
+    /// Plots of what the twin computes in the background.
+    std::vector<std::pair<QPointer<PlotView>, QPointer<PlotView>>> slow;
     std::set<QWidget*> shown;  ///< what of the twin fills itself when it is shown
+
     std::vector<std::vector<std::vector<double>>> x;  ///< by plot and curve
-    std::vector<std::vector<double>> periods;         ///< of cells that are angles; else 0
-    Snapshot nominal;
-    std::optional<Snapshot> plus;
+    std::vector<std::vector<Stretch>> curves;         ///< likewise
+    std::vector<Stretch> cells;                       ///< by table, row by row
+    std::vector<double> periods;                      ///< of numbers that are angles; else 0
+    std::vector<double> nominal;
+    std::vector<double> variance;
+    std::vector<double> shift;  ///< of the mean
+
+    bool isLaidOut = false;
+    bool waits = false;     ///< for what the twin computes in the background
+    bool isLoaded = false;  ///< it computes
+    QElapsedTimer clock;
     std::size_t next = 0;  ///< solution: up and down for each source
-    std::vector<std::vector<std::vector<Sum>>> curveSums;
-    std::vector<std::vector<Sum>> cellSums;
+    std::optional<std::vector<double>> plus;
 
     bool isWhole() const {
         return std::all_of(plots.begin(), plots.end(),
@@ -120,30 +172,48 @@ struct ToleranceBands::Run {
                std::all_of(tables.begin(), tables.end(),
                            [](const auto& each) { return each.first && each.second; });
     }
-    /// Of the twin as it stands.
-    Snapshot snapshot() const {
-        Snapshot taken;
+    bool isDone() const { return isLaidOut && next == 2 * sources.size(); }
+    std::size_t source() const { return next / 2; }
+    bool isUp() const { return next % 2 == 0; }
+
+    /// Of the twin as it stands. @param found  its numbers, as many as the nominal ones
+    std::vector<double> numbers() const {
+        std::vector<double> found;
+        found.reserve(nominal.size());
         for (std::size_t p = 0; p < plots.size(); ++p) {
             const PlotData& data = plots[p].second->data();
-            auto& curves = taken.curves.emplace_back();
-            for (std::size_t c = 0; c < data.curves.size(); ++c) {
-                curves.push_back(at(p < x.size() && c < x[p].size() ? x[p][c] : data.curves[c].x,
-                                    data, data.curves[c]));
+            for (std::size_t c = 0; c < curves[p].size(); ++c) {
+                const std::vector<double> values = c < data.curves.size()
+                                                       ? at(x[p][c], data, data.curves[c])
+                                                       : std::vector<double>();
+                append(found, values, curves[p][c].count);
             }
         }
-        for (const auto& [table, twin] : tables) {
-            auto& cells = taken.cells.emplace_back();
-            for (int row = 0; row < twin->rowCount(); ++row) {
-                for (int column = 0; column < twin->columnCount(); ++column) {
-                    const QTableWidgetItem* cell = twin->item(row, column);
-                    const auto number = cell != nullptr && column > 0
-                                            ? readShownNumber(cell->text())
-                                            : std::nullopt;
-                    cells.push_back(number ? number->value : none);
-                }
+        for (std::size_t t = 0; t < tables.size(); ++t) {
+            append(found, cellsOf(*tables[t].second), cells[t].count);
+        }
+        return found;
+    }
+    /// Other numbers than there were: of other rows, or a curve that does not go on there.
+    static void append(std::vector<double>& all, const std::vector<double>& values,
+                       std::size_t count) {
+        if (values.size() == count) {
+            all.insert(all.end(), values.begin(), values.end());
+        } else {
+            all.resize(all.size() + count, none);
+        }
+    }
+    static std::vector<double> cellsOf(const ResultTable& table) {
+        std::vector<double> found;
+        for (int row = 0; row < table.rowCount(); ++row) {
+            for (int column = 0; column < table.columnCount(); ++column) {
+                const QTableWidgetItem* cell = table.item(row, column);
+                const auto number =
+                    cell != nullptr && column > 0 ? readShownNumber(cell->text()) : std::nullopt;
+                found.push_back(number ? number->value : none);
             }
         }
-        return taken;
+        return found;
     }
     /// A curve's values at places that may be those of another.
     static std::vector<double> at(const std::vector<double>& places, const PlotData& data,
@@ -158,68 +228,197 @@ struct ToleranceBands::Run {
         }
         return values;
     }
-    void begin() {
-        nominal = snapshot();
+    /// The twin shows what is nominal.
+    void layOut() {
+        std::size_t size = 0;
         for (const auto& [plot, twin] : plots) {
-            auto& curves = x.emplace_back();
+            auto& places = x.emplace_back();
+            auto& stretches = curves.emplace_back();
             for (const PlotCurve& curve : twin->data().curves) {
-                curves.push_back(curve.x);
+                places.push_back(curve.x);
+                stretches.push_back({size, curve.x.size()});
+                size += curve.x.size();
             }
         }
-        for (const auto& curves : nominal.curves) {
-            auto& sums = curveSums.emplace_back();
-            for (const auto& values : curves) {
-                sums.emplace_back(values.size());
+        periods.assign(size, 0.0);
+        for (const auto& [table, twin] : tables) {
+            cells.push_back({size, cellsOf(*twin).size()});
+            size += cells.back().count;
+            for (int row = 0; row < twin->rowCount(); ++row) {
+                for (int column = 0; column < twin->columnCount(); ++column) {
+                    const bool is = isAngle(twin->item(row, column)) ||
+                                    isAngle(twin->horizontalHeaderItem(column));
+                    periods.push_back(is ? 360.0 : 0.0);
+                }
+            }
+        }
+        nominal = numbers();
+        variance.resize(nominal.size());
+        shift.resize(nominal.size());
+        for (BandTask::Source& each : sources) {
+            each.slopes.resize(nominal.size());
+        }
+        isLaidOut = true;
+    }
+    /// One side of a source, or nothing where it is refused there.
+    void take(std::optional<std::vector<double>> found) {
+        if (isUp()) {
+            plus = std::move(found);
+        } else {
+            add(plus, found, sources[source()]);
+        }
+        ++next;
+    }
+    void add(const std::optional<std::vector<double>>& up,
+             const std::optional<std::vector<double>>& down, BandTask::Source& from) {
+        const bool isCentred = from.law.mean == input.at(from.place).get<double>();
+        for (std::size_t i = 0; i < nominal.size(); ++i) {
+            const double above = up ? (*up)[i] : none;
+            const double under = down ? (*down)[i] : none;
+            const double by = moved(nominal[i], above, under, periods[i]);
+            if (!std::isfinite(by)) {
+                continue;
+            }
+            variance[i] += by * by;
+            from.slopes[i] = static_cast<float>(by);
+            if (!isCentred && std::isfinite(above) && std::isfinite(under)) {
+                shift[i] += 0.5 * (above + under) - nominal[i];
+            }
+        }
+    }
+    /// Curves first, then the cells that hold a number.
+    std::vector<BandTask::Group> groups() const {
+        std::vector<BandTask::Group> all;
+        const auto add = [&](std::size_t from, std::size_t count, const QString& name) {
+            all.push_back({from, count, QStringLiteral("“%1”").arg(name).toStdString()});
+        };
+        for (std::size_t p = 0; p < plots.size(); ++p) {
+            for (std::size_t c = 0; c < curves[p].size(); ++c) {
+                const QString name = plots[p].second->curveName(static_cast<int>(c));
+                add(curves[p][c].from, curves[p][c].count,
+                    name.isEmpty() ? plots[p].second->title() : name);
             }
         }
         for (std::size_t t = 0; t < tables.size(); ++t) {
-            cellSums.emplace_back(nominal.cells[t].size());
-            auto& angles = periods.emplace_back();
-            const ResultTable& twin = *tables[t].second;
-            for (int row = 0; row < twin.rowCount(); ++row) {
-                for (int column = 0; column < twin.columnCount(); ++column) {
-                    const QTableWidgetItem* cell = twin.item(row, column);
-                    const QTableWidgetItem* heading = twin.horizontalHeaderItem(column);
-                    const bool isAngle =
-                        (cell != nullptr && cell->text().endsWith(QChar(0x00B0))) ||
-                        (heading != nullptr && heading->text().endsWith(QChar(0x00B0)));
-                    angles.push_back(isAngle ? 360.0 : 0.0);
+            const ResultTable& table = *tables[t].first;
+            const auto columns = static_cast<std::size_t>(tables[t].second->columnCount());
+            for (std::size_t i = 0; i < cells[t].count; ++i) {
+                if (!std::isfinite(nominal[cells[t].from + i])) {
+                    continue;
                 }
+                const int row = static_cast<int>(i / columns);
+                const int column = static_cast<int>(i % columns);
+                const QTableWidgetItem* name = table.item(row, 0);
+                const QTableWidgetItem* heading = table.horizontalHeaderItem(column);
+                QString text = name != nullptr ? name->text() : QString();
+                if (columns > 2 && heading != nullptr) {
+                    text += QStringLiteral(", ") + heading->text();
+                }
+                add(cells[t].from + i, 1, text);
             }
+        }
+        return all;
+    }
+
+    /// Bands and ± of the page.
+    struct Shown {
+        std::vector<double> below;
+        std::vector<double> above;
+        std::vector<std::pair<BandTask::Group, QString>> fails;
+        QString howCurves;
+        QString howNumbers;
+        bool isStale = false;
+    };
+    void show(const Shown& shown) const {
+        std::map<std::size_t, QString> fails;
+        for (const auto& [group, why] : shown.fails) {
+            fails.emplace(group.from, why);
+        }
+        for (std::size_t p = 0; p < plots.size(); ++p) {
+            showPlot(p, shown, fails);
+        }
+        for (std::size_t t = 0; t < tables.size(); ++t) {
+            showTable(t, shown, fails);
         }
     }
-    void add(const std::optional<Snapshot>& up, const std::optional<Snapshot>& down,
-             const Source& source) {
-        const auto value = [](const std::vector<double>* values, std::size_t i) {
-            return values != nullptr && i < values->size() ? (*values)[i] : none;
-        };
-        for (std::size_t p = 0; p < curveSums.size(); ++p) {
-            for (std::size_t c = 0; c < curveSums[p].size(); ++c) {
-                const auto* above = up ? &up->curves[p][c] : nullptr;
-                const auto* under = down ? &down->curves[p][c] : nullptr;
-                for (std::size_t i = 0; i < curveSums[p][c].size(); ++i) {
-                    curveSums[p][c][i].add(nominal.curves[p][c][i], value(above, i),
-                                           value(under, i), source, 0.0);
-                }
+
+  private:
+    static constexpr double rounding = 1e-11;
+
+    void showPlot(std::size_t p, const Shown& shown,
+                  const std::map<std::size_t, QString>& fails) const {
+        PlotView& plot = *plots[p].first;
+        if (std::any_of(slow.begin(), slow.end(),
+                        [&](const auto& each) { return each.first == &plot; })) {
+            return;
+        }
+        plot.setSpreadStale(shown.isStale);
+        QStringList why;
+        const std::size_t count =
+            std::min(curves[p].size(), static_cast<std::size_t>(plot.curveCount()));
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto [from, size] = curves[p][c];
+            const auto part = [&](const std::vector<double>& all) {
+                return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(from),
+                                           all.begin() + static_cast<std::ptrdiff_t>(from + size));
+            };
+            double most = 0.0;
+            double largest = 0.0;
+            for (std::size_t i = from; i < from + size; ++i) {
+                most = std::max(most, std::abs(nominal[i]));
+                largest = std::max(largest, 0.5 * (shown.below[i] + shown.above[i]));
+            }
+            const PlotCurve& curve = plots[p].second->data().curves[c];
+            // A line that goes up and down, or to and fro, has no width along y.
+            const bool isOverX =
+                curve.ascending && !curve.x.empty() && curve.x.back() > curve.x.front();
+            const bool hasBand = largest > rounding * most && (isOverX || !curve.isLine());
+            plot.setSpread(static_cast<int>(c), hasBand ? part(shown.below) : std::vector<double>(),
+                           hasBand ? part(shown.above) : std::vector<double>());
+            if (const auto found = fails.find(from); hasBand && found != fails.end()) {
+                why << found->second;
             }
         }
-        for (std::size_t t = 0; t < cellSums.size(); ++t) {
-            // Another number of rows: other rows.
-            const std::size_t count = cellSums[t].size();
-            const auto* above = up && up->cells[t].size() == count ? &up->cells[t] : nullptr;
-            const auto* under = down && down->cells[t].size() == count ? &down->cells[t] : nullptr;
-            for (std::size_t i = 0; i < count; ++i) {
-                cellSums[t][i].add(nominal.cells[t][i], value(above, i), value(under, i), source,
-                                   periods[t][i]);
+        sayOfBands(plot, !why.isEmpty(),
+                   (QStringList{shown.howCurves} + why).join(QLatin1Char('\n')));
+    }
+
+    void showTable(std::size_t t, const Shown& shown,
+                   const std::map<std::size_t, QString>& fails) const {
+        ResultTable& table = *tables[t].first;
+        const int columns = tables[t].second->columnCount();
+        const auto [from, count] = cells[t];
+        std::vector<ResultTable::Spread> spreads;
+        double size = 0.0;
+        for (std::size_t i = from; i < from + count; ++i) {
+            size = std::isfinite(nominal[i]) ? std::max(size, std::abs(nominal[i])) : size;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = from + i;
+            const int row = static_cast<int>(i) / columns;
+            const double half = 0.5 * (shown.below[at] + shown.above[at]);
+            const QTableWidgetItem* name = table.item(row, 0);
+            // What is left of two that cancel is rounding, too.
+            constexpr double cancelled = 1e-14;
+            if (name != nullptr && half > rounding * std::abs(nominal[at]) &&
+                half > cancelled * size) {
+                const auto why = fails.find(at);
+                spreads.push_back({row, static_cast<int>(i) % columns, name->text(),
+                                   shown.below[at], shown.above[at],
+                                   why != fails.end() ? why->second : QString()});
             }
         }
+        table.setSpreads(std::move(spreads), shown.howNumbers);
     }
 };
 
-ToleranceBands::ToleranceBands(ScenePage* page) : QObject(page), page_(page) {
+ToleranceBands::ToleranceBands(ScenePage* page)
+    : QObject(page), page_(page), job_(new BackgroundJob(this)) {
     later_.setSingleShot(true);
-    later_.setInterval(0);
     connect(&later_, &QTimer::timeout, this, &ToleranceBands::step);
+    rest_.setSingleShot(true);
+    rest_.setInterval(handRestsMs);
+    connect(&rest_, &QTimer::timeout, this, &ToleranceBands::beginSamples);
     const SceneModel* model = page->model();
     for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged,
                               &SceneModel::historyChanged, &SceneModel::studyChanged}) {
@@ -233,7 +432,20 @@ ToleranceBands::ToleranceBands(ScenePage* page) : QObject(page), page_(page) {
     page->installEventFilter(this);
 }
 
-ToleranceBands::~ToleranceBands() = default;
+ToleranceBands::~ToleranceBands() {
+    delete job_;  // before what its work asks for
+}
+
+bool ToleranceBands::isBusy() const {
+    return later_.isActive() || rest_.isActive() || job_->isRunning();
+}
+
+void ToleranceBands::stop() {
+    later_.stop();
+    rest_.stop();
+    job_->cancel();
+    run_.reset();
+}
 
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == page_ && event->type() == QEvent::Show) {
@@ -243,6 +455,12 @@ bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ToleranceBands::outdate(bool isOther) {
+    ++number_;
+    rest_.stop();
+    job_->cancel();
+    if (run_ != nullptr && (run_->isDone() || run_->waits)) {
+        run_.reset();
+    }
     if (page_->model()->study().empty() || !ToleranceSwitch::instance().isOn()) {
         clear();
         if (page_->model()->study().empty()) {
@@ -256,7 +474,7 @@ void ToleranceBands::outdate(bool isOther) {
     }
     if (page_->isVisible()) {
         outdated_ = true;
-        later_.start();
+        later_.start(0);
     }
 }
 
@@ -296,23 +514,59 @@ void ToleranceBands::step() {
             clear();
             return;
         }
-    } else if (run_->next < 2 * run_->sources.size()) {
-        const std::size_t source = run_->next / 2;
-        const bool isUp = run_->next % 2 == 0;
-        auto found = solved(*run_, source, isUp ? 1.0 : -1.0);
-        if (isUp) {
-            run_->plus = std::move(found);
-        } else {
-            run_->add(run_->plus, found, run_->sources[source]);
+    } else if (run_->waits) {
+        if (!run_->isLoaded) {
+            const bool there = run_->isLaidOut
+                                   ? load(*run_, run_->source(), run_->isUp() ? 1.0 : -1.0)
+                                   : load(*run_, 0, 0.0);
+            if (there) {
+                fill(*run_);
+                run_->isLoaded = true;
+            } else if (run_->isLaidOut) {
+                run_->take(std::nullopt);
+            } else {
+                run_.reset();
+                return;
+            }
+        } else if (!twin_->isBusy()) {
+            run_->isLoaded = false;
+            if (!run_->isLaidOut) {
+                run_->layOut();
+                // What takes longer than anyone waits is left.
+                constexpr qint64 mostMs = 60'000;
+                const auto solutions = static_cast<qint64>(2 * run_->sources.size());
+                if (run_->clock.elapsed() * solutions > mostMs) {
+                    run_.reset();
+                    return;
+                }
+            } else {
+                run_->take(run_->numbers());
+            }
         }
-        ++run_->next;
+    } else {
+        if (load(*run_, run_->source(), run_->isUp() ? 1.0 : -1.0)) {
+            fill(*run_);
+            const AllDigits digits;
+            run_->take(run_->numbers());
+        } else {
+            run_->take(std::nullopt);
+        }
+        for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
+            job->cancel();
+        }
     }
-    if (run_->next == 2 * run_->sources.size()) {
-        finish(*run_);
+    if (!run_->isDone()) {
+        later_.start(run_->waits ? lookAgainMs : 0);
+        return;
+    }
+    finishSlopes();
+    if (run_->waits || outdated_) {
         run_.reset();
     }
-    if (run_ != nullptr || outdated_) {
-        later_.start();
+    if (outdated_) {
+        later_.start(0);
+    } else if (run_ != nullptr) {
+        rest_.start();
     }
 }
 
@@ -320,18 +574,26 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
     SceneModel& model = *page_->model();
     auto run = std::make_unique<Run>();
     try {
-        const studies::Study study = studies::read_study(Json::parse(model.study()), true);
+        run->study = studies::read_study(Json::parse(model.study()), true);
         run->input = model.caseFile().input;
-        for (const studies::Varied& varied : study.vary) {
+        const std::vector<InputNumber> named = inputNumbers(model);
+        for (std::size_t j = 0; j < run->study.vary.size(); ++j) {
+            const studies::Varied& varied = run->study.vary[j];
             const Json::json_pointer place(varied.pointer);
             if (varied.spread == studies::Varied::Spread::grid || !run->input.contains(place) ||
                 !run->input.at(place).is_number()) {
                 continue;
             }
-            const double nominal = run->input.at(place).get<double>();
-            const studies::Law law = studies::law_of(varied, nominal);
+            const auto number =
+                std::find_if(named.begin(), named.end(), [&](const InputNumber& each) {
+                    return each.pointer == varied.pointer && each.hasLabel;
+                });
+            const QString name =
+                number != named.end() ? number->name : capitalised(resultName(varied.pointer).text);
+            const studies::Law law = studies::law_of(varied, run->input.at(place).get<double>());
             if (law.deviation > 0.0) {
-                run->sources.push_back({place, law.mean, law.deviation, law.mean == nominal});
+                run->sources.push_back(
+                    {place, QStringLiteral("“%1”").arg(name).toStdString(), law, j, {}});
             }
         }
         if (run->sources.empty()) {
@@ -366,90 +628,182 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
     for (const auto& [table, twin] : run->tables) {
         show(twin);
     }
-    if (!solved(*run, 0, 0.0)) {
+    if (!load(*run, 0, 0.0)) {
         return nullptr;
     }
-    run->begin();
+    fill(*run);
+    for (const auto& [plot, twin] : run->plots) {
+        if (twin->isFaded() || (isEmpty(*twin) && !isEmpty(*plot))) {
+            run->slow.emplace_back(plot, twin);
+        }
+    }
+    for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
+        job->cancel();
+    }
+    const AllDigits digits;
+    run->layOut();
     return run;
 }
 
-std::optional<ToleranceBands::Snapshot> ToleranceBands::solved(const Run& run, std::size_t input,
-                                                               double by) {
+bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
     const AllDigits digits;
     SceneModel& model = *twin_->model();
     try {
         Json changed = run.input;
         if (by != 0.0) {
-            const Run::Source& source = run.sources[input];
-            changed[source.place] = source.mean + by * source.deviation;
+            const BandTask::Source& source = run.sources[input];
+            changed[source.place] = source.law.mean + by * source.law.deviation;
         }
         model.loadInput(changed, page_->model()->context());
     } catch (const InputError&) {
-        return std::nullopt;
+        return false;
     }
-    model.takeView(*page_->model());
+    return true;
+}
+
+void ToleranceBands::fill(const Run& run) {
+    const AllDigits digits;
+    twin_->model()->takeView(*page_->model());
     for (QWidget* part : run.shown) {
         QShowEvent shown;
         QCoreApplication::sendEvent(part, &shown);
     }
+}
+
+void ToleranceBands::finishSlopes() {
+    isClear_ = false;
+    Run::Shown shown;
+    for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
+        const double half = point95 * std::sqrt(run_->variance[i]);
+        shown.below.push_back(half - run_->shift[i]);
+        shown.above.push_back(half + run_->shift[i]);
+    }
+    shown.howCurves =
+        tr("Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band "
+           "and 5 % above it where the results go straight with the inputs");
+    shown.howNumbers =
+        tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
+           "5 % to 95 % where it goes straight with the inputs");
+    shown.isStale = isOther_;
+    run_->show(shown);
+}
+
+void ToleranceBands::beginSamples() {
+    if (run_ == nullptr || !run_->isDone() || !run_->isWhole() || !page_->isVisible()) {
+        return;
+    }
+    const SceneModel::SolveApart solve = twin_->model()->solvesApart();
+    if (!solve || run_->study.method == studies::Method::grid) {
+        endSamples();
+        return;
+    }
+    auto task = std::make_shared<BandTask>();
+    task->input = run_->input;
+    task->study = run_->study;
+    task->sources = run_->sources;
+    task->nominal = run_->nominal;
+    task->shift.assign(run_->shift.begin(), run_->shift.end());
+    task->periods = run_->periods;
+    task->groups = run_->groups();
+    job_->start([this, run = number_, task,
+                 solve](const BackgroundJob::Progress& progress) -> std::function<void()> {
+        double done = 0.0;
+        const auto goesOn = [&] { return progress(done); };
+        const BandValues values = [&](const Json& input) {
+            std::function<void()> take = solve(input);
+            auto awaited = std::make_shared<AwaitedNumbers>();
+            QMetaObject::invokeMethod(
+                this,
+                [this, run, take = std::move(take), awaited] { awaited->give(read(run, take)); },
+                Qt::QueuedConnection);
+            return awaited->wait(goesOn);
+        };
+        auto found = findBands(
+            *task, values,
+            [&](double part) {
+                done = part;
+                return goesOn();
+            },
+            [&](BandAnswer answer) {
+                QMetaObject::invokeMethod(
+                    this, [this, run, answer = std::move(answer)] { showSamples(run, answer); },
+                    Qt::QueuedConnection);
+            });
+        if (!found) {
+            return {};
+        }
+        return [this, run, answer = std::move(*found)] {
+            showSamples(run, answer);
+            endSamples();
+        };
+    });
+}
+
+void ToleranceBands::endSamples() {
+    if (run_ == nullptr || run_->slow.empty()) {
+        run_.reset();
+        return;
+    }
+    auto slow = std::make_unique<Run>();
+    slow->input = run_->input;
+    slow->study = run_->study;
+    slow->sources = run_->sources;
+    slow->plots = run_->slow;
+    slow->shown = run_->shown;
+    slow->waits = true;
+    slow->clock.start();
+    run_ = std::move(slow);
+    later_.start(0);
+}
+
+std::optional<std::vector<double>> ToleranceBands::read(int run,
+                                                        const std::function<void()>& take) {
+    if (run != number_ || run_ == nullptr || !run_->isWhole() || !page_->isVisible()) {
+        return std::nullopt;
+    }
+    const AllDigits digits;
+    take();
+    fill(*run_);
     for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
         job->cancel();
     }
-    return run.snapshot();
+    return run_->numbers();
 }
 
-void ToleranceBands::finish(const Run& run) {
-    isClear_ = false;
-    for (std::size_t p = 0; p < run.plots.size(); ++p) {
-        PlotView& plot = *run.plots[p].first;
-        plot.setSpreadStale(isOther_);
-        const std::size_t count =
-            std::min(run.curveSums[p].size(), static_cast<std::size_t>(plot.curveCount()));
-        for (std::size_t c = 0; c < count; ++c) {
-            std::vector<double> below;
-            std::vector<double> above;
-            double largest = 0.0;
-            for (const Run::Sum& sum : run.curveSums[p][c]) {
-                below.push_back(sum.half() - sum.shift);
-                above.push_back(sum.half() + sum.shift);
-                largest = std::max(largest, sum.half());
-            }
-            double size = 0.0;
-            for (const double value : run.nominal.curves[p][c]) {
-                size = std::max(size, std::abs(value));
-            }
-            constexpr double rounding = 1e-11;
-            const PlotCurve& curve = run.plots[p].second->data().curves[c];
-            // A line that goes up and down, or to and fro, has no width along y.
-            const bool isOverX =
-                curve.ascending && !curve.x.empty() && curve.x.back() > curve.x.front();
-            const bool hasBand = largest > rounding * size && (isOverX || !curve.isLine());
-            plot.setSpread(static_cast<int>(c), hasBand ? below : std::vector<double>(),
-                           hasBand ? above : std::vector<double>());
+void ToleranceBands::showSamples(int run, const BandAnswer& answer) {
+    if (run != number_ || run_ == nullptr || !run_->isWhole()) {
+        return;
+    }
+    if (answer.below.empty() && answer.fails.empty()) {
+        return;  // slopes hold
+    }
+    Run::Shown shown;
+    const bool isSampled = !answer.below.empty();
+    for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
+        const double half = point95 * std::sqrt(run_->variance[i]);
+        const bool has = isSampled && std::isfinite(answer.below[i]);
+        shown.below.push_back(has ? answer.below[i] : half - run_->shift[i]);
+        shown.above.push_back(has ? answer.above[i] : half + run_->shift[i]);
+    }
+    const QString samples = QLocale().toString(static_cast<qulonglong>(answer.samples));
+    shown.howCurves =
+        isSampled ? tr("Where the tolerances let the curves lie: of %1 samples 5 % are below the "
+                       "band and 5 % above it")
+                        .arg(samples)
+                  : tr("Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below "
+                       "the band and 5 % above it where the results go straight with the inputs");
+    shown.howNumbers =
+        isSampled ? tr("What the tolerances make of it: the range from 5 % to 95 % of %1 samples")
+                        .arg(samples)
+                  : tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
+                       "5 % to 95 % where it goes straight with the inputs");
+    const std::vector<BandTask::Group> groups = run_->groups();
+    for (const auto& [group, why] : answer.fails) {
+        if (group < groups.size()) {
+            shown.fails.emplace_back(groups[group], messageText(why));
         }
     }
-    for (std::size_t t = 0; t < run.tables.size(); ++t) {
-        ResultTable& table = *run.tables[t].first;
-        const int columns = run.tables[t].second->columnCount();
-        std::vector<ResultTable::Spread> spreads;
-        double size = 0.0;
-        for (const double value : run.nominal.cells[t]) {
-            size = std::isfinite(value) ? std::max(size, std::abs(value)) : size;
-        }
-        for (std::size_t i = 0; i < run.cellSums[t].size(); ++i) {
-            const int row = static_cast<int>(i) / columns;
-            const double half = run.cellSums[t][i].half();
-            constexpr double rounding = 1e-11;
-            const QTableWidgetItem* name = table.item(row, 0);
-            // What is left of two that cancel is rounding, too.
-            constexpr double cancelled = 1e-14;
-            if (name != nullptr && half > rounding * std::abs(run.nominal.cells[t][i]) &&
-                half > cancelled * size) {
-                spreads.push_back({row, static_cast<int>(i) % columns, name->text(), half});
-            }
-        }
-        table.setSpreads(std::move(spreads));
-    }
+    run_->show(shown);
 }
 
 }  // namespace ravnoves

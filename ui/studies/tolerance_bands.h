@@ -8,7 +8,9 @@
 
 namespace ravnoves {
 
+class BackgroundJob;
 class ScenePage;
+struct BandAnswer;
 
 /// What the tolerances of a page's case do to what it shows: a band of 5…95 % about each curve, a ±
 /// beside each number of its tables.
@@ -18,7 +20,12 @@ class ScenePage;
 /// input does to it, and the squares add up: linear propagation by central differences. One
 /// solution follows another when the window has nothing else to do; while a hand moves, the bands
 /// made last go with their curves, pale. So no scene needs a line for it, and nothing is there
-/// without tolerances. What a page computes in the background has no band.
+/// without tolerances.
+///
+/// When the hand rests, a worker solves samples of the study, which the second page lays out, and
+/// their percentiles take the place of what slopes say, batch after batch; where slopes fail, curve
+/// and number are marked and say why. Of a linear study slopes stay, tried by 64 samples. What a
+/// page computes in the background itself comes last, by slopes, as it takes its time.
 class ToleranceBands : public QObject {
     Q_OBJECT
 
@@ -28,30 +35,43 @@ class ToleranceBands : public QObject {
     ~ToleranceBands() override;
 
     /// True until what is seen has its bands.
-    bool isBusy() const { return later_.isActive(); }
+    bool isBusy() const;
+    /// Solves the samples; with progress.
+    BackgroundJob* job() const { return job_; }
+    /// No more samples, until something changes: what there is stays.
+    void stop();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     struct Parts;
-    struct Snapshot;
     struct Run;
 
     /// @param isOther  what is shown is another, not only more or less of it
     void outdate(bool isOther);
     void step();
     std::unique_ptr<Run> begin();
-    /// @return nothing where the input is refused
-    std::optional<Snapshot> solved(const Run& run, std::size_t input, double by);
-    void finish(const Run& run);
+    /// Shows the second page another input. @return false where it is refused
+    bool load(const Run& run, std::size_t input, double by);
+    void fill(const Run& run);
+    void finishSlopes();
+    void beginSamples();
+    void endSamples();
+    /// Numbers of the second page, for the worker. @return nothing where they are of no use any
+    /// more
+    std::optional<std::vector<double>> read(int run, const std::function<void()>& take);
+    void showSamples(int run, const BandAnswer& answer);
     void clear();
     void setStale();
 
     ScenePage* page_;
+    BackgroundJob* job_;
     std::unique_ptr<ScenePage> twin_;
     std::unique_ptr<Run> run_;
     QTimer later_;
+    QTimer rest_;
+    int number_ = 0;  ///< of the run whose samples count
     bool outdated_ = false;
     bool isOther_ = false;  ///< since the run began
     bool isClear_ = true;

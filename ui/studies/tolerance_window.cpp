@@ -27,6 +27,7 @@
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
 #include "shell/scene_page.h"
+#include "studies/band_progress.h"
 #include "studies/model/result_words.h"
 #include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
@@ -70,11 +71,11 @@ QString percent(const std::optional<double>& share, int decimals = 1) {
 }  // namespace
 
 ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
-    : QDialog(parent), model_(new StudyModel(page->model(), this)) {
+    : QDialog(parent), page_(page), model_(new StudyModel(page->model(), this)) {
     setWindowFlags(Qt::Window);
     setWindowTitle(tr("Tolerances"));
     setObjectName(QStringLiteral("tolerances"));
-    constexpr QSize roomy(1020, 660);
+    constexpr QSize roomy(1120, 680);
     const QSize most = screen()->availableSize() - QSize(40, 60);
     resize(QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(most));
     auto* row = new QVBoxLayout(this);
@@ -298,6 +299,9 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
     auto* last = new QHBoxLayout;
     last->addWidget(bands);
+    auto* bandProgress = new BandProgress(holder);
+    bandProgress->follow(page_);
+    last->addWidget(bandProgress);
     last->addStretch();
     progress_ = new QProgressBar(holder);
     progress_->setAccessibleName(tr("Progress"));
@@ -370,9 +374,11 @@ void ToleranceWindow::showAnswers() {
             const auto shown = [&](const std::optional<double>& each) {
                 return orDash(tidied(each, value));
             };
+            const QString mark = value.fails ? QStringLiteral(" ⚠") : QString();
             rows.push_back({resultName(value.pointer).withUnit(), shown(value.nominal),
-                            shown(value.mean), shown(value.deviation), shown(value.linearDeviation),
-                            shown(value.low), shown(value.high), within});
+                            shown(value.mean), shown(value.deviation),
+                            shown(value.linearDeviation) + mark, shown(value.low),
+                            shown(value.high), within});
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
@@ -396,6 +402,13 @@ void ToleranceWindow::showAnswers() {
     ink.setColor(QPalette::Text, model_->isStale() ? theme.mutedText() : theme.text());
     table_->setPalette(ink);
     table_->setRows(rows);
+    for (int row = 0; answers != nullptr && row < rows.size(); ++row) {
+        const StudyAnswer& value = answers->values[static_cast<std::size_t>(row)];
+        if (value.fails) {
+            constexpr int linearColumn = 4;
+            table_->setCellToolTip(row, linearColumn, model_->failure(value));
+        }
+    }
     if (table_->currentRow() < 0 && !rows.isEmpty()) {
         table_->setCurrentCell(0, 0);
     }

@@ -60,6 +60,7 @@ class ToleranceWindow : public QDialog {
     void showChosen();
     void showStop();
 
+    ScenePage* page_;
     StudyModel* model_;
     QTimer rest_;
     TableEditor* inputs_ = nullptr;

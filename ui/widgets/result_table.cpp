@@ -26,6 +26,8 @@ namespace {
 constexpr int differenceRole = Qt::UserRole + 1;
 /// Of a cell: its ±.
 constexpr int spreadRole = Qt::UserRole + 2;
+/// Of a cell: why its ± fails, as its tip ends.
+constexpr int failsRole = Qt::UserRole + 3;
 constexpr int cellPadding = 9;
 
 int plainRowHeight() {
@@ -53,12 +55,39 @@ QStringList besideOf(const QVariant& difference, const QVariant& spread) {
     return parts;
 }
 
-/// So many digits that two of them say something.
-QString spreadText(double half) {
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, 9);
-    return QStringLiteral("± ") + (half < 1e-9 || half >= 1e9
-                                       ? formNumber(half, QLocale(), 2)
-                                       : fixedDecimals(half, decimals, QLocale()));
+/// So many digits that two of the larger side say something.
+QString spreadText(const ResultTable::Spread& spread) {
+    const double most = std::max(spread.below, spread.above);
+    const double least = std::min(spread.below, spread.above);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+    const auto shown = [&](double size) {
+        return most < 1e-9 || most >= 1e9 ? formNumber(size, QLocale(), 2)
+                                          : fixedDecimals(size, decimals, QLocale());
+    };
+    constexpr double alike = 0.1;
+    QString text = least < 0.0 || most - least < alike * most
+                       ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
+                       : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
+    return spread.fails.isEmpty() ? text : text + QStringLiteral("⚠");
+}
+
+/// The tip of a cell says what its ± is, behind what it says anyway.
+void sayFails(QTableWidgetItem& cell, const QString& fails) {
+    const QString said = cell.data(failsRole).toString();
+    QString tip = cell.toolTip();
+    if (!said.isEmpty() && tip.endsWith(said)) {
+        tip.chop(said.size());
+        tip = tip.trimmed();
+    }
+    if (!fails.isEmpty()) {
+        tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + fails;
+    }
+    if (tip != cell.toolTip()) {
+        cell.setToolTip(tip);
+    }
+    if (said != fails) {
+        cell.setData(failsRole, fails.isEmpty() ? QVariant() : QVariant(fails));
+    }
 }
 
 /// A cell over the small lines of its difference.
@@ -155,11 +184,12 @@ void ResultTable::setReference(ResultTable* table, const QString& name) {
     showDifferences();
 }
 
-void ResultTable::setSpreads(std::vector<Spread> spreads) {
+void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
     if (spreads.empty() && spreads_.empty()) {
         return;
     }
     spreads_ = std::move(spreads);
+    spreadTip_ = how;
     placedAt_ = -1;
     showSpreads();
     placeBeside();
@@ -178,30 +208,36 @@ QStringList ResultTable::besideAt(int row, int column) const {
 
 void ResultTable::showSpreads() {
     spread_.clear();
-    std::vector<std::vector<QString>> shown(static_cast<std::size_t>(rowCount()));
+    std::vector<std::vector<const Spread*>> shown(static_cast<std::size_t>(rowCount()));
     for (const Spread& each : spreads_) {
         const QTableWidgetItem* name = item(each.row, 0);
         const QTableWidgetItem* cell = item(each.row, each.column);
         if (name == nullptr || cell == nullptr || each.column >= columns_ ||
-            name->text() != each.name || !(each.half > 0.0) || !readShownNumber(cell->text())) {
+            name->text() != each.name || !(std::max(each.below, each.above) > 0.0) ||
+            !readShownNumber(cell->text())) {
             continue;
         }
         auto& row = shown[static_cast<std::size_t>(each.row)];
         row.resize(static_cast<std::size_t>(columns_));
-        row[static_cast<std::size_t>(each.column)] = spreadText(each.half);
+        row[static_cast<std::size_t>(each.column)] = &each;
         if (!spread_.contains(each.column)) {
             spread_ << each.column;
         }
     }
     for (int row = 0; row < rowCount(); ++row) {
-        const auto& texts = shown[static_cast<std::size_t>(row)];
+        const auto& spreads = shown[static_cast<std::size_t>(row)];
         for (int column = 0; column < columns_; ++column) {
-            const QString text =
-                texts.empty() ? QString() : texts[static_cast<std::size_t>(column)];
-            if (QTableWidgetItem* cell = item(row, column);
-                cell != nullptr && cell->data(spreadRole).toString() != text) {
+            const Spread* spread =
+                spreads.empty() ? nullptr : spreads[static_cast<std::size_t>(column)];
+            const QString text = spread != nullptr ? spreadText(*spread) : QString();
+            QTableWidgetItem* cell = item(row, column);
+            if (cell == nullptr) {
+                continue;
+            }
+            if (cell->data(spreadRole).toString() != text) {
                 cell->setData(spreadRole, text.isEmpty() ? QVariant() : QVariant(text));
             }
+            sayFails(*cell, spread != nullptr ? spread->fails : QString());
         }
     }
 }
@@ -355,10 +391,8 @@ void ResultTable::placeBeside() {
         }
         horizontalHeaderItem(column)->setText(headings[part]);
         const QString tip =
-            isSpread
-                ? tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
-                     "5 % to 95 % where it goes straight with the inputs")
-                : tr("Present value less that of the reference %1").arg(referenceName_);
+            isSpread ? spreadTip_
+                     : tr("Present value less that of the reference %1").arg(referenceName_);
         horizontalHeaderItem(column)->setToolTip(tip);
         for (int row = 0; row < rowCount(); ++row) {
             QTableWidgetItem* cell = item(row, column);
@@ -372,7 +406,9 @@ void ResultTable::placeBeside() {
             if (cell->text() != text) {
                 cell->setText(text);
             }
-            cell->setToolTip(tip);
+            const QTableWidgetItem* of = isSpread ? item(row, spread_.front()) : nullptr;
+            const QString fails = of != nullptr ? of->data(failsRole).toString() : QString();
+            cell->setToolTip(fails.isEmpty() ? tip : fails);
         }
     }
     fitColumns();

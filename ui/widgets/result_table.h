@@ -40,12 +40,16 @@ class ResultTable : public QTableWidget {
     struct Spread {
         int row = 0;
         int column = 0;
-        QString name;       ///< of the row, which is elsewhere where that is another
-        double half = 0.0;  ///< of 5…95 %, in the unit of the cell
+        QString name;        ///< of the row, which is elsewhere where that is another
+        double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
+        double above = 0.0;  ///< from the number to 95 %
+        QString fails = {};  ///< why slopes alone do not give it; it is marked then
     };
     /// Shows them beside the numbers, where differences stand. None removes them.
-    void setSpreads(std::vector<Spread> spreads);
-    /// "± 0.2" of a cell, as shown; empty where it has none.
+    /// @param how  they were found: the tip of their heading
+    void setSpreads(std::vector<Spread> spreads, const QString& how = {});
+    /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown, with a ⚠ where it is
+    /// marked; empty where it has none.
     QString spreadAt(int row, int column) const;
     /// Differences and ± have columns of their own.
     bool hasColumnsBeside() const { return columnCount() > columns_; }
@@ -103,6 +107,7 @@ class ResultTable : public QTableWidget {
     ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one
     QString referenceName_;
     std::vector<Spread> spreads_;
+    QString spreadTip_;
     QList<int> compared_;  ///< columns with differences
     QList<int> spread_;    ///< columns with ±
     Place place_ = Place::Columns;

@@ -6,14 +6,18 @@
 #include <QDir>
 #include <QSlider>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <cmath>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "model/background_job.h"
 #include "model/case_document.h"
+#include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
+#include "studies/band_progress.h"
 #include "studies/tolerance_bands.h"
 #include "studies/tolerance_switch.h"
 #include "text/csv_format.h"
@@ -29,11 +33,13 @@ constexpr double point95 = 1.6448536269514722;
 
 class Bands : public ::testing::Test {
   protected:
-    void open(const std::string& scene, const Json& vary) {
+    void open(const std::string& scene, const Json& vary, const char* method = "linear") {
         page = test::makePage(scene);
         page->model()->loadDefault();
-        page->model()->changeStudy(u"tolerances"_s,
-                                   Json{{"vary", vary}, {"watch", Json::object()}}.dump());
+        page->model()->changeStudy(
+            u"tolerances"_s,
+            Json{{"vary", vary}, {"watch", Json::object()}, {"method", method}, {"samples", 512}}
+                .dump());
         test::showAt(*page, {1280, 800});
         settle();
     }
@@ -151,6 +157,61 @@ TEST_F(Bands, AreInPicturesAndTables) {
     ToleranceSwitch::instance().setOn(true);
 }
 
+TEST_F(Bands, AreThoseOfTheSamplesWhenTheHandRests) {
+    // Mₛ = P₁ l sin(α + φ) with α ± 40°: at the top of the curve 5 % lie below cos 38° of it.
+    open("balance-shaft", {{"/shaft_angle_deg", {{"plus_minus", 40.0}}}}, "sobol");
+    PlotView* moments = plot(3);
+    const auto* entry = moments->findChild<LegendItem*>(u"spread"_s);
+    ASSERT_NE(entry, nullptr);
+    const auto sides = [&] {
+        const PlotCurve& shaft = curve(moments, 1);
+        const auto top = std::max_element(shaft.y.begin(), shaft.y.end()) - shaft.y.begin();
+        const auto at = static_cast<std::size_t>(top);
+        return std::pair(shaft.below[at] / shaft.y[at], shaft.above[at] / shaft.y[at]);
+    };
+    EXPECT_NEAR(sides().first, 1.0 - std::cos(38.0 * M_PI / 180.0), 5e-3);
+    EXPECT_NEAR(sides().second, 0.0, 2e-3);
+    // Slopes say nothing of the top; it is marked, and why.
+    EXPECT_TRUE(entry->text().endsWith(u"⚠"_s));
+    EXPECT_TRUE(entry->toolTip().contains(u"512"_s));
+    EXPECT_TRUE(entry->toolTip().contains(u"curved along “"_s)) << qPrintable(entry->toolTip());
+    int marked = 0;
+    for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+        for (int row = 0; row < table->rowCount(); ++row) {
+            for (int column = 1; column < table->columnCount(); ++column) {
+                if (table->spreadAt(row, column).endsWith(u"⚠"_s)) {
+                    ++marked;
+                    EXPECT_TRUE(
+                        table->item(row, column)->toolTip().contains(u"linear answer fails"_s));
+                }
+            }
+        }
+    }
+    EXPECT_GT(marked, 0);
+    // A step of the slider: slopes first, samples when it rests; a stop leaves what there is.
+    auto* slider = test::named<QSlider>(*page, "shaft_angle_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    auto* bands = page->findChild<ToleranceBands*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bands->job()->isRunning(); }, 20'000));
+    EXPECT_NEAR(sides().first, sides().second, 1e-6);
+    BandProgress progress;
+    progress.follow(page.get());
+    EXPECT_FALSE(progress.isHidden());
+    test::named<QToolButton>(progress, "stop_bands")->click();
+    EXPECT_TRUE(progress.isHidden());
+    EXPECT_FALSE(page->isBusy());
+    EXPECT_NEAR(sides().first, sides().second, 1e-6);
+    EXPECT_TRUE(curve(moments, 1).hasSpread());
+}
+
+TEST_F(Bands, OfALinearStudyAreMarkedWhereSlopesFail) {
+    open("balance-shaft", {{"/shaft_angle_deg", {{"plus_minus", 40.0}}}});
+    EXPECT_TRUE(plot(3)->findChild<LegendItem*>(u"spread"_s)->text().endsWith(u"⚠"_s));
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 0.1}}}});
+    EXPECT_FALSE(plot(3)->findChild<LegendItem*>(u"spread"_s)->text().endsWith(u"⚠"_s));
+}
+
 class EveryPagesBands : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
@@ -169,7 +230,7 @@ TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
                 vary[key] = {{"plus_minus_percent", 1.0}};
             }
         }
-        file.study = {{"vary", vary}, {"watch", Json::object()}};
+        file.study = {{"vary", vary}, {"watch", Json::object()}, {"samples", 64}};
         const auto page = test::makePage(GetParam());
         page->model()->loadFile(file, {examples.path().toStdString()}, false);
         test::showAt(*page, {1280, 800});

@@ -32,6 +32,7 @@
 #include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
 #include "studies/tornado_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
@@ -187,6 +188,50 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     EXPECT_EQ(*shown.mean, found["mean"].get<double>());
     EXPECT_EQ(*shown.deviation, found["standard_deviation"].get<double>());
     EXPECT_EQ(*shown.high, found["percentiles"]["95"].get<double>());
+}
+
+TEST_F(Tolerances, OtherLimitsCountTheSamplesThatAreThere) {
+    scatter("/crank_radius_mm", u"0.5"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    const StudyModel& model = *tolerances->model();
+    ASSERT_FALSE(model.answers()->values.at(0).within);
+    bool solvedAnew = false;
+    QObject::connect(&model, &StudyModel::answered, &model,
+                     [&] { solvedAnew = solvedAnew || model.isStale(); });
+    const double limit = *model.answers()->values.at(0).mean;
+    QAbstractItemModel* table = tolerances->watched()->view()->model();
+    ASSERT_TRUE(table->setData(table->index(0, WatchTable::Most), formNumber(limit, QLocale())));
+    waitForAnswer();
+    EXPECT_FALSE(solvedAnew);
+    studies::Problem problem = studies::problem_of(scene().caseFile(), scene().context());
+    ASSERT_TRUE(problem.study.watch.at(0).max);
+    studies::Part part = studies::begin_part(problem);
+    studies::run_part(problem, part);
+    const studies::Statistics found = part.tally.statistics(0);
+    const StudyAnswer& shown = model.answers()->values.at(0);
+    EXPECT_EQ(shown.within, found.share);
+    EXPECT_EQ(shown.withinLow, found.share_low);
+    EXPECT_EQ(shown.withinHigh, found.share_high);
+    EXPECT_GT(found.share, 0.3);
+    EXPECT_LT(found.share, 0.7);
+    EXPECT_EQ(tolerances->histogram()->data().lines.size(), 2U);
+    scene().undo();
+    waitForAnswer();
+    EXPECT_FALSE(solvedAnew);
+    EXPECT_FALSE(model.answers()->values.at(0).within);
+}
+
+TEST_F(Tolerances, WhereTheLinearAnswerFailsItIsMarked) {
+    scatter("/shaft_angle_deg", u"40"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    const StudyAnswer& answer = tolerances->model()->answers()->values.at(0);
+    ASSERT_TRUE(answer.fails);
+    const QTableWidgetItem* linear = tolerances->table()->item(0, 4);
+    EXPECT_TRUE(linear->text().endsWith(u"⚠"_s));
+    EXPECT_EQ(linear->toolTip(), tolerances->model()->failure(answer));
+    EXPECT_FALSE(linear->toolTip().contains(u"/shaft_angle_deg"_s));  // by its name
 }
 
 TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
@@ -394,7 +439,7 @@ TEST_F(Tolerances, TheRobustAngleStandsBesideTheBestOne) {
     ASSERT_TRUE(model.best()->robust && model.best()->nominal);
     EXPECT_EQ(tolerances->robust()->table()->rowCount(), 2);
     EXPECT_EQ(model.best()->nominal->angle,
-              scene().resultJson()["optimum"]["range"]["shaft_angle_deg"].get<double>());
+              scene().resultJson()["optimum_buildable"]["range"]["shaft_angle_deg"].get<double>());
     QTest::mouseClick(test::named<QPushButton>(*tolerances, "take_robust"), Qt::LeftButton);
     EXPECT_NEAR(scene().inputJson()["shaft_angle_deg"].get<double>(), model.best()->robust->angle,
                 1e-9);

@@ -1,8 +1,10 @@
 #include "studies/model/study_model.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <thread>
 
 #include "case-file/case_file.h"
@@ -27,7 +29,8 @@ using studies::Watched;
 namespace {
 
 constexpr std::size_t bars = 48;
-constexpr std::size_t mostKept = 2000;  ///< samples, to be seen
+constexpr std::size_t mostKept = 2000;            ///< samples, to be seen
+constexpr std::uint64_t mostNumbers = 4'000'000;  ///< watched ones, kept for other limits
 constexpr int restMs = 250;
 
 std::optional<double> numberAt(const Json& json, const char* key) {
@@ -94,7 +97,10 @@ StudyAnswers answersOf(const studies::Part& part) {
     StudyAnswers answers;
     answers.solved = results.value("solved", std::uint64_t{0});
     answers.refused = studies::refusals_of(part);
-    answers.notes = studies::notes_of(part);
+    const std::vector<studies::Note> notes = studies::noted(part);
+    for (const studies::Note& note : notes) {
+        answers.notes.push_back(note.text);
+    }
     for (const studies::Departure& departure : part.basis.departures) {
         answers.said.push_back(departure.reason.why);
     }
@@ -106,6 +112,11 @@ StudyAnswers answersOf(const studies::Part& part) {
         const Watched& each = part.study.watch[i];
         if (watched.contains(each.pointer)) {
             answers.values.push_back(answerOf(each, i, watched[each.pointer], part));
+            for (const studies::Note& note : notes) {
+                if (note.fails == i) {
+                    answers.values.back().fails = note.text;
+                }
+            }
         }
     }
     answers.samples = studies::first_samples(part, mostKept);
@@ -142,6 +153,27 @@ void collectNumbers(const Json& json, const std::string& pointer,
 
 }  // namespace
 
+/// One answering of a study.
+struct StudyModel::Run {
+    std::string key;
+    // By the worker alone, one piece of work after the other:
+    studies::Part part;
+    // By both:
+    std::mutex guard;
+    std::vector<Watched> watch;  ///< with the limits that count now
+    // By the model alone:
+    bool isDone = false;
+
+    std::vector<Watched> limits() {
+        const std::lock_guard lock(guard);
+        return watch;
+    }
+    void setLimits(const std::vector<Watched>& newest) {
+        const std::lock_guard lock(guard);
+        watch = newest;
+    }
+};
+
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {
     later_.setSingleShot(true);
@@ -157,9 +189,42 @@ StudyModel::StudyModel(SceneModel* scene, QObject* parent)
 
 void StudyModel::follow() {
     refresh();
-    if (watched_) {
+    if (watched_ && !changeLimits()) {
         outdate();
     }
+}
+
+std::string StudyModel::runKey() const {
+    Study study = study_;
+    for (Watched& each : study.watch) {
+        each.min.reset();
+        each.max.reset();
+    }
+    return scene_->inputJson().dump() + scene_->keptJson().dump() +
+           scene_->context().directory.string() + studies::write_study(study).dump();
+}
+
+bool StudyModel::changeLimits() {
+    const bool isUnderWay = last_ != nullptr && (last_->isDone || job_->isRunning());
+    if (!isUnderWay || stopped_ || later_.isActive() || isRefused_ || last_->key != runKey()) {
+        return false;
+    }
+    if (last_->limits() != study_.watch) {
+        last_->setLimits(study_.watch);
+        if (last_->isDone) {
+            countWithin(last_);
+        }
+    }
+    return true;
+}
+
+void StudyModel::countWithin(const std::shared_ptr<Run>& run) {
+    job_->start([this, run](const BackgroundJob::Progress&) -> std::function<void()> {
+        if (!studies::change_limits(run->part, run->limits())) {
+            return [this] { outdate(); };
+        }
+        return [this, answers = answersOf(run->part)] { show(answers, {}); };
+    });
 }
 
 void StudyModel::move() {
@@ -287,16 +352,23 @@ QString StudyModel::named(QString text) const {
 QStringList StudyModel::notes() const {
     QStringList notes;
     for (const Message& note : answers_ ? answers_->notes : std::vector<Message>()) {
-        QString text = messageText(note);
-        for (const Message& why : answers_->said) {
-            if (!why.verbatim().empty()) {
-                text.replace(QString::fromStdString(why.verbatim()),
-                             whyText(why, scene_->sceneName()));
-            }
-        }
-        notes << named(text);
+        notes << noteText(note);
     }
     return notes;
+}
+
+QString StudyModel::failure(const StudyAnswer& answer) const {
+    return answer.fails ? noteText(*answer.fails) : QString();
+}
+
+QString StudyModel::noteText(const Message& note) const {
+    QString text = messageText(note);
+    for (const Message& why : answers_ ? answers_->said : std::vector<Message>()) {
+        if (!why.verbatim().empty()) {
+            text.replace(QString::fromStdString(why.verbatim()), whyText(why, scene_->sceneName()));
+        }
+    }
+    return named(text);
 }
 
 std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
@@ -561,38 +633,66 @@ void StudyModel::start() {
     }
     CaseFile file = scene_->caseFile();
     file.study = studies::write_study(study_);
-    job_->start([this, run = run_, file = std::move(file), context = scene_->context()](
+    last_ = std::make_shared<Run>();
+    last_->key = runKey();
+    last_->watch = study_.watch;
+    job_->start([this, number = run_, run = last_, file = std::move(file),
+                 context = scene_->context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-        studies::Part part = studies::begin_part(problem, 1, 1, threads);
-        if (!progress(0.0)) {
+        const auto tell = [&](const studies::Part& so_far) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, number, answers = answersOf(so_far)] {
+                    if (number == run_) {
+                        show(answers, {});
+                    }
+                },
+                Qt::QueuedConnection);
+        };
+        QElapsedTimer sinceTold;
+        sinceTold.start();
+        studies::Part& part = run->part;
+        part = studies::begin_part(problem, 1, 1, threads,
+                                   [&](double done, const std::function<studies::Part()>& so_far) {
+                                       constexpr qint64 oftenMs = 300;
+                                       if (so_far && sinceTold.elapsed() > oftenMs) {
+                                           studies::Part now = so_far();
+                                           if (now.tally.solved() > 1) {
+                                               studies::change_limits(now, run->limits());
+                                               tell(now);
+                                           }
+                                           sinceTold.restart();
+                                       }
+                                       return progress(done);
+                                   });
+        if (!progress(studies::share_done(part))) {
             return {};
         }
-        studies::run_part(problem, part, threads, [&](const studies::Part& so_far) {
-            const double done =
-                static_cast<double>(so_far.done - so_far.from) /
-                static_cast<double>(std::max<std::uint64_t>(so_far.to - so_far.from, 1));
-            if (!progress(done)) {
+        studies::keep_values(part, mostNumbers);
+        studies::run_part(problem, part, threads, [&](const studies::Part&) {
+            if (!progress(studies::share_done(part))) {
                 return false;
             }
-            if (so_far.tally.solved() > 1 && so_far.done < so_far.to) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, run, answers = answersOf(so_far)] {
-                        if (run == run_) {
-                            show(answers, {});
-                        }
-                    },
-                    Qt::QueuedConnection);
+            studies::change_limits(part, run->limits());
+            if (part.tally.solved() > 1 && part.done < part.to) {
+                tell(part);
             }
             return true;
         });
         if (!part.finished()) {
             return {};
         }
-        return [this, answers = answersOf(part)] { show(answers, {}); };
+        studies::change_limits(part, run->limits());
+        return [this, run, answers = answersOf(part)] {
+            run->isDone = true;
+            show(answers, {});
+            if (run->part.study.watch != run->limits()) {
+                countWithin(run);
+            }
+        };
     });
 }
 

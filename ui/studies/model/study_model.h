@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +29,7 @@ struct StudyAnswer {
     std::string pointer;
     std::optional<double> nominal, mean, deviation, linearDeviation, low, high;  ///< 5 %, 95 %
     std::optional<double> within, withinLow, withinHigh;  ///< share inside the limits
+    std::optional<Message> fails;                         ///< why the linear answer does
     std::vector<Share> shares;
     std::vector<double> middles;  ///< of the bars of its histogram
     std::vector<double> heights;  ///< shares of the samples
@@ -111,6 +113,8 @@ class StudyModel : public QObject {
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
     /// Of the answers, with the names of inputs and results.
     QStringList notes() const;
+    /// Why the linear answer of a value fails; empty where it holds.
+    QString failure(const StudyAnswer& answer) const;
     /// Why samples were refused, in words, and how many.
     std::vector<std::pair<QString, std::uint64_t>> refused() const;
     /// They are of what was before, and newer ones are on the way.
@@ -138,6 +142,14 @@ class StudyModel : public QObject {
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
     void start();
+    struct Run;
+    /// What a run depends on: all but the limits.
+    std::string runKey() const;
+    /// Other limits alone: the samples that are there, or on the way, count anew.
+    /// @return false where it is more than that
+    bool changeLimits();
+    void countWithin(const std::shared_ptr<Run>& run);
+    QString noteText(const Message& note) const;
     void show(std::optional<StudyAnswers> answers, const QString& trouble);
 
     SceneModel* scene_;
@@ -150,6 +162,7 @@ class StudyModel : public QObject {
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     std::string seen_;        ///< the input that is followed, while someone looks
     int run_ = 0;
+    std::shared_ptr<Run> last_;  ///< under way or done
     bool stale_ = false;
     bool behind_ = false;  ///< the input has moved since it was taken over
     bool stopped_ = false;
