@@ -13,7 +13,9 @@ usage: packaging/test.sh [--quick | --full] [--no-install]
   3. lint         shellcheck over the scripts; what the desktop reads; the Debian package
   4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy; a minute
                   of fuzzing for each reader, 100 000 random cases of each scene, fifty formulas
-                  changed one at a time, the share of lines that the tests reach
+                  changed one at a time, the share of lines that the tests reach; 500 kills of a
+                  window that saves; a long day in a window; the worker threads under the thread
+                  sanitizer
 
   --quick        stages 1 and 2 only
   --full         stage 4 too (slow)
@@ -111,6 +113,32 @@ run_coverage() {
         --folder 'ui/*/model=90'
 }
 
+# Killed while it saves, by the release's own test.
+run_kills() {
+    RAVNOVES_KILLS=500 "$root/build/release/tests/ui/test-ui-shell" --gtest_filter='KilledWindow.*'
+}
+
+# Slider moves, cases opened and closed, animation: memory stays.
+run_long_use() { build release long-use && "$root/build/release/tests/ui/shell/long-use"; }
+
+# A random layout of addresses is none that the sanitizer of gcc 12 can take.
+run_threads() {
+    local paths=$root/build/tsan/tests/threads/worker-paths
+    local -x TSAN_OPTIONS="suppressions=$root/tests/threads/of-qt.supp"
+    TSAN_OPTIONS+=" ignore_noninstrumented_modules=1 second_deadlock_stack=1"
+    if setarch "$(uname -m)" -R "$paths" --race >/dev/null 2>&1; then
+        say "The sanitizer does not see a race that is there."
+        return 1
+    fi
+    setarch "$(uname -m)" -R "$paths"
+}
+
+check_threads() {
+    stage "tsan: configure" configure tsan || return 0
+    stage "tsan: build" build tsan || return 0
+    stage "tsan: worker paths" run_threads || true
+}
+
 measure_coverage() {
     stage "coverage: configure" configure coverage || return 0
     stage "coverage: build" build coverage || return 0
@@ -150,6 +178,9 @@ if [ $full = yes ]; then
     stage "random cases" run_random_cases || true
     stage "fuzz" "$root/tests/fuzz/fuzz.sh" 60 || true
     stage "mutations" "$root/tests/mutations/mutate.py" || true
+    stage "500 kills" run_kills || true
+    stage "long use" run_long_use || true
+    check_threads
     build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
     measure_coverage
     lint_sources
