@@ -134,6 +134,9 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
     std::unique_ptr<ScenePage> page = make();
 };
 
+/// With a history and a file.
+class EveryCase : public EveryPage {};
+
 TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     QSet<const QWidget*> labelled;
     for (const QLabel* label : page->findChildren<QLabel*>()) {
@@ -289,10 +292,7 @@ TEST_P(EveryPage, MakesOneStepOfAnEditing) {
     }
 }
 
-TEST_P(EveryPage, AnEscapeLeavesNoStepBehind) {
-    if (!model().hasCaseFile()) {
-        GTEST_SKIP() << "has no history";
-    }
+TEST_P(EveryCase, AnEscapeLeavesNoStepBehind) {
     leaveSomethingToRedo();
     const Json before = model().inputJson();
     const int index = model().history()->index();
@@ -325,10 +325,7 @@ TEST_P(EveryPage, AnEscapeLeavesNoStepBehind) {
     EXPECT_TRUE(model().history()->canRedo());
 }
 
-TEST_P(EveryPage, WhatWasTypedIsUndoneByKeys) {
-    if (!model().hasCaseFile()) {
-        GTEST_SKIP() << "has no history";
-    }
+TEST_P(EveryCase, WhatWasTypedIsUndoneByKeys) {
     forEachField([&](NumberField& field) {
         SCOPED_TRACE(field.objectName().toStdString());
         const Json before = model().inputJson();
@@ -453,10 +450,7 @@ TEST_P(EveryPage, GoesAsAWindowWithAFieldHalfTyped) {
     QApplication::processEvents();
 }
 
-TEST_P(EveryPage, ComesBackFromItsFile) {
-    if (!model().hasCaseFile()) {
-        GTEST_SKIP() << "has no case file";
-    }
+TEST_P(EveryCase, ComesBackFromItsFile) {
     const QTemporaryDir folder;
     const auto throughFile = [&](const QString& name) {
         const Json input = model().inputJson();
@@ -516,6 +510,8 @@ TEST_P(EveryPage, TakesInATableWhatItCopiedAndRefusesOtherText) {
     }
 }
 
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryCase, ::testing::ValuesIn(test::sceneNamesWithCases()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryPage, ::testing::ValuesIn(test::sceneNames()),
                          test::sceneOf<::testing::TestParamInfo<std::string>>);
 
