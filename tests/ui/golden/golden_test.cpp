@@ -1,0 +1,331 @@
+// Every page, with each of its tabs in front, in both themes and both languages, looks as it did.
+
+#include "golden/golden.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QScopeGuard>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <functional>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "case-file/case_file.h"
+#include "events.h"
+#include "methods/methods_page.h"
+#include "methods/report.h"
+#include "model/case_document.h"
+#include "plot/plot_view.h"
+#include "scene_tests.h"
+#include "shell/main_window.h"
+#include "text/language.h"
+#include "theme/theme.h"
+#include "workshop/model/journal.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using test::Golden;
+
+/// Neither the machine's fonts nor what it is told of drawing them: the bundled font alone.
+const bool hasBundledFont = qputenv("FONTCONFIG_FILE", RAVNOVES_FONTS);
+
+constexpr QSize windowSize(1280, 800);
+constexpr int rest = 250;  // ms: what waits until the hand rests is there then
+const char* const start = "start";
+
+/// The case of the examples that fills a page best; the others begin full.
+const std::map<std::string, const char*> filledBy{
+    {"v8-plugs", "v8-4.25-repair.case.json"},
+    {"bob-weights", "bob-weights-v8.case.json"},
+};
+
+class PictureTest : public ::testing::Test {
+  protected:
+    PictureTest() { Journal::setKept(false); }  // neither today's date nor anybody's jobs
+    ~PictureTest() override {
+        Theme::instance().setMode(Theme::Mode::Light);
+        installLanguage(u"en"_s);
+        Journal::setKept(true);
+    }
+
+    void open(const std::string& scene) {
+        if (scene == start) {
+            window->showStart();
+        } else if (const auto example = filledBy.find(scene); example != filledBy.end()) {
+            const QString path =
+                QDir(QString::fromUtf8(RAVNOVES_EXAMPLES)).filePath(QLatin1String(example->second));
+            ASSERT_EQ(window->newCase(CaseDocument::read(path)), QString());
+        } else {
+            ASSERT_TRUE(window->showScene(QString::fromStdString(scene)));
+        }
+        test::showAt(*window, windowSize);
+        ASSERT_EQ(window->size(), windowSize);
+        settle();
+        holdTimesStill();
+    }
+    void settle() {
+        ScenePage* page = window->isAtStart() ? nullptr : window->currentPage();
+        const auto busy = [page] { return page != nullptr && page->isBusy(); };
+        constexpr int patience = 60'000;  // ms
+        for (int turn = 0; turn < 3; ++turn) {
+            QApplication::processEvents();
+        }
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !busy(); }, patience));
+        if (QWidget* focus = QApplication::focusWidget()) {
+            focus->clearFocus();  // no cursor that blinks
+        }
+        QApplication::processEvents();
+    }
+    /// No machine measures twice the same: the operations stand in for the times.
+    void holdTimesStill() {
+        auto* page = qobject_cast<MethodsPage*>(window->currentPage());
+        if (page == nullptr || window->isAtStart()) {
+            return;
+        }
+        const auto measured = [page] {
+            return page->viewModel()->shown() != nullptr && !page->viewModel()->isStale();
+        };
+        constexpr int patience = 60'000;  // ms
+        ASSERT_TRUE(QTest::qWaitFor(measured, patience));
+        settle();
+        auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
+        for (methods::WorkPoint& point : still->work.points) {
+            const double time = std::max(point.operations, 1.0);
+            point.timing = {time, 0.9 * time, 1.2 * time, 9};
+        }
+        const methods::StabilityMap* map = still->map.get();
+        still->report = methods::make_report(still->work, std::span(&map, 1));
+        Q_EMIT page->viewModel()->measurements()->measured(still);
+        settle();
+    }
+    QImage picture() const { return window->grab().toImage(); }
+
+    /// Calls `look` with every state of the page's tabs, each once, and the name of the tab.
+    void onEveryTab(const std::function<void(const QString&)>& look) {
+        std::set<std::vector<std::pair<const QTabWidget*, int>>> seen;
+        const QWidget* page = window->isAtStart() ? nullptr : window->currentPage();
+        const QList<QTabWidget*> all =
+            page != nullptr ? page->findChildren<QTabWidget*>() : QList<QTabWidget*>();
+        const auto lookOnce = [&](const QString& name) {
+            settle();
+            std::vector<std::pair<const QTabWidget*, int>> state;
+            for (const QTabWidget* tabs : all) {
+                if (tabs->isVisible()) {
+                    state.emplace_back(tabs, tabs->currentIndex());
+                }
+            }
+            if (seen.insert(state).second) {
+                look(name);
+            }
+        };
+        lookOnce(u"first"_s);
+        for (QTabWidget* tabs : all) {
+            std::vector<std::pair<QTabWidget*, int>> before;
+            for (QWidget* each = tabs; each != nullptr; each = each->parentWidget()) {
+                for (QTabWidget* outer : all) {
+                    const int holds = holder(*outer, each);
+                    if (holds >= 0) {
+                        before.emplace_back(outer, outer->currentIndex());
+                        outer->setCurrentIndex(holds);
+                    }
+                }
+            }
+            const int first = tabs->currentIndex();
+            for (int i = 0; i < tabs->count(); ++i) {
+                if (tabs->isTabVisible(i) && tabs->isTabEnabled(i)) {
+                    tabs->setCurrentIndex(i);
+                    const QString name = tabs->widget(i)->objectName();
+                    lookOnce(name.isEmpty() ? u"tab-%1-%2"_s.arg(all.indexOf(tabs)).arg(i) : name);
+                }
+            }
+            tabs->setCurrentIndex(first);
+            for (const auto& [outer, index] : before) {
+                outer->setCurrentIndex(index);
+            }
+        }
+    }
+
+    std::unique_ptr<MainWindow> window;
+
+  private:
+    /// The tab that is a widget; −1 where none is.
+    static int holder(const QTabWidget& tabs, QWidget* widget) { return tabs.indexOf(widget); }
+};
+
+class PageGolden : public PictureTest,
+                   public ::testing::WithParamInterface<std::tuple<std::string, const char*>> {};
+
+TEST_P(PageGolden, LooksAsItDid) {
+    const auto& [scene, language] = GetParam();
+    const bool renews = qEnvironmentVariableIsSet("RAVNOVES_UPDATE_GOLDEN");
+    Golden golden(QDir(QString::fromUtf8(RAVNOVES_GOLDEN)),
+                  QDir(QString::fromUtf8(RAVNOVES_GOLDEN_FOUND)));
+    installLanguage(QString::fromLatin1(language));
+    window = std::make_unique<MainWindow>();
+    ASSERT_NO_FATAL_FAILURE(open(scene));
+    const QString prefix = QString::fromStdString(scene) + u'_';
+    QStringList names;
+    for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
+        Theme::instance().setMode(mode);
+        const QString suffix = u"_%1_%2"_s.arg(mode == Theme::Mode::Light ? u"light"_s : u"dark"_s,
+                                               QString::fromLatin1(language));
+        onEveryTab([&](const QString& tab) {
+            const QString name = prefix + tab + suffix;
+            ASSERT_FALSE(names.contains(name)) << name.toStdString();
+            names << name;
+            const bool isFirst = names.size() == 1 || !names.at(names.size() - 2).endsWith(suffix);
+            if (isFirst) {
+                golden.goBy({});
+            }
+            const auto goByFirst = qScopeGuard([&] {
+                if (isFirst) {
+                    golden.goBy(name);  // the form, the menus
+                }
+            });
+            if (renews) {
+                QTest::qWait(rest);
+                ASSERT_TRUE(golden.store(name, picture())) << name.toStdString();
+                return;
+            }
+            QString trouble = golden.check(name, picture());
+            for (int turn = 0; turn < 4 && !trouble.isEmpty(); ++turn) {
+                QTest::qWait(rest);
+                trouble = golden.check(name, picture());
+            }
+            EXPECT_EQ(trouble, QString()) << trouble.toStdString();
+        });
+    }
+    for (const QString& file :
+         golden.stored().entryList({prefix + u"*_"_s + QLatin1String(language) + u".png"_s})) {
+        if (!names.contains(file.chopped(4))) {
+            if (renews) {
+                QFile::remove(golden.stored().filePath(file));
+            } else {
+                ADD_FAILURE() << file.toStdString() << " is of no page";
+            }
+        }
+    }
+}
+
+std::vector<std::string> pages() {
+    std::vector<std::string> names = test::sceneNames();
+    names.emplace_back(start);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, PageGolden,
+                         ::testing::Combine(::testing::ValuesIn(pages()),
+                                            ::testing::Values("en", "ru")),
+                         [](const auto& each) {
+                             return test::testName(std::get<0>(each.param)) + "_" +
+                                    std::get<1>(each.param);
+                         });
+
+/// What a careless change does to a page does not pass.
+class Change : public PictureTest {
+  protected:
+    Change() {
+        window = std::make_unique<MainWindow>();
+        open("elastic-hinge");
+        QTest::qWait(rest);
+        first = picture();
+        stored = Golden::stepped(Golden::half(first));
+    }
+    Golden::Comparison now() { return Golden::compare(stored, Golden::half(picture())); }
+
+    QImage first;
+    QImage stored;
+    QTemporaryDir folder;
+};
+
+TEST_F(Change, NoneIsSeenWhereThereIsNone) {
+    EXPECT_EQ(now().differing, 0);
+    // Nor in what another processor rounds.
+    QImage rounded = first;
+    for (int y = 0; y < rounded.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(rounded.scanLine(y));
+        for (int x = 0; x < rounded.width(); ++x) {
+            const int noise = (x * 7 + y * 13) % 7 - 3;
+            const auto other = [&](int channel) { return std::clamp(channel + noise, 0, 255); };
+            line[x] = qRgb(other(qRed(line[x])), other(qGreen(line[x])), other(qBlue(line[x])));
+        }
+    }
+    EXPECT_TRUE(Golden::compare(stored, Golden::half(rounded)).isSame());
+}
+
+TEST_F(Change, AMovedLabelIsSeen) {
+    int moved = 0;
+    for (QLabel* label : window->currentPage()->findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->visibleRegion().isEmpty() || label->text().size() < 6) {
+            continue;
+        }
+        ++moved;
+        for (const QPoint& by : {QPoint(2, 0), QPoint(0, 1)}) {
+            label->move(label->pos() + by);
+            EXPECT_FALSE(now().isSame())
+                << label->text().toStdString() << " moved by " << by.x() << ", " << by.y();
+            label->move(label->pos() - by);
+        }
+    }
+    EXPECT_GT(moved, 10);
+    EXPECT_EQ(now().differing, 0);
+}
+
+TEST_F(Change, ACurveOfAnotherColourIsSeen) {
+    int recoloured = 0;
+    for (PlotView* plot : window->currentPage()->findChildren<PlotView*>()) {
+        for (int curve = 0; plot->isVisible() && curve < plot->curveCount(); ++curve) {
+            const auto style = plot->data().curve(curve).style;
+            if (!plot->isCurveShown(curve) || style.name.isEmpty()) {
+                continue;  // an edge of something else
+            }
+            auto other = style;
+            other.colour = (style.colour + 1) % Theme::curveColours;
+            plot->setCurveStyle(curve, other);
+            EXPECT_FALSE(now().isSame()) << plot->curveName(curve).toStdString();
+            plot->setCurveStyle(curve, style);
+            ++recoloured;
+        }
+    }
+    EXPECT_GT(recoloured, 1);
+    EXPECT_EQ(now().differing, 0);
+}
+
+TEST_F(Change, IsNamedWithThePicturesThatShowIt) {
+    Golden golden(QDir(folder.filePath(u"stored"_s)), QDir(folder.filePath(u"found"_s)));
+    EXPECT_TRUE(golden.check(u"page"_s, first).contains(u"no picture is stored"_s));
+    ASSERT_TRUE(golden.store(u"page"_s, first));
+    EXPECT_EQ(golden.check(u"page"_s, first), QString());
+    QImage changed = first;
+    changed.fill(Qt::white);
+    const QString said = golden.check(u"page"_s, changed);
+    for (const char* kind : {"actual", "difference"}) {
+        const QString path = folder.filePath(u"found/page.%1.png"_s.arg(QLatin1String(kind)));
+        EXPECT_TRUE(said.contains(path)) << said.toStdString();
+        EXPECT_EQ(QImage(path).size(), windowSize / 2) << kind;
+    }
+    // The picture as it was comes back only by being stored.
+    EXPECT_NE(golden.check(u"page"_s, changed), QString());
+    ASSERT_TRUE(golden.store(u"page"_s, changed));
+    EXPECT_EQ(golden.check(u"page"_s, changed), QString());
+    // Beside the picture that it goes by, another one needs little room.
+    golden.goBy(u"page"_s);
+    const QString corner = u"corner"_s;
+    for (int x = 0; x < 100; ++x) {
+        changed.setPixelColor(x, x, Qt::black);
+    }
+    ASSERT_TRUE(golden.store(corner, changed));
+    EXPECT_EQ(golden.check(corner, changed), QString());
+    EXPECT_NE(golden.check(corner, first), QString());
+}
+
+}  // namespace
+}  // namespace ravnoves
