@@ -82,9 +82,18 @@ class DenseTabs : public QProxyStyle {
         }
     }
 
-    /// Choices that are too long end in dots.
+    /// Choices that are too long end in dots; a tab with the focus has a frame.
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
+        const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+        if (element == CE_TabBarTabLabel && tab != nullptr && tab->state.testFlag(State_HasFocus)) {
+            QStyleOptionTab plain = *tab;  // its own mark goes past drawPrimitive()
+            plain.state.setFlag(State_HasFocus, false);
+            QProxyStyle::drawControl(element, &plain, painter, widget);
+            plain.rect.adjust(2, 2, -2, -2);
+            drawFocusFrame(painter, &plain);
+            return;
+        }
         const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
         if (element != CE_ComboBoxLabel || box == nullptr || box->editable) {
             QProxyStyle::drawControl(element, option, painter, widget);
