@@ -225,17 +225,23 @@ void MainWindow::buildNavigation() {
     const QScrollBar* bar = area->verticalScrollBar();
     connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
         area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
+    });
+    const auto showChecked = [area, navigation] {
         for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
             if (button->isChecked()) {
                 area->ensureWidgetVisible(button, 0, Theme::gap);
             }
         }
-    });
-    connect(qApp, &QApplication::focusChanged, area, [area, navigation](QWidget*, QWidget* now) {
-        if (now != nullptr && navigation->isAncestorOf(now)) {
-            area->ensureWidgetVisible(now, 0, Theme::gap);
-        }
-    });
+    };
+    // Once the buttons are laid out.
+    connect(bar, &QScrollBar::rangeChanged, area, showChecked, Qt::QueuedConnection);
+    connect(qApp, &QApplication::focusChanged, area,
+            [area, navigation](const QWidget* was, QWidget* now) {
+                // Not where a window gets the focus that comes first.
+                if (was != nullptr && now != nullptr && navigation->isAncestorOf(now)) {
+                    area->ensureWidgetVisible(now, 0, Theme::gap);
+                }
+            });
     row->addWidget(area);
     auto* line = new QFrame(centre);
     line->setFrameShape(QFrame::VLine);

@@ -11,6 +11,7 @@
 #include <QMenuBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolButton>
 #include <functional>
 
 #include "events.h"
@@ -90,6 +91,12 @@ TEST_P(Looks, NothingIsCutOrOutOfReach) {
     window.showScene(QString::fromStdString(scene));
     test::showAt(window, look.size);
     EXPECT_EQ(window.size(), look.size);
+    // What is open is in sight of the navigation.
+    for (const QToolButton* button :
+         window.findChild<QScrollArea*>(u"navigation"_s)->findChildren<QToolButton*>()) {
+        EXPECT_TRUE(!button->isChecked() ||
+                    button->visibleRegion().boundingRect().size() == button->size());
+    }
     ScenePage* page = window.currentPage();
     QStringList said;
     onEveryTab(page, [&](const QString& tab) {
