@@ -824,6 +824,27 @@ TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     }
 }
 
+TEST_F(InertiaMomentsPageTest, OrdersAreATabWhereTheWindowIsLow) {
+    constexpr QSize low(920, 600);
+    constexpr QSize high(1187, 800);
+    const QTabWidget& tabs = *page.charts()->tabs();
+    const int tabsOfAll = static_cast<int>(InertiaMomentsModel::tabNames(Tabs::Charts).size());
+    PlotView* order = page.charts()->moment(2);
+    for (int turn = 0; turn < 2; ++turn) {
+        test::showAt(page, low);
+        ASSERT_EQ(tabs.count(), tabsOfAll + 1);
+        EXPECT_FALSE(order->isVisible());
+        const int shown = tabs.currentIndex();
+        page.charts()->tabs()->setCurrentIndex(tabsOfAll);
+        EXPECT_TRUE(order->isVisible());
+        page.charts()->tabs()->setCurrentIndex(shown);
+        test::showAt(page, high);
+        EXPECT_EQ(tabs.count(), tabsOfAll);
+        EXPECT_EQ(tabs.currentIndex(), shown);
+        EXPECT_TRUE(order->isVisible());
+    }
+}
+
 TEST_F(InertiaMomentsPageTest, NoFormIsWiderThanItsColumn) {
     for (QScrollArea* area : page.findChildren<QScrollArea*>()) {
         if (area->widget() != nullptr && area->isVisible() &&
