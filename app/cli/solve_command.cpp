@@ -8,7 +8,6 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/json_text.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
@@ -33,7 +32,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
                      "is a file that the case reads; the result must go to another file");
             return exit_bad_input;
         }
-        text = json_text(solve_case(file, context, wanted), 2) + "\n";
+        text = solve_case(file, context, wanted).dump(2) + "\n";
     } catch (const InputError& error) {
         complain(case_path, error.what());
         return exit_bad_input;
@@ -58,7 +57,7 @@ int solve_batch(const CaseContext& context, const Wanted& wanted) {
         } catch (const std::exception& error) {  // a bad line is answered in its place
             answer = Json{{"error", error.what()}, {"line", lines.number()}};
         }
-        const std::string text = json_text(answer, -1, true);
+        const std::string text = answer.dump(-1, ' ', false, Json::error_handler_t::replace);
         if (const int status = print(text + "\n")) {
             return status;
         }
