@@ -85,17 +85,19 @@ struct Plane {
 
 /// What the machine reads: the heavy spot.
 struct Reading {
-    std::optional<double> position;   ///< m; the plane's where empty
-    std::optional<double> unbalance;  ///< kg·m
-    std::optional<double> angle;      ///< rad
+    std::optional<double> position;    ///< m; the plane's where empty
+    std::optional<double> unbalance;   ///< kg·m
+    std::optional<double> angle;       ///< rad
+    std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
 
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
 /// The same of a run before: read where the newest is.
 struct EarlierReading {
-    std::optional<double> unbalance;  ///< kg·m
-    std::optional<double> angle;      ///< rad
+    std::optional<double> unbalance;   ///< kg·m
+    std::optional<double> angle;       ///< rad
+    std::optional<double> bob_weight;  ///< kg
 
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };

@@ -76,6 +76,9 @@ struct Result {
     /// reads in the planes or between them.
     std::optional<double> amplification;
     std::optional<std::array<PlaneResult, 2>> correction;
+    /// The bob weight that the newest readings were taken with where it is not the one there is
+    /// now, kg: they say nothing of the crankshaft then.
+    std::optional<double> read_with;
     std::vector<const PartField*> not_given;  ///< parts that count as 0
     /// Masses that were typed in kilograms, as it seems; kg.
     std::vector<std::pair<const PartField*, double>> in_kilograms;

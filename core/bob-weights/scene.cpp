@@ -142,6 +142,9 @@ Json write_result(const Input& input, const Result& result) {
             {"planes", {plane_json((*result.correction)[0]), plane_json((*result.correction)[1])}},
             {"runs", runs_json(result.runs)},
             {"amplification", result.amplification.value()}};
+        if (result.read_with) {
+            json["correction"]["read_with_bobweight_g"] = *result.read_with / units::gram;
+        }
     }
     return json;
 }

@@ -128,7 +128,8 @@ std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, doubl
     return crankpins;
 }
 
-void solve_weigh_in(const Input& input, double factor, Result& result) {
+void solve_weigh_in(const Input& input, double factor, const workshop::SetFinder& find,
+                    Result& result) {
     if (!input.weigh_in) {
         return;
     }
@@ -146,7 +147,7 @@ void solve_weigh_in(const Input& input, double factor, Result& result) {
     if (result.matching.empty() || input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
-    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching);
+    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching, find);
     if (result.bob_weight) {
         result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
         if (result.placing) {
@@ -336,6 +337,12 @@ void solve_correction(const Input& input, Result& result) {
         add_run(run.readings);
     }
     add_run(correction.readings);
+    for (const Reading& reading : correction.readings) {
+        if (reading.unbalance && !result.read_with &&
+            workshop::is_other_bob_weight(reading.bob_weight, result.bob_weight)) {
+            result.read_with = reading.bob_weight;
+        }
+    }
     if (!places) {
         return;
     }
@@ -425,7 +432,7 @@ std::optional<std::array<double, 2>> plane_limits(
     return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
 }
 
-Result solve(const Input& given) {
+Result solve(const Input& given, const workshop::SetFinder& find) {
     Input input = given;
     fit_weigh_in(input);
     Result result;
@@ -433,7 +440,7 @@ Result solve(const Input& given) {
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
     solve_bob_weight(input, factor, result);
-    solve_weigh_in(input, factor, result);
+    solve_weigh_in(input, factor, find, result);
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;

@@ -6,7 +6,8 @@
 namespace ravnoves::bob_weights {
 
 /// Computes whatever the input allows.
-Result solve(const Input& given);
+/// @param find  which set goes to which cylinder
+Result solve(const Input& given, const workshop::SetFinder& find = workshop::best_placing);
 
 /// The limits of the two planes.
 ///

@@ -237,6 +237,8 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
     visitor.required(field::service_speed, sheet.service_speed);
     visitor.number(field::front_reading, sheet.front_reading);
     visitor.number(field::rear_reading, sheet.rear_reading);
+    visitor.number(field::front_bob_weight, sheet.front_bob_weight);
+    visitor.number(field::rear_bob_weight, sheet.rear_bob_weight);
     visitor.number(field::front_share, sheet.front_share, 0.5);
 }
 

@@ -59,8 +59,10 @@ struct BalancingSheet {
     std::optional<double> rotor_mass;     ///< kg
     std::optional<double> service_speed;  ///< rad/s
     double front_share = 0.5;
-    std::optional<double> front_reading;  ///< kg·m
-    std::optional<double> rear_reading;   ///< kg·m
+    std::optional<double> front_reading;     ///< kg·m
+    std::optional<double> rear_reading;      ///< kg·m
+    std::optional<double> front_bob_weight;  ///< that hung on the crankpins then, kg
+    std::optional<double> rear_bob_weight;   ///< kg
 
     /// Nothing while grade, mass or speed are missing.
     std::optional<BalancingCheck> check() const;

@@ -60,6 +60,18 @@ struct Result {
     /// The machine's readings, front and rear, against that limit, else against the tolerance.
     std::array<PlaneVerdict, 2> planes{};
 
+    /// The bob weight that a reading was taken with where it is not the one to be hung now, kg.
+    std::optional<double> read_with;
+
+    /// What is to be hung on a crankpin, the plugs out of the shaft, kg; where nothing is to be
+    /// done, what it is before.
+    std::optional<double> hung() const {
+        const auto* weights =
+            advice && advice->option ? &bob_weights[index(advice->option->id)] : nullptr;
+        return weights != nullptr && *weights ? std::optional((*weights)->after.sum())
+               : before                       ? std::optional(before->sum())
+                                              : std::nullopt;
+    }
     /// What the machine says of the crankshaft; nothing while a plane that could fail was not read.
     std::optional<bool> passes() const {
         const auto& [front, rear] = planes;

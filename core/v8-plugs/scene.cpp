@@ -238,6 +238,9 @@ Json write_result(const Input& input, const Result& result) {
         json["balancing"] = {{"limit", result.balancing ? "iso-21940-11" : "tolerance"},
                              {"front", plane_json(front)},
                              {"rear", plane_json(rear)}};
+        if (result.read_with) {
+            json["balancing"]["read_with_bobweight_g"] = *result.read_with / units::gram;
+        }
         if (result.balancing) {
             json["balancing"]["permissible_g_mm"] = result.balancing->permissible / units::gram_mm;
         }

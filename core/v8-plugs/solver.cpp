@@ -15,14 +15,14 @@ PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
     return {weighs, typed, mass_fits(typed, weighs)};
 }
 
-void solve_weigh_in(const Input& input, Result& result) {
+void solve_weigh_in(const Input& input, const workshop::SetFinder& find, Result& result) {
     if (!input.weigh_in || !input.engine.rod_coefficient) {
         return;
     }
     const double k = *input.engine.rod_coefficient;
     if (input.weigh_in->is_counted()) {
         result.assignment = workshop::match(matching_task(*input.weigh_in, input.process, k),
-                                            input.weigh_in->matching);
+                                            input.weigh_in->matching, find);
     }
     if (result.assignment) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, input.process, k);
@@ -113,7 +113,7 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
 
 }  // namespace
 
-Result solve(const Input& input, bool changes_known) {
+Result solve(const Input& input, bool changes_known, const workshop::SetFinder& find) {
     Result result;
     result.changes = input.changes();
     if (changes_known && input.engine.rod_coefficient) {
@@ -130,7 +130,7 @@ Result solve(const Input& input, bool changes_known) {
             advise(*result.plugs, input.crankshaft, *result.unbalanced_mass, input.tolerance);
     }
     solve_bob_weights(input, changes_known, result);
-    solve_weigh_in(input, result);
+    solve_weigh_in(input, find, result);
     solve_plug(input, result);
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
@@ -140,6 +140,15 @@ Result solve(const Input& input, bool changes_known) {
     } else {
         result.planes = {judge(input.tolerance, machine.front_reading),
                          judge(input.tolerance, machine.rear_reading)};
+    }
+    const std::pair<std::optional<double>, std::optional<double>> readings[] = {
+        {machine.front_reading, machine.front_bob_weight},
+        {machine.rear_reading, machine.rear_bob_weight}};
+    for (const auto& [reading, bob_weight] : readings) {
+        if (reading && !result.read_with &&
+            workshop::is_other_bob_weight(bob_weight, result.hung())) {
+            result.read_with = bob_weight;
+        }
     }
     return result;
 }

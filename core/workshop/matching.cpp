@@ -279,7 +279,22 @@ std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules&
     };
 }
 
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules) {
+std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
+                                                 const SetNumbers& rod_sets,
+                                                 std::size_t cylinders) {
+    std::array<std::vector<int>, 2> from;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        const SetNumbers numbers = whole_numbers(kind == 0 ? piston_sets : rod_sets, cylinders);
+        from[kind].resize(cylinders);
+        for (std::size_t i = 0; i < cylinders; ++i) {
+            from[kind].at(static_cast<std::size_t>(numbers.at(i)) - 1) = static_cast<int>(i);
+        }
+    }
+    return from;
+}
+
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules,
+                             const SetFinder& find) {
     const std::size_t n = task.places.size();
     const bool counts = std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
         return is_whole(task.masses[static_cast<std::size_t>(part)], n);
@@ -312,7 +327,11 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     if (has_limit) {
         search.enough = *rules.permitted_spread + rounding;
     }
-    const SetsFound found = best_placing(search);
+    const std::optional<SetsFound> answer = find(search);
+    if (!answer) {
+        return std::nullopt;
+    }
+    const SetsFound& found = *answer;
     matched.pistons = found.from[0];
     matched.rods = found.from[1];
     matched.moved = found.moved;
@@ -332,7 +351,13 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     matched.shaking = shaking_of(task, rules, found.from);
     if (has_limit && matched.spread > search.enough) {
         matched.remark = {
-            CORE_TEXT("matching",
+            found.proven
+                ? CORE_TEXT("matching",
+                            "No placing brings the crankpins within %1 of one another: they are "
+                            "made as equal as can be. Take off what the heavier parts have too "
+                            "much.")
+                : CORE_TEXT(
+                      "matching",
                       "No placing found brings the crankpins within %1 of one another: they are "
                       "made as equal as can be. Take off what the heavier parts have too much."),
             Number{*rules.permitted_spread / units::gram, units::gram, -2}};

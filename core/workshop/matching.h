@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "case-file/json_fwd.h"
 #include "case-file/message.h"
+#include "workshop/set_search.h"
 #include "workshop/weigh_in.h"
 
 /// Weighed parts are matched: what to take off each to reach the lightest, and which set goes to
@@ -97,9 +99,13 @@ struct Matched {
     bool spacing_known = false;
 };
 
+/// Finds which set goes where, as best_placing() does; nothing while that is not known yet.
+using SetFinder = std::function<std::optional<SetsFound>(const SetSearch&)>;
+
 /// The best placing by the rules; see best_placing() for what is proven. Nothing where no column
-/// counts.
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules);
+/// counts, or where `find` finds nothing.
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules,
+                             const SetFinder& find = best_placing);
 
 /// What a placing makes of the spread and of the engine, whatever its goal.
 double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,
@@ -126,6 +132,17 @@ void move_sets(WeighIn<Masses>& sheet, const std::vector<int>& pistons,
     }
     sheet.piston_sets = moved_numbers(before.piston_sets, pistons);
     sheet.rod_sets = moved_numbers(before.rod_sets, rods);
+}
+
+/// Which set goes where so that each is where it was weighed again, as Matched has it.
+std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
+                                                 const SetNumbers& rod_sets, std::size_t cylinders);
+/// The sheet with all parts where they were weighed.
+template <typename Masses>
+void move_back(WeighIn<Masses>& sheet) {
+    const auto from =
+        to_where_weighed(sheet.piston_sets, sheet.rod_sets, sheet.columns.front().mass.size());
+    move_sets(sheet, from[0], from[1]);
 }
 
 /// For a result file, but for what the scene knows of the crankpins.

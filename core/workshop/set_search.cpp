@@ -19,8 +19,8 @@ using Values = std::vector<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_placings = 40'320;  // 8!
 constexpr std::size_t leaf_size = 8;
-constexpr long exchange_work = 6'000'000;  // additions in the search by exchanges
-constexpr long proof_work = 40'000'000;    // boxes and points compared in the proof
+constexpr long exchange_work = 24'000'000;  // additions in the search by exchanges
+constexpr long proof_work = 40'000'000;     // boxes and points compared in the proof
 
 double size_of(std::span<const double> sum, SetSearch::Size size) {
     if (size == SetSearch::Size::spread) {
@@ -79,58 +79,290 @@ class Order {
 
 // ------------------------------------------------------------------------------ by exchanges
 
-/// Exchanges two sets as long as that helps.
-void improve(const SetSearch& search, const Order& order, From& from, Rank& rank, long& work) {
-    const std::size_t n = search.places;
-    Values sum = sum_of(search, from);
-    Values trial(sum.size());
-    bool helped = true;
-    while (helped && work > 0) {
-        helped = false;
+/// A placing that is changed set by set; what it adds up to follows.
+class Placing {
+  public:
+    Placing(const SetSearch& search, From from)
+        : search_(search),
+          from_(std::move(from)),
+          sum_(sum_of(search, from_)),
+          moved_(moved_of(from_)) {
         for (std::size_t kind = 0; kind < 2; ++kind) {
-            auto& sets = from[kind];
-            const auto& group = search.kinds[kind].group;
-            for (std::size_t p = 0; p < n; ++p) {
-                for (std::size_t q = p + 1; q < n && work > 0; ++q) {
-                    if (group[p] != group[q]) {
-                        continue;
-                    }
-                    const double* off_p = adds_of(search, kind, sets[p], p);
-                    const double* off_q = adds_of(search, kind, sets[q], q);
-                    const double* on_p = adds_of(search, kind, sets[q], p);
-                    const double* on_q = adds_of(search, kind, sets[p], q);
-                    for (std::size_t i = 0; i < sum.size(); ++i) {
-                        trial[i] = sum[i] + (on_p[i] - off_p[i]) + (on_q[i] - off_q[i]);
-                    }
-                    work -= static_cast<long>(4 * sum.size() + 8);
-                    const int moved = rank.moved - (sets[p] != static_cast<int>(p) ? 1 : 0) -
-                                      (sets[q] != static_cast<int>(q) ? 1 : 0) +
-                                      (sets[q] != static_cast<int>(p) ? 1 : 0) +
-                                      (sets[p] != static_cast<int>(q) ? 1 : 0);
-                    const Rank found{size_of(trial, search.size), moved};
-                    if (order.is_better(found, rank)) {
-                        std::swap(sets[p], sets[q]);
-                        sum.swap(trial);
-                        rank = found;
-                        helped = true;
-                    }
+            for (std::size_t place = 0; place < search.places; ++place) {
+                touched_[kind].push_back(touched(kind, place));
+            }
+        }
+        for (const double each : sum_) {
+            mean_ += each / static_cast<double>(sum_.size());
+        }
+    }
+
+    const From& from() const { return from_; }
+    Rank rank() const { return {size_of(sum_, search_.size), moved_}; }
+    /// The sets of two places change.
+    void exchange(std::size_t kind, std::size_t p, std::size_t q) {
+        const int set = from_[kind][p];
+        put(kind, p, from_[kind][q]);
+        put(kind, q, set);
+    }
+    void keep() {
+        kept_ = sum_;
+        kept_moved_ = moved_;
+    }
+    /// After the exchanges are taken back: the sum as it was, without their rounding.
+    void restore() {
+        sum_ = kept_;
+        moved_ = kept_moved_;
+    }
+    /// What annealing makes small: the size, and what leads it on where many placings have the
+    /// same.
+    /// @param per_move  what a move is worth
+    double energy(double per_move) const {
+        if (search_.size == SetSearch::Size::norm) {
+            return size_of(sum_, search_.size);
+        }
+        double least = infinity;
+        double most = -infinity;
+        double squares = 0.0;
+        for (const double each : sum_) {
+            least = std::min(least, each);
+            most = std::max(most, each);
+            squares += (each - mean_) * (each - mean_);
+        }
+        return search_.enough > 0.0
+                   ? std::max(0.0, most - least - search_.enough) + per_move * moved_
+                   : most - least + std::sqrt(squares / static_cast<double>(sum_.size()));
+    }
+
+  private:
+    struct Range {
+        std::size_t begin;
+        std::size_t end;
+    };
+    /// The numbers to which a place adds.
+    Range touched(std::size_t kind, std::size_t place) const {
+        Range range{search_.dimensions, 0};
+        for (std::size_t set = 0; set < search_.places; ++set) {
+            const double* adds = adds_of(search_, kind, static_cast<int>(set), place);
+            for (std::size_t i = 0; i < search_.dimensions; ++i) {
+                if (adds[i] != 0.0) {
+                    range = {std::min(range.begin, i), std::max(range.end, i + 1)};
+                }
+            }
+        }
+        return range;
+    }
+    void put(std::size_t kind, std::size_t place, int set) {
+        int& now = from_[kind][place];
+        const double* off = adds_of(search_, kind, now, place);
+        const double* on = adds_of(search_, kind, set, place);
+        const Range range = touched_[kind][place];
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            sum_[i] += on[i] - off[i];
+        }
+        const int home = static_cast<int>(place);
+        moved_ += (set != home ? 1 : 0) - (now != home ? 1 : 0);
+        now = set;
+    }
+
+    const SetSearch& search_;
+    From from_;
+    Values sum_;
+    int moved_;
+    double mean_ = 0.0;
+    std::array<std::vector<Range>, 2> touched_;
+    Values kept_;
+    int kept_moved_ = 0;
+};
+
+/// Places whose sets may change.
+struct Pair {
+    std::size_t kind;
+    std::size_t p;
+    std::size_t q;
+};
+
+std::vector<Pair> pairs_of(const SetSearch& search) {
+    std::vector<Pair> pairs;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        const auto& group = search.kinds[kind].group;
+        for (std::size_t p = 0; p < search.places; ++p) {
+            for (std::size_t q = p + 1; q < search.places; ++q) {
+                if (group[p] == group[q]) {
+                    pairs.push_back({kind, p, q});
                 }
             }
         }
     }
+    return pairs;
 }
 
-void shuffle(const SetSearch& search, From& from, std::mt19937& random) {
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-        const auto& group = search.kinds[kind].group;
-        for (std::size_t p = search.places - 1; p > 0; --p) {
-            const std::size_t q = random() % (p + 1);
-            if (group[p] == group[q]) {
-                std::swap(from[kind][p], from[kind][q]);
+/// Looks for better placings by exchanges, within a bound of its work.
+class Exchanges {
+  public:
+    explicit Exchanges(const SetSearch& search)
+        : search_(search), order_(search), pairs_(pairs_of(search)) {}
+
+    bool tries_two_pairs() const { return is_affordable(pairs_.size() * pairs_.size() / 2); }
+    bool is_worth_it() const { return work_ > 0 && !pairs_.empty(); }
+    /// Exchanges two sets, three in turn or two times two, as long as that helps.
+    void improve(From& from, Rank& rank) {
+        Placing placing(search_, from);
+        while (step(placing, rank, &Exchanges::try_two) ||
+               step(placing, rank, &Exchanges::try_three) ||
+               step(placing, rank, &Exchanges::try_two_pairs)) {
+        }
+        from = placing.from();
+    }
+    /// Random exchanges that may make it worse by less and less.
+    /// @param share  of the work
+    void anneal(From& from, double share) {
+        Placing placing(search_, from);
+        const double begin = placing.energy(0.0);
+        const double per_move = 0.1 * begin / static_cast<double>(2 * search_.places);
+        const auto steps = static_cast<long>(share * exchange_work) / cost(2);
+        constexpr double first = 0.3;
+        constexpr double last = 1e-5;
+        const double cooling =
+            std::pow(last / first, 1.0 / static_cast<double>(std::max(1L, steps)));
+        double allowed = first * begin;
+        double now = placing.energy(per_move);
+        From best = from;
+        double least = now;
+        for (long step = 0; step < steps; ++step) {
+            const Pair& pair = pairs_[random_() % pairs_.size()];
+            placing.keep();
+            placing.exchange(pair.kind, pair.p, pair.q);
+            const double then = placing.energy(per_move);
+            if (then < now + allowed * uniform()) {
+                now = then;
+                if (now < least) {
+                    least = now;
+                    best = placing.from();
+                }
+            } else {
+                placing.exchange(pair.kind, pair.p, pair.q);
+                placing.restore();
+            }
+            allowed *= cooling;
+        }
+        work_ -= steps * cost(2);
+        from = best;
+    }
+    void shuffle(From& from) {
+        for (std::size_t kind = 0; kind < 2; ++kind) {
+            const auto& group = search_.kinds[kind].group;
+            for (std::size_t p = search_.places - 1; p > 0; --p) {
+                const std::size_t q = random_() % (p + 1);
+                if (group[p] == group[q]) {
+                    std::swap(from[kind][p], from[kind][q]);
+                }
             }
         }
     }
-}
+    /// Whether one exchange of two sets, or of three in turn, makes the present placing small
+    /// enough; the best of the fewest moves, which no placing has fewer of. The present one itself
+    /// is not enough.
+    std::optional<From> fewest(const From& as_it_is) {
+        Placing placing(search_, as_it_is);
+        Rank best = placing.rank();
+        const auto is_enough = [&](const Rank& rank) { return rank.size <= search_.enough; };
+        try_two(placing, best);
+        if (!is_enough(best)) {
+            try_three(placing, best);
+        }
+        return is_enough(best) && best.moved <= 3 ? std::optional(found_) : std::nullopt;
+    }
+
+  private:
+    long cost(long exchanges) const {
+        return static_cast<long>(search_.dimensions) + 4 * exchanges + 8;
+    }
+    double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
+    void carry_out(Placing& placing, const Pair& first, const std::optional<Pair>& second) {
+        placing.exchange(first.kind, first.p, first.q);
+        if (second) {
+            placing.exchange(second->kind, second->p, second->q);
+        }
+    }
+    /// Tries exchanges and takes them back. @return whether they are better than what was best
+    bool attempt(Placing& placing, Rank& best, const Pair& first,
+                 const std::optional<Pair>& second = {}) {
+        carry_out(placing, first, second);
+        const Rank rank = placing.rank();
+        const bool helps = order_.is_better(rank, best);
+        if (helps) {
+            best = rank;
+            found_ = placing.from();
+            steps_ = {first, second};
+        }
+        if (second) {
+            placing.exchange(second->kind, second->p, second->q);
+        }
+        placing.exchange(first.kind, first.p, first.q);
+        placing.restore();
+        work_ -= cost(second ? 4 : 2);
+        return helps;
+    }
+    using Attempts = bool (Exchanges::*)(Placing&, Rank&);
+    bool step(Placing& placing, Rank& best, Attempts attempts) {
+        if (work_ <= 0 || !(this->*attempts)(placing, best)) {
+            return false;
+        }
+        carry_out(placing, steps_.first, steps_.second);
+        return true;
+    }
+    bool is_affordable(std::size_t attempts) const {
+        return static_cast<double>(attempts) * static_cast<double>(cost(4)) <
+               0.1 * static_cast<double>(exchange_work);
+    }
+    bool try_two(Placing& placing, Rank& best) {
+        bool helps = false;
+        placing.keep();
+        for (const Pair& pair : pairs_) {
+            helps = attempt(placing, best, pair) || helps;
+        }
+        return helps;
+    }
+    bool try_three(Placing& placing, Rank& best) {
+        if (!is_affordable(pairs_.size() * search_.places)) {
+            return false;
+        }
+        bool helps = false;
+        placing.keep();
+        for (const Pair& pair : pairs_) {
+            const auto& group = search_.kinds[pair.kind].group;
+            for (std::size_t r = pair.q + 1; r < search_.places; ++r) {
+                if (group[r] == group[pair.p]) {
+                    helps = attempt(placing, best, pair, Pair{pair.kind, pair.q, r}) || helps;
+                    helps = attempt(placing, best, pair, Pair{pair.kind, pair.p, r}) || helps;
+                }
+            }
+        }
+        return helps;
+    }
+    bool try_two_pairs(Placing& placing, Rank& best) {
+        if (!tries_two_pairs()) {
+            return false;
+        }
+        bool helps = false;
+        placing.keep();
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            for (std::size_t k = i + 1; k < pairs_.size(); ++k) {
+                helps = attempt(placing, best, pairs_[i], pairs_[k]) || helps;
+            }
+        }
+        return helps;
+    }
+
+    const SetSearch& search_;
+    Order order_;
+    std::vector<Pair> pairs_;
+    std::mt19937 random_{1};
+    long work_ = exchange_work;
+    From found_;
+    std::pair<Pair, std::optional<Pair>> steps_;
+};
 
 // ----------------------------------------------------------------------------------- proof
 
@@ -422,16 +654,20 @@ SetsFound find_placing(const SetSearch& search) {
                     [](const SetKind& kind) { return placings_of(kind) <= most_placings; });
     SetsFound best{as_it_is, 0.0, 0.0, false, 0};
     Rank rank{size_of(search, as_it_is), 0};
-    std::mt19937 random(1);
-    long work = exchange_work;
-    const int starts = provable ? 3 : 200;
-    for (int start = 0; start < starts && work > 0; ++start) {
+    Exchanges exchanges(search);
+    // Of the work, each time: a long annealing stands in for what is too much to try.
+    const double annealed = exchanges.tries_two_pairs() ? 0.01 : 0.2;
+    for (int start = 0; exchanges.is_worth_it() && (start < 3 || !provable); ++start) {
         From from = as_it_is;
-        if (start > 0) {
-            shuffle(search, from, random);
+        // From what is fitted now the fewest move.
+        if (start > 0 && (provable || search.enough <= 0.0)) {
+            exchanges.shuffle(from);
+        }
+        if (start > 0 && !provable) {
+            exchanges.anneal(from, annealed);
         }
         Rank found{size_of(search, from), moved_of(from)};
-        improve(search, order, from, found, work);
+        exchanges.improve(from, found);
         if (order.is_better(found, rank)) {
             rank = found;
             best.from = from;
@@ -454,6 +690,13 @@ SetsFound find_placing(const SetSearch& search) {
         }
         best.least = proof.least;
         best.proven = proof.least == infinity;
+    } else if (rank.size <= search.enough || rank.size <= search.rounding) {
+        // Nothing is smaller than is enough, and nothing than nothing: the moves decide.
+        best.proven = rank.moved == 0 || search.enough <= 0.0;
+        if (const auto few = best.proven ? std::nullopt : exchanges.fewest(as_it_is)) {
+            best.from = *few;
+            best.proven = true;
+        }
     }
     best.size = size_of(search, best.from);
     best.least = std::min(best.least, best.size);
@@ -462,6 +705,12 @@ SetsFound find_placing(const SetSearch& search) {
 }
 
 }  // namespace
+
+bool is_quick(const SetSearch& search) {
+    constexpr std::size_t few = 720;  // 6!, or two groups of four
+    return std::all_of(search.kinds.begin(), search.kinds.end(),
+                       [](const SetKind& kind) { return placings_of(kind) <= few; });
+}
 
 SetsFound best_placing(const SetSearch& search) {
     struct Kept {

@@ -50,7 +50,8 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 /// The smallest size; among those that are enough, or the same but for rounding, the fewest sets
 /// moved; among these again the smallest.
 ///
-/// First single exchanges from the present placing and from a few others, as long as they help.
+/// First exchanges of two sets or three from the present placing and from others, as long as they
+/// help; of many places after an annealing, which makes the numbers small but proves nothing.
 /// Where each kind has no more placings than 8! (eight places; five and five in two groups) a proof
 /// follows, by branch and bound over pairs of boxes: the sums of each kind are points, sorted into
 /// a tree of boxes; of two boxes the size of no sum can be smaller than that of the box of sums,
@@ -58,5 +59,8 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 /// gives the bound `least`. A proof takes up to some tenths of a second: the thread's last search
 /// is kept, since most edits of a case change nothing of it.
 SetsFound best_placing(const SetSearch& search);
+
+/// Whether best_placing() takes no longer than a frame has room for: each kind has few placings.
+bool is_quick(const SetSearch& search);
 
 }  // namespace ravnoves::workshop

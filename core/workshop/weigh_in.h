@@ -118,6 +118,14 @@ std::optional<ColumnStatistics> statistics(const PartColumn<Masses>& column) {
     return statistics(column.mass, column.permitted_spread);
 }
 
+/// Whether readings of the balancing machine were taken with another bob weight than there is now,
+/// kg. One that is not known is no other; bob weights are made to a tenth of a gram.
+inline bool is_other_bob_weight(const std::optional<double>& then,
+                                const std::optional<double>& now) {
+    constexpr double rounding = 0.05 * units::gram;
+    return then && now && (*then > *now + rounding || *then < *now - rounding);
+}
+
 namespace field {
 
 inline constexpr Field weigh_in{.key = "weigh_in",

@@ -134,7 +134,8 @@ void BobAnswer::showAnswer() {
                                                                    : theme.text());
     colourText(refused_, theme.warning());
     sayOrHide(verdict_, model_->verdictText());
-    colourText(verdict_, isStale ? theme.warning() : theme.text());
+    const bool isOther = model_->solution().read_with.has_value();
+    colourText(verdict_, isStale || isOther ? theme.warning() : theme.text());
     sayOrHide(hang_, model_->hangText());
     sayOrHide(factor_, known ? model_->factorText() : QString());
     QStringList limits{model_->limitText(),

@@ -120,8 +120,10 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
                 << (reading.angle ? words.digits(*reading.angle, units::degree, 1) : byHand);
         }
         const auto passes = run < result.runs.size() ? result.runs[run].passes() : std::nullopt;
-        block.rows << (row << (passes ? verdictText(words, verdictWord(passes, std::nullopt))
-                                      : byHand));
+        const bool isOther = result.read_with && run + 1 == result.runs.size();
+        block.rows << (row << (isOther  ? verdictText(words, otherBobWeight)
+                               : passes ? verdictText(words, verdictWord(passes, std::nullopt))
+                                        : byHand));
     };
     std::size_t run = 0;
     if (correction) {
@@ -205,7 +207,7 @@ void BobCard::draw(CardPage& page) const {
          words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
-    QStringList wrong{refusedText()};
+    QStringList wrong{refusedText(), bob_text::otherBobWeight(words(), solution_)};
     wrong << bob_text::doubts(words(), solution_) << bob_text::shortfalls(words(), solution_);
     wrong.removeAll(QString());
     QStringList more{known ? bob_text::factor(words(), input_, solution_) : QString(),

@@ -95,6 +95,10 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
           [model](const QString& name, const std::function<void(Rules&)>& change) {
               model->editWeights(name, [&](WeighIn& sheet) { change(sheet.matching); });
           },
+          [model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet && sheet->is_moved();
+          },
           parent),
       model_(model) {
     section({});
@@ -137,12 +141,14 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     addMoves(grid, row);
     line(Theme::baseSize, [this] { return model_->weighInText(); });
     addGoal(true);
-    addFindings([this] { return findings(); }, [this] { model_->moveParts(); });
+    addFindings([this] { return findings(); }, [this] { model_->moveParts(); },
+                [this] { model_->moveBack(); });
     finish();
 }
 
 MatchingSheet::Findings BobWeighInSheet::findings() const {
     Findings found;
+    found.isSearching = model_->isSearching();
     found.cylinders = static_cast<std::size_t>(model_->input().engine.cylinders);
     found.takeOff = model_->takeOffRows();
     if (const auto shown = model_->matchingShown()) {
@@ -205,6 +211,7 @@ NumberField* BobWeighInSheet::addCell(const QString& name, workshop::Part part, 
     cell->setAccessibleName(title);
     cell->setHint(tr("%1 of cylinder %2 as the scale says.").arg(name).arg(cylinder + 1));
     cell->setOptional(true);
+    cell->setProperty("decimals", 2 + shownUnit(field::part_mass.unit).decimals);
     cell->setMinimumWidth(Theme::withText(44));
     cell->setMinimumHeight(Theme::withText(cellHeight));
     const auto at = static_cast<std::size_t>(cylinder);
@@ -265,6 +272,7 @@ BobMachineSheet::BobMachineSheet(BobWeightsModel* model, QWidget* parent)
     : BobSheet(model, parent) {
     buildPlanes();
     buildRuns();
+    buildHold();
     buildTolerance();
     finish();
 }
@@ -408,6 +416,14 @@ void BobMachineSheet::buildRuns() {
             }
         });
     }
+}
+
+void BobMachineSheet::buildHold() {
+    line(Theme::baseSize, [this] {
+        return model_->otherBobWeightText();
+    })->setObjectName(QStringLiteral("other_bob_weight"));
+    addHoldButton([this] { return model_->solution().read_with.has_value(); },
+                  [this] { model_->confirmReadings(); });
 }
 
 void BobMachineSheet::buildTolerance() {

@@ -74,6 +74,7 @@ class BobMachineSheet : public BobSheet {
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
     void buildPlanes();
     void buildRuns();
+    void buildHold();
     void buildTolerance();
     void showGrade();
 

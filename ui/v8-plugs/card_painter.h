@@ -53,6 +53,7 @@ class CardPainter {
     const v8_plugs::Input& input_;
     const v8_plugs::Result& solution_;
     const Words& words_;
+    bool lacksTakeOff_ = false;  ///< there is no room for what to take off
 };
 
 }  // namespace ravnoves

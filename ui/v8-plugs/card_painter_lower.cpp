@@ -6,6 +6,7 @@
 #include "v8-plugs/card_painter.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 
@@ -58,7 +59,9 @@ double CardPainter::weighIn(double y, double end) {
         row << grams(found->mean)
             << grams(found->spread) + (found->within_permitted ? QString() : QStringLiteral(" !"));
         table.add({row});
-        if (!found->within_permitted && room >= rowHeight) {
+        if (!found->within_permitted && room < rowHeight) {
+            lacksTakeOff_ = true;
+        } else if (!found->within_permitted) {
             room -= rowHeight;
             QStringList less{words_.translate("JobCard", "take off"), QString()};
             less << matching_text::takeOff(words_, column.mass);
@@ -113,7 +116,10 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
-    const QString doubts = v8_text::massTroubles(words_, input_).join(QLatin1Char(' '));
+    QStringList doubts = v8_text::massTroubles(words_, input_);
+    if (lacksTakeOff_) {
+        doubts << words_.translate("JobCard", "What to take off does not fit here: see sheet 3.");
+    }
     QStringList list = v8_text::troubles(words_, shown, solution_);
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
         list.removeAll(each);
@@ -126,7 +132,7 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
         list << v8_text::shiftText(words_, input_, solution_,
                                    chosen ? *chosen : *solution_.option(OptionId::steel_machined));
     }
-    return {doubts, list.join(QLatin1Char(' '))};
+    return {doubts.join(QLatin1Char(' ')), list.join(QLatin1Char(' '))};
 }
 
 double CardPainter::remarks(double y, double end) {
@@ -161,8 +167,13 @@ void CardPainter::machine(double y) {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
     sheet_.text(left, y + 5.2, full, limits, 8);
-    sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_), 6.5, 2,
-                     false, CardPage::grey);
+    const QString other = v8_text::otherBobWeight(words_, solution_);
+    if (other.isEmpty()) {
+        sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_),
+                         6.5, 2, false, CardPage::grey);
+    } else {
+        sheet_.paragraph(left, y + 8.4, full, other, 7.5, 2, true, CardPage::amber);
+    }
     CardTable table({{44, Qt::AlignLeft},
                      {38},
                      {38, Qt::AlignHCenter},
@@ -178,9 +189,10 @@ void CardPainter::machine(double y) {
         table.add(
             {{name, words_.digits(plane.permissible, units::gram_mm, 1),
               plane.reading ? words_.digits(*plane.reading, units::gram_mm, 1) : byHand, byHand,
-              !plane.passes   ? byHand
-              : *plane.passes ? words_.translate("JobCard", "passes")
-                              : words_.translate("JobCard", "fails")}});
+              !plane.passes         ? byHand
+              : solution_.read_with ? verdictText(words_, otherBobWeight)
+              : *plane.passes       ? words_.translate("JobCard", "passes")
+                                    : words_.translate("JobCard", "fails")}});
     };
     row(words_.translate("JobCard", "Front (pulley)"), solution_.planes[0]);
     row(words_.translate("JobCard", "Rear (flywheel)"), solution_.planes[1]);

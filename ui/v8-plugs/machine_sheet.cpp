@@ -21,6 +21,11 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setRows(model_->planeRows()); });
+    line(Theme::baseSize, [this] {
+        return model_->otherBobWeightText();
+    })->setObjectName(QStringLiteral("other_bob_weight"));
+    addHoldButton([this] { return model_->solution().read_with.has_value(); },
+                  [this] { model_->confirmReadings(); });
     line(Theme::baseSize, [this] { return model_->isoText(); });
     line(Theme::smallSize, [this] {
         return model_->machineLimitsText();

@@ -56,6 +56,10 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
           [model](const QString& name, const std::function<void(Rules&)>& change) {
               model->editWeights(name, [&](WeighIn& sheet) { change(sheet.matching); });
           },
+          [model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet && sheet->is_moved();
+          },
           parent),
       model_(model),
       table_(new WeighInTable(model, this)) {
@@ -142,6 +146,7 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::baseSize));
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
+    field->setProperty("decimals", 2 + shownUnit(WeighInTable::fieldOf(row).unit).decimals);
     field->installEventFilter(this);
     bind(
         field,
@@ -159,14 +164,8 @@ NumberField* WeighInSheet::addCell(int row, int column) {
 }
 
 void WeighInSheet::buildFindings() {
-    addFindings([this] { return findings(); },
-                [this] {
-                    if (const auto assignment = model_->solution().assignment) {
-                        model_->edit(tr("Move parts"), [&](Input& input) {
-                            input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
-                        });
-                    }
-                });
+    addFindings([this] { return findings(); }, [this] { model_->moveParts(); },
+                [this] { model_->moveBack(); });
     crankpins_ = new ResultTable(this);
     crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
     crankpins_->setColumns(model_->crankpinColumns());
@@ -174,6 +173,10 @@ void WeighInSheet::buildFindings() {
     crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOf(this)->addWidget(crankpins_);
     follow([this] {
+        crankpins_->setEnabled(!model_->isSearching());
+        if (model_->isSearching()) {
+            return;
+        }
         const auto rows = model_->crankpinRows();
         crankpins_->setRows(rows);
         crankpins_->setVisible(!rows.isEmpty());
@@ -189,6 +192,7 @@ MatchingSheet::Findings WeighInSheet::findings() const {
     return {summary.join(QLatin1Char('\n')),
             !gaps.isEmpty() || (assignment && !assignment->remark.empty()),
             assignment && assignment->moved > 0,
+            model_->isSearching(),
             model_->effectRows(),
             model_->assignmentRows(),
             model_->takeOffRows(),

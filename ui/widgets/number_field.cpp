@@ -79,6 +79,12 @@ NumberField::Reading NumberField::read(const QString& typed) const {
 }
 
 QString NumberField::written() const {
+    // In a column of converted numbers the points stand below each other.
+    const QVariant decimals = property("decimals");
+    if (value() && factor_ != 1.0 && decimals.isValid()) {
+        return QString::number(*value() * factor_, 'f', decimals.toInt())
+            .replace(QLatin1Char('.'), locale().decimalPoint());
+    }
     return value() ? formNumber(shown(*value()), locale(), digits_) : QString();
 }
 

@@ -221,6 +221,10 @@ void JournalDialog::search() {
             cell->setToolTip(cells.at(column));
             table_->setItem(row, column, cell);
         }
+        if (job.verdict == otherBobWeight) {
+            table_->item(row, table_->columnCount() - 1)
+                ->setForeground(Theme::instance().warning());
+        }
     }
     if (table_->rowCount() > 0) {
         table_->setCurrentCell(0, 0);

@@ -51,8 +51,12 @@ QString anglesText(const std::vector<double>& angles) {
 
 MatchingSheet::MatchingSheet(
     SceneModel* model, std::function<Rules()> rules,
-    std::function<void(const QString&, const std::function<void(Rules&)>&)> edit, QWidget* parent)
-    : SheetForm(model, parent), rules_(std::move(rules)), edit_(std::move(edit)) {}
+    std::function<void(const QString&, const std::function<void(Rules&)>&)> edit,
+    std::function<bool()> isMoved, QWidget* parent)
+    : SheetForm(model, parent),
+      rules_(std::move(rules)),
+      edit_(std::move(edit)),
+      isMoved_(std::move(isMoved)) {}
 
 void MatchingSheet::addMoves(QGridLayout* grid, int row) {
     auto* title = new QLabel(tr("may go"), grid->parentWidget());
@@ -78,7 +82,16 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
         connect(box, &QComboBox::activated, this, [this, member, name = fieldName(field)](int at) {
             edit_(name, [&](Rules& rules) { rules.*member = static_cast<Moves>(at); });
         });
-        follow([this, box, member] { box->setCurrentIndex(static_cast<int>(rules_().*member)); });
+        const bool isSet = part == Part::piston || part == Part::rod_big_end;
+        follow([this, box, member, isSet, hint = shownText(field.hint)] {
+            box->setCurrentIndex(static_cast<int>(rules_().*member));
+            // By another rule the parts would not go back to where they were weighed.
+            const bool isFixed = !isSet && isMoved_();
+            box->setEnabled(!isFixed);
+            box->setToolTip(isFixed ? tr("Parts have been moved by this rule: press “As weighed” "
+                                         "to change it.")
+                                    : hint);
+        });
         grid->addWidget(box, row, static_cast<int>(part) + 1);
     };
     add(Part::piston, field::piston_moves, &Rules::pistons);
@@ -148,7 +161,8 @@ ResultTable* MatchingSheet::addTable(const QString& name,
     return table;
 }
 
-void MatchingSheet::addFindings(std::function<Findings()> findings, std::function<void()> move) {
+void MatchingSheet::addFindings(std::function<Findings()> findings, std::function<void()> move,
+                                std::function<void()> moveBack) {
     const Words words;
     auto* summary = new QLabel(this);
     summary->setObjectName(QStringLiteral("weigh_in_summary"));
@@ -162,15 +176,32 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
     found->addWidget(button, 0, Qt::AlignTop);
+    auto* back = new QPushButton(tr("As &weighed"), this);
+    back->setObjectName(QStringLiteral("move_back"));
+    back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
+    back->setMinimumHeight(Theme::withText(moveHeight));
+    connect(back, &QPushButton::clicked, this, std::move(moveBack));
+    found->addWidget(back, 0, Qt::AlignTop);
     columnOfSheet(this)->addLayout(found);
     ResultTable* effects =
         addTable(tr("What the placing makes of the differences"), matching_text::effectTips(words));
     ResultTable* assignment =
         addTable(tr("Which set goes to which cylinder"), matching_text::assignmentTips(words));
     ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"), {});
-    const auto show = [=, findings = std::move(findings)] {
+    const auto show = [=, this, findings = std::move(findings)] {
         const Findings now = findings();
         const Theme& theme = Theme::instance();
+        back->setVisible(isMoved_());
+        button->setEnabled(!now.isSearching);
+        for (ResultTable* table : {effects, assignment, takeOff}) {
+            table->setEnabled(!now.isSearching);
+        }
+        if (now.isSearching) {
+            // What was found before stays, in grey, until the new comes: nothing jumps.
+            summary->setText(tr("Looking for the best placing…"));
+            colourText(summary, theme.mutedText());
+            return;
+        }
         summary->setText(now.summary);
         colourText(summary, now.isAmber ? theme.warning() : theme.text());
         button->setVisible(now.canMove);

@@ -17,9 +17,10 @@ class MatchingSheet : public SheetForm {
   public:
     using Rules = workshop::MatchingRules;
 
+    /// @param isMoved  whether parts are elsewhere than they were weighed
     MatchingSheet(SceneModel* model, std::function<Rules()> rules,
                   std::function<void(const QString& name, const std::function<void(Rules&)>&)> edit,
-                  QWidget* parent = nullptr);
+                  std::function<bool()> isMoved, QWidget* parent = nullptr);
 
   protected:
     /// What is shown below the weights.
@@ -27,6 +28,7 @@ class MatchingSheet : public SheetForm {
         QString summary;
         bool isAmber = false;
         bool canMove = false;
+        bool isSearching = false;
         QVector<QStringList> effects;
         QVector<QStringList> assignment;
         QVector<QStringList> takeOff;
@@ -37,8 +39,9 @@ class MatchingSheet : public SheetForm {
     void addMoves(QGridLayout* grid, int row);
     /// What the parts are placed for, with what that needs.
     void addGoal(bool asksRadius);
-    /// What comes out, and the button that moves the weights on the sheet.
-    void addFindings(std::function<Findings()> findings, std::function<void()> move);
+    /// What comes out, and the buttons that move the weights on the sheet and back.
+    void addFindings(std::function<Findings()> findings, std::function<void()> move,
+                     std::function<void()> moveBack);
 
   private:
     void addAngles();
@@ -46,6 +49,7 @@ class MatchingSheet : public SheetForm {
 
     std::function<Rules()> rules_;
     std::function<void(const QString&, const std::function<void(Rules&)>&)> edit_;
+    std::function<bool()> isMoved_;
 };
 
 }  // namespace ravnoves

@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "text/message_text.h"
@@ -101,6 +102,22 @@ QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
         label->setVisible(!label->text().isEmpty());
     });
     return label;
+}
+
+void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void()> hold) {
+    auto* button = new QPushButton(tr("Readings &hold for this bob weight"), current());
+    button->setObjectName(QStringLiteral("readings_hold"));
+    button->setToolTip(tr("They were taken with the bob weight that there is now."));
+    button->setMinimumHeight(Theme::withText(fieldHeight));
+    current()->addWide(button);
+    connect(button, &QPushButton::clicked, this, std::move(hold));
+    QLabel* why = findChild<QLabel*>(QStringLiteral("other_bob_weight"));
+    follow([button, why, isAsked = std::move(isAsked)] {
+        button->setVisible(isAsked());
+        if (why != nullptr) {
+            colourText(why, Theme::instance().warning());
+        }
+    });
 }
 
 void SheetForm::finish() {

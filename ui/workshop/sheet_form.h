@@ -58,6 +58,8 @@ class SheetForm : public Form {
     void checked(const Field& description, CheckedText text);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
+    /// A button, seen while `isAsked`, that says that readings hold for the bob weight of now.
+    void addHoldButton(std::function<bool()> isAsked, std::function<void()> hold);
     /// Takes a field into the order.
     template <typename Widget>
     Widget* ordered(Widget* field) {

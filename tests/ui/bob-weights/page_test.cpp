@@ -31,6 +31,7 @@
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/job_desk.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 namespace {
@@ -52,7 +53,12 @@ class BobPageTest : public ::testing::Test {
         return test::named<Widget>(page, name);
     }
     QString label(const char* name) {
+        settle();
         return find<QLabel>(name)->text().replace(QChar(0x00A0), u' ');
+    }
+    /// A placing that is looked for is found.
+    void settle() {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !model->isSearching(); }));
     }
     /// As a person does: the sheet's tab, the field, its text, Enter.
     void type(const char* name, const QString& text) {
@@ -97,6 +103,7 @@ class BobPageTest : public ::testing::Test {
         type("diameters_mm", u"8 10 12.5; 16"_s);
     }
     int rowsOf(const char* accessibleName) {
+        settle();
         for (const ResultTable* table : page.findChildren<ResultTable*>()) {
             if (table->accessibleName() == QLatin1String(accessibleName)) {
                 return table->rowCount();
@@ -250,6 +257,17 @@ TEST_F(BobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
     EXPECT_EQ(off.at(0).at(2), u"1.0000"_s);
     EXPECT_TRUE(note.mean.startsWith(u"20.5000"_s)) << note.mean.toStdString();
     EXPECT_TRUE(note.spread.startsWith(u"1.0000"_s)) << note.spread.toStdString();
+    // In the cells the points stand below each other.
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    model->editWeights(u"Paste"_s, [](WeighIn& sheet) {
+        sheet[workshop::Part::piston].mass = {20.5 * units::ounce, 3.0625 * units::ounce};
+    });
+    BobWeightsPage inOunces(QString(), nullptr);
+    inOunces.model()->loadInput(model->inputJson(), {});
+    EXPECT_EQ(test::named<NumberField>(inOunces, "mass_piston_1")->text(), u"20.5000"_s);
+    EXPECT_EQ(test::named<NumberField>(inOunces, "mass_piston_2")->text(), u"3.0625"_s);
+    QSettings().clear();
+    Preferences::instance().load();
 }
 
 TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
@@ -261,7 +279,10 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
         type(("mass_rod_big_end_" + std::to_string(i + 1)).c_str(), QString::number(ends[i]));
     }
     EXPECT_EQ(rowsOf("What to take off each part to reach the lightest"), 2);
-    const auto placing = [&] { return model->solution().placing.value(); };
+    const auto placing = [&] {
+        settle();
+        return model->solution().placing.value();
+    };
     const std::vector<int> asItIs{0, 1, 2, 3, 4, 5, 6, 7};
     EXPECT_TRUE(placing().proven);
     EXPECT_NE(placing().pistons, asItIs);
@@ -318,6 +339,25 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(printed.contains(u"Rod set from"_s)) << qPrintable(printed);
     EXPECT_TRUE(printed.contains(u"Piston, take off"_s));
     EXPECT_TRUE(printed.contains(u"Assemble by the numbers"_s));
+    // What was weighed is still known, and comes back by a button.
+    auto* back = find<QPushButton>("move_back");
+    EXPECT_TRUE(back->isVisibleTo(&page));
+    EXPECT_FALSE(find<QComboBox>("moves_pins")->isEnabled()) << "the pins went with their pistons";
+    EXPECT_TRUE(find<QComboBox>("moves_rods")->isEnabled());
+    const auto effects = matching_text::effects(Words(), model->matchingShown().value());
+    EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.spread_before, units::gram, 2));
+    EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.spread, units::gram, 2));
+    QTest::mouseClick(back, Qt::LeftButton);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR(*(*model->input().weigh_in)[workshop::Part::rod_big_end].mass[i],
+                    ends[i] * units::gram, 1e-12);
+        EXPECT_NEAR(*(*model->input().weigh_in)[workshop::Part::piston].mass[i],
+                    pistons[i] * units::gram, 1e-12);
+    }
+    EXPECT_FALSE(back->isVisibleTo(&page));
+    EXPECT_TRUE(find<QComboBox>("moves_pins")->isEnabled());
+    model->history()->undo();
+    EXPECT_EQ(placing().moved, 0) << "moved again";
     // Kept by the case file, and by the next job but for the weights.
     const Input kept = model->input();
     const Json file = model->inputJson();
@@ -328,6 +368,154 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_EQ(model->input().weigh_in->matching, kept.weigh_in->matching);
     EXPECT_TRUE(model->input().weigh_in->is_empty());
     EXPECT_FALSE(model->input().weigh_in->is_moved());
+}
+
+TEST_F(BobPageTest, TheWindowDoesNotWaitForThePlacing) {
+    typeShopCard();
+    for (int i = 1; i <= 8; ++i) {
+        type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(580 + i * i % 11));
+        type(("mass_rod_big_end_" + std::to_string(i)).c_str(), QString::number(225 + i * i % 7));
+    }
+    auto* goal = find<QComboBox>("goal");
+    goal->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(goal, Qt::Key_End);
+    const QString before = label("weigh_in_summary");
+    const int rows = rowsOf("Which set goes to which cylinder");
+    QTest::keyClick(&page, Qt::Key_F2);
+    type("mass_piston_3", u"591.5"_s);
+    EXPECT_TRUE(model->isSearching());
+    EXPECT_EQ(find<QLabel>("weigh_in_summary")->text(), u"Looking for the best placing…"_s);
+    EXPECT_FALSE(find<QPushButton>("move_parts")->isEnabled());
+    for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+        if (table->accessibleName() == u"Which set goes to which cylinder"_s) {
+            EXPECT_EQ(table->rowCount(), rows) << "nothing jumps";
+            EXPECT_FALSE(table->isEnabled());
+        }
+    }
+    // The answer of the latest edit, and that of no other.
+    type("mass_piston_3", u"592.5"_s);
+    EXPECT_NE(label("weigh_in_summary"), before);
+    const Json said = model->resultJson().at("weigh_in").at("assignment");
+    EXPECT_EQ(
+        workshop::matched_json(*model->solution().placing, {}, {}).at("pistons_from_cylinder"),
+        said.at("pistons_from_cylinder"));
+    EXPECT_TRUE(find<QPushButton>("move_parts")->isEnabled());
+    // A job that is saved while it is looked for stays saved.
+    type("mass_piston_4", u"583.7"_s);
+    save();
+    EXPECT_TRUE(model->desk()->isJournaled());
+    settle();
+    EXPECT_TRUE(model->desk()->isJournaled());
+}
+
+TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
+    typeShopCard();
+    typeReadings();
+    auto* own = find<QCheckBox>("own_limit");
+    page.sheets()->setCurrentIndex(3);
+    own->setFocus();
+    QTest::keyClick(own, Qt::Key_Space);
+    type("g_mm", u"3000"_s);
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    EXPECT_FALSE(hold->isVisibleTo(&page));
+    type("piston", u"583.92"_s);
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s) << "no tenth of a gram";
+    type("piston", u"590"_s);
+    const QString why =
+        u"The readings were taken with another bob weight: 1505.2 g then, 1511.3 g "
+        u"now."_s;
+    EXPECT_EQ(label("verdict"), u"Before, measured: another bob weight."_s);
+    EXPECT_TRUE(isAmber("verdict"));
+    EXPECT_TRUE(label("troubles").startsWith(why)) << label("troubles").toStdString();
+    EXPECT_TRUE(label("other_bob_weight").startsWith(why));
+    EXPECT_FALSE(model->isDone());
+    EXPECT_TRUE(model->planeRows().last().contains(u"another bob weight"_s));
+    EXPECT_TRUE(card().contains(why.left(55)));
+    EXPECT_FALSE(card().contains(u"passes"_s));
+    EXPECT_NEAR(model->resultJson()["correction"]["read_with_bobweight_g"].get<double>(), 1505.2,
+                1e-9);
+    type("engine_number", u"53-1"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_EQ(jobs().at(0).verdict, u"other-bob-weight"_s);
+    EXPECT_EQ(verdictText(Words(), jobs().at(0).verdict), u"another bob weight"_s);
+    // The mass comes from the weigh-in sheet, too; and back with it all holds.
+    type("piston", u"583.9"_s);
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
+    type("cylinders", u"2"_s);
+    type("mass_piston_1", u"590"_s);
+    type("mass_piston_2", u"592"_s);
+    EXPECT_TRUE(isAmber("verdict"));
+    // A technician who knows better says so; or the machine reads anew.
+    page.sheets()->setCurrentIndex(3);
+    ASSERT_TRUE(hold->isVisibleTo(&page));
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
+    EXPECT_FALSE(hold->isVisibleTo(&page));
+    model->history()->undo();
+    EXPECT_TRUE(isAmber("verdict"));
+    type("run_1_unbalance_1", u"100"_s);
+    type("run_1_angle_1", u"10"_s);
+    type("run_1_unbalance_2", u"100"_s);
+    type("run_1_angle_2", u"20"_s);
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
+    // A case of before keeps no bob weight: the readings are of the one that it came with.
+    Json old = model->inputJson();
+    for (Json& reading : old["correction"]["readings"]) {
+        reading.erase("bobweight_g");
+    }
+    model->loadInput(old, {});
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
+    type("big_end", u"260"_s);
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: another bob weight."_s);
+}
+
+TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
+    typeShopCard();
+    type("position_1", u"60"_s);
+    type("unbalance_1", u"2600"_s);
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 4, Front plane: Radius is still needed. Of the rim that is drilled"_s))
+        << label("troubles").toStdString();
+    typeReadings();
+    type("diameters_mm", QString());
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 5, drills: Drills are still needed, in mm, one after the other: 8; 10; 12.5"_s))
+        << label("troubles").toStdString();
+    type("diameters_mm", u"8"_s);
+    type("maximum_depth_mm", QString());
+    EXPECT_TRUE(label("troubles").contains(u"Sheet 5, drills: Deepest hole is still needed."_s))
+        << label("troubles").toStdString();
+    type("maximum_depth_mm", u"20"_s);
+    type("grade_mm_s", u"6.3"_s);
+    EXPECT_TRUE(label("troubles").contains(u"Sheet 4, what may remain: "_s));
+    EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << label("troubles").toStdString();
+}
+
+TEST_F(BobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
+    type("cylinders", u"6"_s);
+    const auto asked = answer(u"OK"_s);
+    save();
+    EXPECT_TRUE(asked->startsWith(u"The sheet is empty: nothing is saved."_s))
+        << asked->toStdString();
+    EXPECT_TRUE(jobs().isEmpty());
+    type("cylinders", u"8"_s);
+    typeShopCard();
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_FALSE(jobs().at(0).isFinished) << "nobody could find it";
+    type("crankshaft_number", u"77"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    type("piston", QString());
+    save();
+    EXPECT_FALSE(jobs().at(0).isFinished) << "there is no answer any more";
 }
 
 TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
@@ -447,6 +635,7 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
 
 TEST_F(BobPageTest, ARefusedEntryMakesTheAnswerStale) {
     typeShopCard();
+    type("engine_number", u"53"_s);
     type("piston", u"58x"_s);
     EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
     EXPECT_TRUE(isAmber("headline"));

@@ -340,6 +340,8 @@ TEST_F(JobCardTest, OnePageWithLongTextsAndAllSheets) {
               language == u"ru"_s ? u"7,77 !"_s : u"7.77 !"_s}) {
             EXPECT_TRUE(text.contains(end)) << qPrintable(end) << " in " << qPrintable(text);
         }
+        // What there is no room for is named.
+        EXPECT_TRUE(language == u"ru"_s || text.contains(u"What to take off does not fit here"_s));
     }
     compare(input, u"en"_s);
 }

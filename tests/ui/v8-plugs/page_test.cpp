@@ -70,7 +70,14 @@ class V8PageTest : public ::testing::Test {
         return test::named<Widget>(page, name);
     }
     NumberField* field(const char* name) { return find<NumberField>(name); }
-    QString label(const char* name) { return find<QLabel>(name)->text(); }
+    QString label(const char* name) {
+        settle();
+        return find<QLabel>(name)->text();
+    }
+    /// A placing that is looked for is found.
+    void settle() {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !model->isSearching(); }));
+    }
 
     /// Types as a person does: goes to the field, types over what is there, presses Enter.
     void type(QWidget* target, const QString& text) {
@@ -312,6 +319,7 @@ TEST_F(V8PageTest, EmptiedFieldTakesTheNextDigitsAlone) {
 }
 
 TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
+    type("engine_number", u"53"_s);
     NumberField* mass = field("steel_plug_mass_g");
     type(mass, u"-5"_s);
     EXPECT_EQ(QApplication::focusWidget(), mass);  // Enter does not pass it over
@@ -494,6 +502,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     for (int i = 1; i <= 8; ++i) {
         type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i % 4 * 2));
     }
+    settle();
     ASSERT_TRUE(model->solution().assignment);
     std::vector<int> wanted;
     for (const int from : model->solution().assignment->pistons) {
@@ -525,6 +534,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     move->setFocus();
     QTest::keyClick(move, Qt::Key_Space);
     // The weights have moved; the numbers say where the parts came from, on sheet and card.
+    settle();
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_EQ(printed(), said());
     EXPECT_EQ(model->assignmentRows(), table);
@@ -535,6 +545,16 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     model->loadDefault();
     model->loadInput(file, {});
     EXPECT_EQ(model->input().weigh_in, kept.weigh_in);
+    auto* back = find<QPushButton>("move_back");
+    page.sheets()->setCurrentIndex(2);
+    ASSERT_TRUE(back->isVisible());
+    back->setFocus();
+    QTest::keyClick(back, Qt::Key_Space);
+    for (std::size_t i = 1; i <= 8; ++i) {
+        EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[i - 1],
+                    (600 + static_cast<double>(i % 4) * 2) * gram, 1e-12);
+    }
+    EXPECT_FALSE(model->input().weigh_in->is_moved());
 }
 
 TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
@@ -555,13 +575,17 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     };
     choose("moves_pistons", Qt::Key_End);
     choose("goal", Qt::Key_End);
-    const auto placing = [&] { return model->solution().assignment.value(); };
+    const auto placing = [&] {
+        settle();
+        return model->solution().assignment.value();
+    };
     EXPECT_EQ(placing().pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"needs the cylinder spacing"_s))
         << qPrintable(label("weigh_in_summary"));
     type("cylinder_spacing_mm", u"110"_s);
+    settle();
     EXPECT_EQ(model->effectRows().size(), 4);
     EXPECT_EQ(model->history()->undoText(), u"Cylinder spacing"_s);
     const Json matching = model->inputJson().at("weigh_in").at("matching");
@@ -693,6 +717,44 @@ TEST_F(V8PageTest, ReadingsAreJudgedByTheToleranceAloneAndBothLimitsAreExplained
     V8PlugsModel picture({});
     EXPECT_EQ(picture.input().tolerance, default_tolerance);
     QSettings().remove(u"workshop/tolerance_g_mm"_s);
+}
+
+TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
+    type("rod_big_end", u"1"_s);
+    ASSERT_TRUE(model->solution().hung());
+    type("front_reading_g_mm", u"4"_s);
+    type("rear_reading_g_mm", u"3"_s);
+    EXPECT_EQ(model->planeRows().at(0).constLast(), u"✓ passes"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    EXPECT_FALSE(hold->isVisible());
+    const double then = *model->solution().hung();
+    type("rod_big_end", u"2.5"_s);
+    ASSERT_GT(std::abs(*model->solution().hung() - then), 0.1 * gram);
+    EXPECT_EQ(model->planeRows().at(0).constLast(), u"another bob weight"_s);
+    const QString why = u"The readings were taken with another bob weight: "_s;
+    EXPECT_TRUE(label("troubles").contains(why)) << qPrintable(label("troubles"));
+    type("engine_number", u"1"_s);
+    press(Qt::Key_F2);
+    EXPECT_EQ(model->desk()->journal()->job(model->desk()->jobId())->verdict,
+              u"other-bob-weight"_s);
+    const QString file = QDir(folder.path()).filePath(u"other.pdf"_s);
+    EXPECT_EQ(page.writeCard(file), QString());
+    QProcess reader;
+    reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+    EXPECT_TRUE(reader.waitForFinished());
+    const QString printed = QString::fromUtf8(reader.readAllStandardOutput());
+    EXPECT_TRUE(printed.contains(u"taken with another bob weight"_s)) << qPrintable(printed);
+    // One plane read again is not both.
+    type("front_reading_g_mm", u"4.5"_s);
+    EXPECT_TRUE(label("troubles").contains(why));
+    type("rear_reading_g_mm", u"3.5"_s);
+    EXPECT_FALSE(label("troubles").contains(why));
+    model->history()->undo();
+    page.sheets()->setCurrentIndex(4);
+    ASSERT_TRUE(hold->isVisible());
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_FALSE(hold->isVisible());
+    EXPECT_EQ(model->planeRows().at(1).constLast(), u"✓ passes"_s);
 }
 
 TEST_F(V8PageTest, MassesInKilogramsAreNoticed) {
@@ -867,6 +929,7 @@ TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     V8PlugsModel tomorrow(model->desk()->journal()->path());
     EXPECT_EQ(tomorrow.input().job.technician, "O. Bauer");
     type("engine_number", u"done"_s);
+    type("rod_big_end", u"0"_s);
     press(Qt::Key_F2);
     QStringList found;
     whenModal<JournalDialog>([&](JournalDialog* dialog) {
@@ -1042,10 +1105,12 @@ TEST_F(V8PageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
     QSignalSpy status(&page, &ScenePage::status);
     press(Qt::Key_F2);
     ASSERT_EQ(status.count(), 1);
-    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"saved in the journal. Still needed:"_s));
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(
+        u"put aside in the journal, unfinished. Still needed:"_s));
     const auto job = model->desk()->journal()->job(model->desk()->jobId());
     ASSERT_TRUE(job);
     EXPECT_FALSE(job->unbalancedMass);
+    EXPECT_FALSE(job->isFinished);
     EXPECT_TRUE(job->recommended.isEmpty());
 }
 

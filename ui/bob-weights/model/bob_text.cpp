@@ -123,6 +123,11 @@ QString verdict(const Words& words, const Result& result) {
     if (!measured) {
         return {};
     }
+    if (result.read_with) {
+        return words.translate("BobWeights", "%1, measured: %2.")
+            .arg(runName(words, result.runs.size() - 1),
+                 verdictText(words, ravnoves::otherBobWeight));
+    }
     QString said = words.translate("BobWeights", "%1, measured: %2.")
                        .arg(runName(words, result.runs.size() - 1),
                             verdictText(words, verdictWord(measured, std::nullopt)));
@@ -132,6 +137,12 @@ QString verdict(const Words& words, const Result& result) {
                                        .arg(verdictText(words, verdictWord(after, std::nullopt)));
     }
     return said;
+}
+
+QString otherBobWeight(const Words& words, const Result& result) {
+    return result.read_with
+               ? otherBobWeightText(words, *result.read_with, result.bob_weight.value_or(0.0))
+               : QString();
 }
 
 QStringList doubts(const Words& words, const Result& result) {
@@ -236,12 +247,15 @@ std::optional<matching_text::Shown> matchingShown(const Input& input, const Resu
     if (!input.weigh_in || !result.placing) {
         return std::nullopt;
     }
-    return matching_text::Shown{*result.placing,
-                                crank_of(input),
-                                input.weigh_in->matching.crank_radius,
-                                service_speed(input),
-                                input.weigh_in->piston_sets,
-                                input.weigh_in->rod_sets};
+    matching_text::Shown shown{*result.placing,
+                               crank_of(input),
+                               input.weigh_in->matching.crank_radius,
+                               service_speed(input),
+                               input.weigh_in->piston_sets,
+                               input.weigh_in->rod_sets};
+    matching_text::takeAsWeighed(
+        shown, matching_task(input, result.factor + input.factor.overbalance), *input.weigh_in);
+    return shown;
 }
 
 QString balance(const Words& words, Balance balance) {
@@ -292,8 +306,10 @@ QVector<QStringList> runs(const Words& words, const Result& result) {
                                 QStringLiteral(" ∠ ") + degreesOf(words, (*planes)[i].angle)
                           : noNumber;
         };
+        const bool isOther = result.read_with && run + 1 == result.runs.size();
         const QString verdict =
-            verdictText(words, verdictWord(result.runs[run].passes(), std::nullopt));
+            verdictText(words, isOther ? ravnoves::otherBobWeight
+                                       : verdictWord(result.runs[run].passes(), std::nullopt));
         rows << QStringList{runName(words, run), cell(0), cell(1),
                             verdict.isEmpty() ? noNumber : verdict};
     }
@@ -316,8 +332,9 @@ QVector<QStringList> planes(const Words& words, const Result& result) {
     }
     for (std::size_t i = 0; i < 2; ++i) {
         const PlaneResult& plane = (*result.correction)[i];
-        const QString verdict =
-            verdictText(words, verdictWord(plane.measured_within, plane.within_tolerance));
+        const QString verdict = verdictText(
+            words, result.read_with ? ravnoves::otherBobWeight
+                                    : verdictWord(plane.measured_within, plane.within_tolerance));
         rows << QStringList{planeName(words, i),
                             unbalanceOf(words, plane.unbalance),
                             degreesOf(words, plane.angle),

@@ -15,6 +15,7 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
+#include "workshop/model/placing_search.h"
 #include "workshop/model/verdict.h"
 #include "workshop/weigh_in.h"
 
@@ -30,6 +31,7 @@ void forgetReadings(Input& input) {
         for (Reading& reading : input.correction->readings) {
             reading.unbalance.reset();
             reading.angle.reset();
+            reading.bob_weight.reset();
         }
         input.correction->earlier_runs.clear();
     }
@@ -68,8 +70,11 @@ Json BobWeightsScene::write(const Input& input) {
     return write_input(input);
 }
 
-Result BobWeightsScene::solve(const Input& input) {
-    Result result = bob_weights::solve(input);
+Result BobWeightsScene::solve(const Input& input) const {
+    Result result = placing == nullptr ? bob_weights::solve(input)
+                                       : bob_weights::solve(input, [this](const auto& search) {
+                                             return placing->find(search);
+                                         });
     try {
         check_bob_weight(input);
     } catch (const InputError&) {
@@ -85,7 +90,13 @@ Result BobWeightsScene::solve(const Input& input) {
 template class CaseModel<BobWeightsScene>;
 
 BobWeightsModel::BobWeightsModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath, deskScene()) {}
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
+      placing_(new PlacingSearch(this)),
+      desk_(this, journalPath, deskScene()) {
+    scene().placing = placing_;
+    connect(placing_, &PlacingSearch::found, this,
+            [this] { desk_.withoutChange([this] { solveAgain(); }); });
+}
 
 Json BobWeightsModel::resultJson() const {
     try {
@@ -104,6 +115,38 @@ bool BobWeightsModel::setViewOption(const QString& key, const QString& value) {
 }
 
 // ------------------------------------------------------------------------------------- changes
+
+void BobWeightsModel::taken() {
+    if (isLoading_) {
+        isLoading_ = false;
+        bobWeightAsLoaded_ = solution().bob_weight;
+    }
+}
+
+QString BobWeightsModel::edit(const QString& name, const std::function<void(Input&)>& mutate,
+                              const QString& title) {
+    return CaseModel::edit(
+        name,
+        [&](Input& input) {
+            // Before the bob weight changes.
+            if (bobWeightAsLoaded_ && input.correction) {
+                for (Reading& reading : input.correction->readings) {
+                    if (reading.unbalance && !reading.bob_weight) {
+                        reading.bob_weight = bobWeightAsLoaded_;
+                    }
+                }
+            }
+            mutate(input);
+        },
+        title);
+}
+
+QString BobWeightsModel::editField(const std::string& pointer, const FieldValue& value,
+                                   const QString& name) {
+    return edit(name, [&](Input& input) {
+        RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
+    });
+}
 
 QString BobWeightsModel::chooseType(int type) {
     return edit(fieldName(field::type), [type](Input& input) {
@@ -232,6 +275,8 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
         auto& earlier = correction.earlier_runs;
         const auto set = [&](auto& reading) {
             (isAngle ? reading.angle : reading.unbalance) = value;
+            reading.bob_weight =
+                reading.unbalance || reading.angle ? solution().bob_weight : std::nullopt;
         };
         if (run < earlier.size()) {
             set(earlier[run].readings[plane]);
@@ -243,9 +288,9 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
             }
             EarlierRun& last = earlier.emplace_back();
             for (std::size_t i = 0; i < 2; ++i) {
-                last.readings[i] = {correction.readings[i].unbalance, correction.readings[i].angle};
-                correction.readings[i].unbalance.reset();
-                correction.readings[i].angle.reset();
+                Reading& newest = correction.readings[i];
+                last.readings[i] = {newest.unbalance, newest.angle, newest.bob_weight};
+                newest = {newest.position, {}, {}, {}};
             }
         }
         set(correction.readings[plane]);
@@ -254,12 +299,25 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
                          [](const Reading& reading) { return reading.unbalance || reading.angle; });
         if (isEmpty && !earlier.empty()) {
             for (std::size_t i = 0; i < 2; ++i) {
-                correction.readings[i].unbalance = earlier.back().readings[i].unbalance;
-                correction.readings[i].angle = earlier.back().readings[i].angle;
+                const EarlierReading& before = earlier.back().readings[i];
+                correction.readings[i] = {correction.readings[i].position, before.unbalance,
+                                          before.angle, before.bob_weight};
             }
             earlier.pop_back();
         }
     });
+}
+
+void BobWeightsModel::confirmReadings() {
+    editCorrection(tr("Readings hold"), [this](Correction& correction) {
+        for (Reading& reading : correction.readings) {
+            reading.bob_weight = solution().bob_weight;
+        }
+    });
+}
+
+QString BobWeightsModel::otherBobWeightText() const {
+    return bob_text::otherBobWeight(Words(), solution());
 }
 
 BobWeightsModel::ColumnNote BobWeightsModel::columnNote(workshop::Part part) const {
@@ -285,6 +343,14 @@ std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
 QVector<QStringList> BobWeightsModel::takeOffRows() const {
     return input().weigh_in ? matching_text::takeOff(Words(), masses_of(*input().weigh_in))
                             : QVector<QStringList>();
+}
+
+bool BobWeightsModel::isSearching() const {
+    return placing_->isSearching();
+}
+
+void BobWeightsModel::moveBack() {
+    editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
 }
 
 void BobWeightsModel::moveParts() {
@@ -370,6 +436,10 @@ QString BobWeightsModel::shownError(const InputError& error) const {
             .arg(bob_text::runName(Words(), run), bob_text::planeName(Words(), plane),
                  fieldName(field));
     }
+    if (error.found().empty() && (place.value(1) == QLatin1String("correction") ||
+                                  place.value(1) == QLatin1String("tolerance"))) {
+        return missingText(error.where());
+    }
     if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
         for (const Word& word : workshop::part_words) {
             if (place[2] == QLatin1String(word.word.data())) {
@@ -380,6 +450,33 @@ QString BobWeightsModel::shownError(const InputError& error) const {
         }
     }
     return explain(error);
+}
+
+/// Where something is missing, and what is to be typed there.
+QString BobWeightsModel::missingText(const std::string& where) const {
+    const QString pointer = QString::fromStdString(where);
+    const auto is = [&](const char* list) { return pointer.contains(QLatin1String(list)); };
+    const QString sheet = is("/planes/0/") ? tr("Sheet 4, %1").arg(bob_text::planeName(Words(), 0))
+                          : is("/planes/1/")
+                              ? tr("Sheet 4, %1").arg(bob_text::planeName(Words(), 1))
+                          : is("/tolerance/") ? tr("Sheet 4, what may remain")
+                          : is("/slug/")      ? tr("Sheet 5, heavy metal")
+                                              : tr("Sheet 5, drills");
+    for (const auto& entries : {fields(), describedFields()}) {
+        for (const FieldEntry& entry : entries) {
+            if ("/input" + entry.pointer != where) {
+                continue;
+            }
+            const QString name = fieldName(entry.field);
+            return entry.field.key == field::diameters.key
+                       ? tr("%1: %2 are still needed, in %3, one after the other: %4")
+                             .arg(sheet, name, shownUnit(units::mm).name,
+                                  writeDrills({8, 10, 12.5}))
+                       : tr("%1: %2 is still needed. %3")
+                             .arg(sheet, name, shownText(entry.field.hint));
+        }
+    }
+    return {};
 }
 
 QString BobWeightsModel::headline() const {
@@ -428,12 +525,14 @@ QStringList BobWeightsModel::troubles() const {
             list << shownError(error);
         }
     }
+    list << otherBobWeightText();
+    list.removeAll(QString());
     return list + doubts() + bob_text::warnings(Words(), input(), solution()) +
            bob_text::shortfalls(Words(), solution());
 }
 
 bool BobWeightsModel::isDone() const {
-    return solution().correction &&
+    return solution().correction && !solution().read_with &&
            std::all_of(solution().correction->begin(), solution().correction->end(),
                        [](const PlaneResult& plane) { return plane.reason.empty(); });
 }
@@ -530,8 +629,21 @@ ResultTips BobWeightsModel::holeTips() {
 JobDesk::Scene BobWeightsModel::deskScene() {
     return {[this] { return journalEntry(); },
             [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-            [this] { return solution().bob_weight.has_value(); },
+            [this] { return hasNumbers(); },
             [this] { return solution().bob_weight ? QString() : headline(); }};
+}
+
+bool BobWeightsModel::hasNumbers() const {
+    const auto parts = part_fields();
+    const bool isTyped = std::any_of(parts.begin(), parts.end(), [&](const PartField& part) {
+        return (input().parts.*part.member).has_value();
+    });
+    const bool isWeighed = input().weigh_in && !input().weigh_in->is_empty();
+    const bool isRead =
+        input().correction &&
+        std::any_of(input().correction->readings.begin(), input().correction->readings.end(),
+                    [](const Reading& reading) { return reading.unbalance || reading.angle; });
+    return isTyped || isWeighed || isRead;
 }
 
 JournalJob BobWeightsModel::journalEntry() const {
@@ -555,7 +667,9 @@ JournalJob BobWeightsModel::journalEntry() const {
         job.rearReading = reading(1);
     }
     if (!solution().runs.empty()) {
-        job.verdict = verdictWord(solution().runs.back().passes(), solution().passes_after());
+        job.verdict = solution().read_with
+                          ? otherBobWeight
+                          : verdictWord(solution().runs.back().passes(), solution().passes_after());
     }
     return job;
 }
@@ -572,6 +686,7 @@ void BobWeightsModel::takeJob(const CaseFile& file, bool isCopy) {
     editText(QString::fromStdString(file.title),
              isCopy ? QString() : QString::fromStdString(file.notes));
     // Undo must not bring another job's values under this job's number.
+    isLoading_ = true;
     restart(next);
     if (!isCopy) {
         setVariants(variantsOf(file));

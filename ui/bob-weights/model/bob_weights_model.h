@@ -13,6 +13,7 @@
 namespace ravnoves {
 
 class InputError;
+class PlacingSearch;
 
 /// What CaseModel knows of the scene.
 struct BobWeightsScene {
@@ -24,9 +25,10 @@ struct BobWeightsScene {
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named by the model.
     /// Where engine or factor contradict themselves there is no answer.
-    static Solved solve(const Input& input);
+    Solved solve(const Input& input) const;
 
     bool dated;  ///< a new job is of today
+    PlacingSearch* placing = nullptr;
 };
 
 /// The state of the page of bob weights: the job on the sheet, what follows from it, its history
@@ -46,6 +48,11 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     const bob_weights::Result& solution() const { return solved(); }
     /// Why engine and factor give no answer; empty where they do, or where something is missing.
     QString contradiction() const;
+
+    QString edit(const QString& name, const std::function<void(bob_weights::Input&)>& mutate,
+                 const QString& title = {});
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override;
 
     // --------------------------------------------------------------------- beyond single fields
     /// Chooses the type, with as many rods on a bob weight as are usual for it.
@@ -80,14 +87,22 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
         QString spread;
         bool counts = true;
     };
+    /// The newest readings hold for the bob weight that there is now.
+    void confirmReadings();
+    /// What is wrong with readings of another bob weight; empty where nothing.
+    QString otherBobWeightText() const;
     ColumnNote columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
     /// Which sets to move; nothing where no column is weighed whole.
     std::optional<matching_text::Shown> matchingShown() const;
     QVector<QStringList> takeOffRows() const;
+    /// True while the best placing is still looked for.
+    bool isSearching() const;
     /// The weights change places as the placing says.
     void moveParts();
+    /// The weights go back to where they were weighed.
+    void moveBack();
     /// The drills at hand as one types them, "8 10 12.5" in the unit of lengths, in mm; nothing
     /// where they cannot be read.
     static std::optional<std::vector<double>> readDrills(const QString& typed);
@@ -133,12 +148,22 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     void sheetChosen(int sheet);
 
   private:
-    void aboutToLoad() override { desk_.forgetJob(); }
+    void aboutToLoad() override {
+        desk_.forgetJob();
+        isLoading_ = true;
+    }
+    void taken() override;
     QString shownError(const InputError& error) const;
+    QString missingText(const std::string& where) const;
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
+    bool hasNumbers() const;
     void takeJob(const CaseFile& file, bool isCopy);
 
+    PlacingSearch* placing_;
+    bool isLoading_ = false;
+    /// Of readings that do not say it: that of the case as it came.
+    std::optional<double> bobWeightAsLoaded_;
     JobDesk desk_;
 };
 

@@ -165,6 +165,8 @@ constexpr std::pair<const char*, const char*> words[]{
      QT_TRANSLATE_NOOP("ravnoves::ResultWords", "least radius of the profile")},
     {"range", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "range")},
     {"reaction_torque", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "reaction torque")},
+    {"read_with_bobweight",
+     QT_TRANSLATE_NOOP("ravnoves::ResultWords", "bob weight at the readings")},
     {"reciprocating", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "reciprocating")},
     {"reciprocating_mass", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "reciprocating mass")},
     {"reduction", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "lightening of a plug")},

@@ -14,6 +14,7 @@
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
+#include "workshop/model/placing_search.h"
 
 namespace ravnoves {
 
@@ -114,10 +115,22 @@ Json V8PlugsScene::write(const Input& input) {
     return write_input(input);
 }
 
+Result V8PlugsScene::solve(const Input& input) const {
+    return placing == nullptr
+               ? v8_plugs::solve(input, input.changes_known())
+               : v8_plugs::solve(input, input.changes_known(),
+                                 [this](const auto& search) { return placing->find(search); });
+}
+
 template class CaseModel<V8PlugsScene>;
 
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath, deskScene()) {
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
+      placing_(new PlacingSearch(this)),
+      desk_(this, journalPath, deskScene()) {
+    scene().placing = placing_;
+    connect(placing_, &PlacingSearch::found, this,
+            [this] { desk_.withoutChange([this] { solveAgain(); }); });
     connect(&desk_, &JobDesk::journalOpened, this, &V8PlugsModel::reloadEngines);
 }
 
@@ -135,6 +148,76 @@ bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
     }
     Q_EMIT sheetChosen(oneOf(key, value, {"job", "engine", "weigh-in", "plug", "machine"}));
     return true;
+}
+
+void V8PlugsModel::taken() {
+    if (isLoading_) {
+        isLoading_ = false;
+        bobWeightAsLoaded_ = solution().hung();
+    }
+}
+
+QString V8PlugsModel::edit(const QString& name, const std::function<void(Input&)>& mutate,
+                           const QString& title) {
+    return CaseModel::edit(
+        name,
+        [&](Input& input) {
+            if (bobWeightAsLoaded_ && input.balancing) {  // before the bob weight changes
+                BalancingSheet& machine = *input.balancing;
+                if (machine.front_reading && !machine.front_bob_weight) {
+                    machine.front_bob_weight = bobWeightAsLoaded_;
+                }
+                if (machine.rear_reading && !machine.rear_bob_weight) {
+                    machine.rear_bob_weight = bobWeightAsLoaded_;
+                }
+            }
+            mutate(input);
+        },
+        title);
+}
+
+QString V8PlugsModel::editField(const std::string& pointer, const FieldValue& value,
+                                const QString& name) {
+    return edit(name, [&](Input& input) {
+        RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
+        if (pointer == "/balancing/front_reading_g_mm") {
+            input.balancing->front_bob_weight =
+                input.balancing->front_reading ? solution().hung() : std::nullopt;
+        } else if (pointer == "/balancing/rear_reading_g_mm") {
+            input.balancing->rear_bob_weight =
+                input.balancing->rear_reading ? solution().hung() : std::nullopt;
+        }
+    });
+}
+
+void V8PlugsModel::confirmReadings() {
+    edit(tr("Readings hold"), [this](Input& input) {
+        if (input.balancing) {
+            BalancingSheet& machine = *input.balancing;
+            machine.front_bob_weight = machine.front_reading ? solution().hung() : std::nullopt;
+            machine.rear_bob_weight = machine.rear_reading ? solution().hung() : std::nullopt;
+        }
+    });
+}
+
+QString V8PlugsModel::otherBobWeightText() const {
+    return v8_text::otherBobWeight(words_, solution());
+}
+
+bool V8PlugsModel::isSearching() const {
+    return placing_->isSearching();
+}
+
+void V8PlugsModel::moveParts() {
+    if (const auto assignment = solution().assignment) {
+        edit(tr("Move parts"), [&](Input& input) {
+            input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
+        });
+    }
+}
+
+void V8PlugsModel::moveBack() {
+    editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
 }
 
 QString V8PlugsModel::editWeights(const QString& name,
@@ -169,6 +252,8 @@ void V8PlugsModel::newJob() {
     if (next.balancing) {
         next.balancing->front_reading.reset();
         next.balancing->rear_reading.reset();
+        next.balancing->front_bob_weight.reset();
+        next.balancing->rear_bob_weight.reset();
     }
     next.job.technician = input().job.technician;
     desk_.beginJob([&] {

@@ -13,6 +13,8 @@
 
 namespace ravnoves {
 
+class PlacingSearch;
+
 /// What CaseModel knows of the scene.
 struct V8PlugsScene {
     using Input = v8_plugs::Input;
@@ -22,11 +24,10 @@ struct V8PlugsScene {
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
-    static Solved solve(const Input& input) {
-        return v8_plugs::solve(input, input.changes_known());
-    }
+    Solved solve(const Input& input) const;
 
     bool dated;  ///< a new job is of today
+    PlacingSearch* placing = nullptr;
 };
 
 /// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
@@ -47,6 +48,11 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const v8_plugs::Result& solution() const { return solved(); }
+
+    QString edit(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate,
+                 const QString& title = {});
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override;
 
     /// Changes the weights. They count from the first on, until the user says otherwise; where none
     /// is left, what was typed counts again.
@@ -121,6 +127,15 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// What the placing makes of spread, force and couple.
     QVector<QStringList> effectRows() const;
     QVector<QStringList> takeOffRows() const;
+    /// True while the best placing is still looked for.
+    bool isSearching() const;
+    void moveParts();
+    /// The weights go back to where they were weighed.
+    void moveBack();
+    /// The readings hold for the bob weight that there is now.
+    void confirmReadings();
+    /// What is wrong with readings of another bob weight; empty where nothing.
+    QString otherBobWeightText() const;
     QStringList crankpinColumns() const;
     QVector<QStringList> crankpinRows() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.
@@ -149,7 +164,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     void aboutToLoad() override {
         carried_.reset();
         desk_.forgetJob();
+        isLoading_ = true;
     }
+    void taken() override;
+    bool hasNumbers() const;
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     void takeJob(const CaseFile& file, bool isCopy);
@@ -158,6 +176,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     Words words_;
     QList<JournalEngine> ownEngines_;
     std::optional<v8_plugs::Input> carried_;  ///< what newJob() began with
+    PlacingSearch* placing_;
+    bool isLoading_ = false;
+    /// Of readings that do not say it: that of the case as it came.
+    std::optional<double> bobWeightAsLoaded_;
     JobDesk desk_;
 };
 

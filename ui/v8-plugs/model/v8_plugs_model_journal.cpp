@@ -6,6 +6,7 @@
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/scene.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 
@@ -19,8 +20,15 @@ using units::gram_mm;
 JobDesk::Scene V8PlugsModel::deskScene() {
     return {[this] { return journalEntry(); },
             [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-            [this] { return input().changes_known(); },
+            [this] { return hasNumbers(); },
             [this] { return solution().advice ? QString() : adviceText(); }};
+}
+
+bool V8PlugsModel::hasNumbers() const {
+    const auto& machine = input().balancing;
+    return input().changes_known() || input().has_typed_changes() ||
+           (input().weigh_in && !input().weigh_in->is_empty()) ||
+           (machine && (machine->front_reading || machine->rear_reading));
 }
 
 JournalJob V8PlugsModel::journalEntry() const {
@@ -58,7 +66,9 @@ JournalJob V8PlugsModel::journalEntry() const {
         job.frontReading = grams(input().balancing->front_reading);
         job.rearReading = grams(input().balancing->rear_reading);
     }
-    if (const auto passes = solution().passes()) {
+    if (solution().read_with) {
+        job.verdict = otherBobWeight;
+    } else if (const auto passes = solution().passes()) {
         job.verdict = *passes ? QStringLiteral("passes") : QStringLiteral("fails");
     }
     return job;
@@ -74,12 +84,15 @@ void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
         if (next.balancing) {
             next.balancing->front_reading.reset();
             next.balancing->rear_reading.reset();
+            next.balancing->front_bob_weight.reset();
+            next.balancing->rear_bob_weight.reset();
         }
     }
     editText(QString::fromStdString(file.title),
              isCopy ? QString() : QString::fromStdString(file.notes));
     carried_.reset();
     // Undo must not bring another job's values under this job's number.
+    isLoading_ = true;
     restart(next);
     if (!isCopy) {
         setVariants(variantsOf(file));

@@ -4,6 +4,7 @@
 
 #include "text/number_text.h"
 #include "v8-plugs/model/v8_names.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves::v8_text {
 
@@ -204,6 +205,7 @@ QStringList massTroubles(const Words& words, const Input& input) {
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
     list << massTroubles(words, input);
+    list << otherBobWeight(words, solution);
     list << shiftWarning(words, input, solution);
     list.removeAll(QString());
     if (input.plug) {
@@ -215,6 +217,12 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
         list << spreadTroubles(words, *input.weigh_in);
     }
     return list;
+}
+
+QString otherBobWeight(const Words& words, const Result& solution) {
+    return solution.read_with
+               ? otherBobWeightText(words, *solution.read_with, solution.hung().value_or(0.0))
+               : QString();
 }
 
 QString shiftWarning(const Words& words, const Input& input, const Result& solution) {
@@ -280,21 +288,13 @@ QStringList bobWeightCells(const Words& words, const Result& solution,
     return cells;
 }
 
-namespace {
-/// What is to be hung on a crankpin; where nothing is to be done, what it is before.
-double weightAfter(const Result& solution) {
-    const BobWeight* after = bobWeightAfter(solution);
-    return (after != nullptr ? *after : *solution.before).sum();
-}
-}  // namespace
-
 QString hang(const Words& words, const Result& solution) {
     if (!solution.before) {
         return {};
     }
     return (works(solution) ? words.translate("V8", "Hang %1 on each crankpin.")
                             : words.translate("V8", "Bob weight with the nearest option: %1."))
-        .arg(grams(words, weightAfter(solution), 1));
+        .arg(grams(words, solution.hung().value(), 1));
 }
 
 QString plugsWhileHung(const Words& words, const Result& solution) {
@@ -356,7 +356,7 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
     if (!solution.nominal || !solution.before) {
         return {};
     }
-    const double difference = weightAfter(solution) - solution.nominal->sum();
+    const double difference = solution.hung().value() - solution.nominal->sum();
     // Rounding of the sum, not a difference.
     if (std::abs(difference) < 1e-9 * solution.nominal->sum()) {
         return solution.shift_that_matters() != nullptr
@@ -373,12 +373,17 @@ std::optional<matching_text::Shown> matchingShown(const Input& input, const Resu
         !solution.assigned_excess) {
         return std::nullopt;
     }
-    return matching_text::Shown{*solution.assignment,
-                                crank_of(*input.weigh_in),
-                                input.engine.crank_radius,
-                                input.balancing ? input.balancing->service_speed : std::nullopt,
-                                input.weigh_in->piston_sets,
-                                input.weigh_in->rod_sets};
+    matching_text::Shown shown{*solution.assignment,
+                               crank_of(*input.weigh_in),
+                               input.engine.crank_radius,
+                               input.balancing ? input.balancing->service_speed : std::nullopt,
+                               input.weigh_in->piston_sets,
+                               input.weigh_in->rod_sets};
+    matching_text::takeAsWeighed(
+        shown,
+        matching_task(*input.weigh_in, input.process, input.engine.rod_coefficient.value_or(0.0)),
+        *input.weigh_in);
+    return shown;
 }
 
 }  // namespace ravnoves::v8_text

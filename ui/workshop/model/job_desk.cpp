@@ -24,6 +24,12 @@ constexpr int endPatience = 2000;   // of what is not written yet when the progr
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
 
+/// Whether somebody could find the job again.
+bool isNamed(const JournalJob& job) {
+    return !job.engineNumber.isEmpty() || !job.crankshaftNumber.isEmpty() ||
+           !job.customer.isEmpty();
+}
+
 }  // namespace
 
 JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
@@ -38,6 +44,9 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     draftTimer_.setInterval(draftDelay);
     connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::keepDraft);
     connect(model_, &SceneModel::changed, this, [this] {
+        if (isFollowing_) {
+            return;
+        }
         draftStale_ = true;
         isJournaled_ = false;
         // Not restarted by further changes: the first waits no longer than the delay.
@@ -55,6 +64,12 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
             writer_->discardDraft(journal_->session());
         }
     });
+}
+
+void JobDesk::withoutChange(const std::function<void()>& follow) {
+    isFollowing_ = true;
+    follow();
+    isFollowing_ = false;
 }
 
 JobDesk::~JobDesk() {
@@ -193,7 +208,7 @@ void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
         told(false, tr("The job is still being saved."));
         return;
     }
-    if (jobId_ == 0 && !model_->hasChanges() && !scene_.isWorthKeeping()) {
+    if (jobId_ == 0 && !isNamed(scene_.entry()) && !scene_.hasNumbers()) {
         told(false,
              tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing());
         return;
@@ -207,7 +222,7 @@ void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
     job.id = jobId_;
     job.revision = jobRevision_;
     job.scene = model_->sceneName();
-    job.isFinished = isFinished;
+    job.isFinished = isFinished && isNamed(job) && scene_.missing().isEmpty();
     job.form = formText();
     draftTimer_.stop();
     saving_ = true;
@@ -260,8 +275,12 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
             ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
         : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
                          : tr("Job %1 put aside in the journal, unfinished.").arg(number);
-    const QString missing = scene_.missing();
-    return missing.isEmpty() ? done : done + QLatin1Char(' ') + missing;
+    QStringList said{done, scene_.missing()};
+    if (!isNamed(job)) {
+        said << tr("A number of engine or crankshaft, or a customer, is needed to find it again.");
+    }
+    said.removeAll(QString());
+    return said.join(QLatin1Char(' '));
 }
 
 QString JobDesk::saveJob(bool* ok, bool isFinished) {

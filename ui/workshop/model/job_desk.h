@@ -27,8 +27,8 @@ class JobDesk : public QObject {
         /// notes and readings are new then. Nothing has changed where it throws.
         /// @throws InputError
         std::function<void(const CaseFile& file, bool isCopy)> take;
-        /// False while there is nothing on the sheet that could be kept.
-        std::function<bool()> isWorthKeeping;
+        /// False while no weight and no reading of the job is on the sheet.
+        std::function<bool()> hasNumbers;
         /// What the answer still lacks, as a sentence; empty where it lacks nothing.
         std::function<QString()> missing;
     };
@@ -63,9 +63,10 @@ class JobDesk : public QObject {
     bool isJournaled() const { return isJournaled_; }
     /// How a save ended, with a sentence for the status bar.
     using SaveTold = std::function<void(bool saved, const QString& text)>;
-    /// Saves the job as it stands on the sheet, finished or to go on with another day. It is told
-    /// before this returns, or later where the journal is slow: what is typed meanwhile stays a
-    /// change that is not saved.
+    /// Saves the job as it stands on the sheet, finished or to go on with another day. One without
+    /// an answer, or by which nobody could find it again, is not finished; one without anything is
+    /// not saved. It is told before this returns, or later where the journal is slow: what is typed
+    /// meanwhile stays a change that is not saved.
     void saveJob(bool isFinished, const SaveTold& told);
     /// The same, and waits for it. @return the sentence; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
@@ -76,6 +77,9 @@ class JobDesk : public QObject {
     QString openJob(qint64 id) { return takeJob(id, false); }
     /// Its values as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
+
+    /// The model follows what was found without a change of what is on the sheet.
+    void withoutChange(const std::function<void()>& follow);
 
     /// Begins to write the draft now if something is not in it yet.
     void keepDraft();
@@ -126,6 +130,7 @@ class JobDesk : public QObject {
     bool isJournaled_ = false;
     bool saving_ = false;
     int sheet_ = 0;  // counts the jobs that came onto the sheet
+    bool isFollowing_ = false;
 };
 
 }  // namespace ravnoves

@@ -20,9 +20,14 @@ QString forceOf(const Words& words, const Shown& shown, double force) {
                               : gramsOf(words, force);
 }
 
+/// The couple likewise, as a mass at the crank radius times a distance.
 QString coupleOf(const Words& words, const Shown& shown, double couple) {
-    return shown.crank_radius ? words.number(couple * *shown.crank_radius, units::gram_mm2, 0)
-                              : words.number(couple, units::gram_mm, 1);
+    if (shown.crank_radius) {
+        return words.number(couple * *shown.crank_radius, units::gram_mm2, 0);
+    }
+    // No unbalance, so not in the unit chosen for those.
+    return words.digits(couple / units::mm, units::gram, 1) + QStringLiteral(" ") +
+           words.unit(units::gram) + QStringLiteral(" × ") + words.unit(units::mm);
 }
 
 /// What the numbers in newtons are times.
@@ -36,7 +41,7 @@ std::optional<double> newtonsPerMass(const Shown& shown) {
 
 QString summary(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
-    const bool isMoved = !shown.piston_sets.empty() || !shown.rod_sets.empty();
+    const bool isMoved = shown.is_moved();
     const QString before = gramsOf(words, matched.spread_before);
     if (matched.moved == 0 && isMoved) {
         return words
@@ -44,7 +49,7 @@ QString summary(const Words& words, const Shown& shown) {
                 "V8", "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
             .arg(before);
     }
-    if (matched.moved == 0 && matched.remark.empty()) {
+    if (matched.moved == 0 && matched.remark.empty() && matched.proven) {
         return words
             .translate("V8", "The parts are placed as well as can be: the crankpins differ by %1.")
             .arg(before);
@@ -52,6 +57,13 @@ QString summary(const Words& words, const Shown& shown) {
     if (matched.moved == 0) {
         return words.translate("Matching", "The parts stay: the crankpins differ by %1.")
             .arg(before);
+    }
+    if (isMoved) {
+        return words
+            .translate(
+                "Matching",
+                "Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.")
+            .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
     }
     return words
         .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
@@ -66,7 +78,7 @@ QStringList remarks(const Words& words, const Shown& shown) {
     }
     const bool byShaking = matched.goal == MatchingGoal::least_shaking;
     if (!matched.proven) {
-        list << (matched.goal == MatchingGoal::fewest_moves
+        list << (matched.goal == MatchingGoal::fewest_moves && matched.remark.empty()
                      ? words.translate("Matching",
                                        "Too many placings to try all: fewer moves may "
                                        "be enough.")
@@ -93,7 +105,8 @@ QStringList remarks(const Words& words, const Shown& shown) {
 }
 
 QString felt(const Words& words, const Shown& shown) {
-    const auto& before = shown.matched.shaking_before;
+    const auto& before =
+        shown.shaking_as_weighed ? shown.shaking_as_weighed : shown.matched.shaking_before;
     const auto& after = shown.matched.shaking;
     if (!before || !after) {
         return {};
@@ -116,13 +129,14 @@ QStringList effectHead(const Words& words) {
 
 QVector<QStringList> effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
-    QVector<QStringList> rows{{words.translate("Matching", "Crankpins, spread"),
-                               gramsOf(words, matched.spread_before),
-                               gramsOf(words, matched.spread)}};
+    QVector<QStringList> rows{
+        {words.translate("Matching", "Crankpins, spread"),
+         gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
+         gramsOf(words, matched.spread)}};
     if (!matched.shaking_before || !matched.shaking) {
         return rows;
     }
-    const Shaking& before = *matched.shaking_before;
+    const Shaking before = shown.shaking_as_weighed.value_or(*matched.shaking_before);
     const Shaking& after = *matched.shaking;
     const auto newtons = newtonsPerMass(shown);
     const QString speed =
@@ -137,9 +151,10 @@ QVector<QStringList> effects(const Words& words, const Shown& shown) {
                             words.number(after.force * *newtons, units::newton, 2)};
     }
     if (matched.spacing_known) {
-        rows << QStringList{words.translate("Matching", "Couple"),
-                            coupleOf(words, shown, before.couple),
-                            coupleOf(words, shown, after.couple)};
+        rows << QStringList{
+            shown.crank_radius ? words.translate("Matching", "Couple")
+                               : words.translate("Matching", "Couple, as mass at the crank radius"),
+            coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)};
         if (newtons) {
             rows << QStringList{words.translate("Matching", "Couple at %1").arg(speed),
                                 words.number(before.couple * *newtons, units::N_m, 3),

@@ -18,7 +18,24 @@ struct Shown {
     std::optional<double> speed;         ///< rad/s
     workshop::SetNumbers piston_sets;    ///< as they are on the sheet
     workshop::SetNumbers rod_sets;
+    /// Of the parts where they were weighed, once they have been moved.
+    std::optional<double> spread_as_weighed = {};  ///< kg
+    std::optional<workshop::Shaking> shaking_as_weighed = {};
+
+    bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
 };
+
+/// Says what the parts make where they were weighed, if they are elsewhere now.
+template <typename Masses>
+void takeAsWeighed(Shown& shown, const workshop::MatchingTask& task,
+                   const workshop::WeighIn<Masses>& sheet) {
+    if (sheet.is_moved()) {
+        const auto from =
+            workshop::to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
+        shown.spread_as_weighed = workshop::crankpin_spread(task, sheet.matching, from);
+        shown.shaking_as_weighed = workshop::shaking_of(task, sheet.matching, from);
+    }
+}
 
 /// Which sets to move, in words.
 QString summary(const Words& words, const Shown& shown);
@@ -27,7 +44,7 @@ QStringList remarks(const Words& words, const Shown& shown);
 /// What the engine feels before and after in a line; empty where that is not known.
 QString felt(const Words& words, const Shown& shown);
 
-/// What is gained: a quantity, as it is, placed so.
+/// What is gained: a quantity, as weighed, placed so.
 QStringList effectHead(const Words& words);
 QVector<QStringList> effects(const Words& words, const Shown& shown);
 ResultTips effectTips(const Words& words);

@@ -14,6 +14,16 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
                         : QStringLiteral("fails-then-fails");
 }
 
+const QString otherBobWeight = QStringLiteral("other-bob-weight");
+
+QString otherBobWeightText(const Words& words, double then, double now) {
+    return words
+        .translate("BobWeights",
+                   "The readings were taken with another bob weight: %1 then, %2 now. Take them "
+                   "again, or say on the sheet of the machine that they hold.")
+        .arg(words.number(then, units::gram, 1), words.number(now, units::gram, 1));
+}
+
 QString verdictText(const Words& words, const QString& verdict) {
     const QString passes = words.translate("BobWeights", "passes");
     const QString fails = words.translate("BobWeights", "fails");
@@ -22,7 +32,8 @@ QString verdictText(const Words& words, const QString& verdict) {
            : verdict == QLatin1String("fails")             ? fails
            : verdict == QLatin1String("fails-then-passes") ? fails + then + passes
            : verdict == QLatin1String("fails-then-fails")  ? fails + then + fails
-                                                           : QString();
+           : verdict == otherBobWeight ? words.translate("BobWeights", "another bob weight")
+                                       : QString();
 }
 
 }  // namespace ravnoves
