@@ -35,11 +35,17 @@ template <typename Scene>
 void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context, bool isExample) {
     Input input = readInput(file.input, file.kept, context);
     const QString title = QString::fromStdString(file.title);
-    const bool isNamed =
-        isExample || (title == scene_.defaultTitle() && input == scene_.defaultInput());
-    load(openName(), {input, title, QString::fromStdString(file.notes),
-                      isNamed ? nameOf(title, input) : nullptr, context.directory, variantsOf(file),
-                      file.study.is_null() ? std::string() : file.study.dump()});
+    std::shared_ptr<const Named> named = isExample ? nameOf(title, input) : nullptr;
+    if (!named && title == scene_.defaultTitle()) {
+        // The preset's, which its file has as the user's own would be.
+        bool isPreset = input == scene_.defaultInput();
+        if constexpr (requires { scene_.isSameEngine(input, input); }) {
+            isPreset = isPreset || scene_.isSameEngine(input, scene_.defaultInput());
+        }
+        named = isPreset ? defaultName() : nullptr;
+    }
+    load(openName(), {input, title, QString::fromStdString(file.notes), named, context.directory,
+                      variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
 }
 
 template <typename Scene>

@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QPainter>
 #include <utility>
 
@@ -19,6 +20,11 @@ void PlotView::drawChart(QPainter& painter) {
     layoutChart();
     const auto cursor = std::exchange(data_.cursorX, std::nullopt);
     const auto point = std::exchange(data_.pointRead, std::nullopt);
+    // A present value that goes where the cursor goes is the mouse's, too.
+    const auto present = data_.presentX;
+    if (isSignalConnected(QMetaMethod::fromSignal(&PlotView::cursorMoved))) {
+        data_.presentX.reset();
+    }
     painter.fillRect(QRectF(rect()), Theme::instance().panel());
     painter_->paintAxes(painter);
     paintGround(painter);
@@ -27,6 +33,7 @@ void PlotView::drawChart(QPainter& painter) {
     paintTop(painter);
     data_.cursorX = cursor;
     data_.pointRead = point;
+    data_.presentX = present;
     pictureStale_ = true;
 }
 

@@ -431,19 +431,56 @@ void ResultTable::setColumns(const QStringList& headings) {
     fitColumns();
 }
 
+namespace {
+
+/// The width of heading and texts of a column, as far as one asks.
+int widestText(const QTableWidget& table, int column, int enough) {
+    constexpr int padding = 12;
+    const QFontMetrics cells(table.font());
+    const QHeaderView& header = *table.horizontalHeader();
+    const QTableWidgetItem* heading =
+        header.isHidden() ? nullptr : table.horizontalHeaderItem(column);
+    int width = heading == nullptr
+                    ? 0
+                    : QFontMetrics(header.font()).horizontalAdvance(heading->text()) + padding;
+    for (int row = 0; row < table.rowCount() && width < enough; ++row) {
+        if (const QTableWidgetItem* cell = table.item(row, column)) {
+            width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
+        }
+    }
+    return std::min(width, enough);
+}
+
+/// What a column of words insists on.
+int leastOfWords(const QTableWidget& table, int column) {
+    const int most = Theme::withText(110);
+    return std::clamp(widestText(table, column, most), Theme::withText(30), most);
+}
+
+}  // namespace
+
 void ResultTable::fitColumns() {
-    // Columns only ever grow, so that they rest while a slider moves.
     const QFontMetrics headings(horizontalHeader()->font());
-    for (int column = 1; column < columnCount(); ++column) {
+    QList<std::pair<int, int>> needed;  // column, width
+    int sum = 0;
+    for (int column = 0; column < columnCount(); ++column) {
         if (stretched_.contains(column)) {
-            continue;
+            sum += isOver_ ? leastOfWords(*this, column) : 0;
+        } else if (column > 0) {
+            int width =
+                headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + cellPadding;
+            for (int row = 0; row < rowCount(); ++row) {
+                width = std::max(width, widthOf(row, column, place_));
+            }
+            needed << std::pair(column, width);
+            sum += width;
         }
-        int width = columnWidth(column) * (fitted_ ? 1 : 0);
-        width = std::max(
-            width, headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + cellPadding);
-        for (int row = 0; row < rowCount(); ++row) {
-            width = std::max(width, widthOf(row, column, place_));
-        }
+    }
+    // Columns only ever grow, so that they rest while a slider moves; but for a value that was too
+    // large once, as a slip of the keys makes it, they do not scroll for ever.
+    const bool grows = fitted_ && !(isOver_ && sum <= viewport()->width());
+    for (const auto& [column, least] : needed) {
+        const int width = std::max(least, grows ? columnWidth(column) : 0);
         if (width != columnWidth(column)) {
             setColumnWidth(column, width);
         }
@@ -458,33 +495,14 @@ void ResultTable::stretchColumn(int column) {
 }
 
 void ResultTable::fitStretched() {
-    constexpr int most = 110;  // designed pixels that words insist on
-    constexpr int padding = 12;
-    const QFontMetrics cells(font());
     int wanted = 0;
     QList<int> least;
-    const auto widest = [&](int column, int enough) {
-        const QTableWidgetItem* heading =
-            horizontalHeader()->isHidden() ? nullptr : horizontalHeaderItem(column);
-        int width =
-            heading == nullptr
-                ? 0
-                : QFontMetrics(horizontalHeader()->font()).horizontalAdvance(heading->text()) +
-                      padding;
-        for (int row = 0; row < rowCount() && width < enough; ++row) {
-            if (const QTableWidgetItem* cell = item(row, column)) {
-                width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
-            }
-        }
-        return std::min(width, enough);
-    };
     for (int column = 0; column < columnCount(); ++column) {
         if (!stretched_.contains(column)) {
             wanted += columnWidth(column);
             continue;
         }
-        least << std::clamp(widest(column, Theme::withText(most)), Theme::withText(30),
-                            Theme::withText(most));
+        least << leastOfWords(*this, column);
         wanted += least.last();
     }
     const bool over = wanted > viewport()->width();
@@ -499,7 +517,7 @@ void ResultTable::fitStretched() {
     }
     if (over && !least.isEmpty()) {
         // What scrolls anyway has room for names that begin alike.
-        least.first() = std::max(least.first(), widest(0, 2 * viewport()->width() / 5));
+        least.first() = std::max(least.first(), widestText(*this, 0, 2 * viewport()->width() / 5));
     }
     for (int i = 0; over && i < stretched_.size(); ++i) {
         if (columnWidth(stretched_[i]) != least[i]) {

@@ -148,6 +148,13 @@ TEST_F(PlotExportTest, NothingOfTheMouseIsInAnyPicture) {
     plot.exportTo(file("after.svg"));
     EXPECT_EQ(contents(file("before.svg")), contents(file("after.svg")));
     EXPECT_EQ(plot.dataAsCsv(), lines);
+    // Nor the line that goes with it, which a value of its own keeps.
+    plot.setPresentX(90.0);
+    EXPECT_NE(drawn(), before);
+    QObject::connect(&plot, &PlotView::cursorMoved, &plot,
+                     [this](double x) { plot.setPresentX(x); });
+    EXPECT_EQ(drawn(), before);
+    plot.setPresentX(std::nullopt);
     // On the screen it is still there.
     const QImage shown = plot.grab().toImage();
     plot.setCursorX(std::nullopt);

@@ -254,6 +254,15 @@ TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {
     ASSERT_EQ(window.openCase(caseWithTable("a")), QString());
     ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
+    // That of a preset goes with its engine, from the file, too, wherever the shaft stands.
+    ASSERT_TRUE(window.newCase(QStringLiteral("balance-shaft")));
+    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
+    typed = QStringList{file("preset.case.json")};
+    press(Qt::Key_S);
+    ASSERT_EQ(window.documents().current().document->reload(), QString());
+    EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D"));
+    ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
+    EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D (changed)"));
 }
 
 TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {

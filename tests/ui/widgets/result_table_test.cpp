@@ -64,6 +64,19 @@ TEST(WideResultTable, NamesThatBeginAlikeAreToldApart) {
     EXPECT_FALSE(table.wordWrap());
 }
 
+TEST(WideResultTable, ASlipOfTheKeysLeavesNoScrollBar) {
+    ResultTable table;
+    table.setColumns({u"N·m"_s, u"Mup"_s, u"Ms"_s, u"change"_s});
+    const auto isTooWide = [&](const QString& value) {
+        table.setRows({{u"range"_s, value, value, value}});
+        return table.horizontalHeader()->length() > table.viewport()->width();
+    };
+    test::showAt(table, {330, 120});
+    EXPECT_FALSE(isTooWide(u"1208.0"_s));
+    EXPECT_TRUE(isTooWide(u"1234567890123456789012345.0"_s));
+    EXPECT_FALSE(isTooWide(u"1208.0"_s));
+}
+
 TEST_F(ResultTableTest, EveryCellSaysWhatItIs) {
     test::showAt(table, {600, 120});
     show(u"2.5"_s);
