@@ -64,7 +64,7 @@ QString dayTrouble(const QString& text) {
 JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent)
     : QDialog(parent), journal_(journal), scene_(scene), listed_(std::move(listed)) {
     setWindowTitle(tr("Journal of jobs"));
-    resizeWithText(this, 1000, 560);
+    resizeWithText(this, 1120, 560);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
 
