@@ -104,7 +104,9 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     if (!correction) {
         return;
     }
-    drawHoles(painter, rim);
+    if (!model_->solution().read_with) {
+        drawHoles(painter, rim);
+    }
     drawVectors(painter, rim);
 }
 

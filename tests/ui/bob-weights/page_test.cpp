@@ -430,6 +430,7 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_TRUE(label("troubles").startsWith(why)) << label("troubles").toStdString();
     EXPECT_TRUE(label("other_bob_weight").startsWith(why));
     EXPECT_FALSE(model->isDone());
+    EXPECT_TRUE(model->holeRows().isEmpty()) << "nothing is to be drilled";
     EXPECT_TRUE(model->planeRows().last().contains(u"another bob weight"_s));
     EXPECT_TRUE(card().contains(why.left(55)));
     EXPECT_FALSE(card().contains(u"passes"_s));

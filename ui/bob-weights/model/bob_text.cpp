@@ -354,7 +354,8 @@ QStringList holeHead(const Words& words) {
 
 QVector<QStringList> holes(const Words& words, const Result& result, std::size_t plane) {
     QVector<QStringList> rows;
-    if (!result.correction) {
+    // Nothing is drilled by readings that may not hold.
+    if (!result.correction || result.read_with) {
         return rows;
     }
     const auto add = [&](const Hole& hole, const QString& work, double sign) {
