@@ -261,6 +261,10 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
         const double angle = table.crank_angle_deg[i] * degree;
         table.torque[i] += check.entered * unit_torque(lambda, offset, angle) -
                            *check.fitted * unit_torque(check.fitted_lambda, offset, angle);
+        // What the sines leave at their zeros is no torque.
+        if (std::abs(table.torque[i]) < 1e-12 * std::max(std::abs(check.entered), *check.fitted)) {
+            table.torque[i] = 0.0;
+        }
     }
     table.torque.back() = table.torque.front();
     changed.torque.kind = TorqueSource::Kind::table;
