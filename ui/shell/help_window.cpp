@@ -94,6 +94,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     list_->setObjectName(QStringLiteral("help-list"));
     list_->setAccessibleName(tr("Pages of the help"));
     list_->setWordWrap(true);
+    list_->setTextElideMode(Qt::ElideNone);  // a title that wraps is read whole
     list_->setSpacing(2);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_ = new HelpText(halves);
