@@ -280,6 +280,22 @@
         <source>fails</source>
         <translation>не годен</translation>
     </message>
+    <message>
+        <source>Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).</source>
+        <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (в 19 случаях из 20).</translation>
+    </message>
+    <message>
+        <source>That is enough for what may remain in a plane with a crank radius up to %1.</source>
+        <translation>Этого достаточно для допустимого остатка в плоскости при радиусе кривошипа до %1.</translation>
+    </message>
+    <message>
+        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
+        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
+    </message>
+    <message>
+        <source>another bob weight</source>
+        <translation>другой груз</translation>
+    </message>
 </context>
 <context>
     <name>JobCard</name>
@@ -534,6 +550,10 @@
     <message>
         <source>Not up to date, for these entries are refused: %1</source>
         <translation>Не по листу: отвергнуты значения: %1</translation>
+    </message>
+    <message>
+        <source>What to take off does not fit here: see sheet 3.</source>
+        <translation>Сколько снять, здесь не помещается: см. лист 3.</translation>
     </message>
 </context>
 <context>
@@ -1001,6 +1021,14 @@
         <source>Take off, %1</source>
         <translation>Снять, %1</translation>
     </message>
+    <message>
+        <source>Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.</source>
+        <translation>Шатунные шейки различаются на %1 как стоят сейчас и на %2, если переставить ещё комплектов: %3.</translation>
+    </message>
+    <message>
+        <source>Couple, as mass at the crank radius</source>
+        <translation>Момент, как масса на радиусе кривошипа</translation>
+    </message>
 </context>
 <context>
     <name>V8</name>
@@ -1337,14 +1365,6 @@
     <message>
         <source>must be a plug that can exist: %1</source>
         <translation>такой пробки быть не может: %1</translation>
-    </message>
-    <message>
-        <source>1 and 5, 2 and 6, … (bank by bank)</source>
-        <translation>1 и 5, 2 и 6, … (по рядам)</translation>
-    </message>
-    <message>
-        <source>1 and 2, 3 and 4, …</source>
-        <translation>1 и 2, 3 и 4, …</translation>
     </message>
     <message>
         <source>&amp;Engine</source>
@@ -1845,6 +1865,26 @@
     <message>
         <source>That is too coarse for the tolerance of %1: take a scale that shows %2.</source>
         <translation>Для допуска %1 это слишком грубо: возьмите весы, которые показывают %2.</translation>
+    </message>
+    <message>
+        <source>1+5, 2+6, 3+7, 4+8</source>
+        <translation>1+5, 2+6, 3+7, 4+8</translation>
+    </message>
+    <message>
+        <source>1+2, 3+4, 5+6, 7+8</source>
+        <translation>1+2, 3+4, 5+6, 7+8</translation>
+    </message>
+    <message>
+        <source>Bob weight then, front</source>
+        <translation>Балансировочный груз при этом, спереди</translation>
+    </message>
+    <message>
+        <source>That hung on each crankpin when the machine read; readings hold for it alone.</source>
+        <translation>Висел на каждой шатунной шейке при измерении; показания верны только для него.</translation>
+    </message>
+    <message>
+        <source>Bob weight then, rear</source>
+        <translation>Балансировочный груз при этом, сзади</translation>
     </message>
 </context>
 <context>
@@ -3748,6 +3788,14 @@
         <source>To the full diameter: the cone of the drill&apos;s point lies beyond it.</source>
         <translation>До полного диаметра: конус сверла лежит глубже.</translation>
     </message>
+    <message>
+        <source>Bob weight then</source>
+        <translation>Балансировочный груз при этом</translation>
+    </message>
+    <message>
+        <source>That hung on each crankpin when the machine read; readings hold for it alone.</source>
+        <translation>Висел на каждой шатунной шейке при измерении; показания верны только для него.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4258,6 +4306,10 @@
     <message>
         <source>no value</source>
         <translation>нет значения</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>требует больше памяти, чем есть</translation>
     </message>
 </context>
 <context>
@@ -5859,6 +5911,10 @@
     <message>
         <source>no force</source>
         <translation>без силы</translation>
+    </message>
+    <message>
+        <source>No placing brings the crankpins within %1 of one another: they are made as equal as can be. Take off what the heavier parts have too much.</source>
+        <translation>Никакая расстановка не сводит шатунные шейки в пределы %1: они уравнены, насколько возможно. Снимите лишнее с более тяжёлых деталей.</translation>
     </message>
 </context>
 <context>
@@ -8224,6 +8280,29 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::BandProgress</name>
+    <message>
+        <source>Bands</source>
+        <translation>Полосы</translation>
+    </message>
+    <message>
+        <source>Bands: progress</source>
+        <translation>Полосы: ход расчёта</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Стоп</translation>
+    </message>
+    <message>
+        <source>Stop the bands</source>
+        <translation>Остановить расчёт полос</translation>
+    </message>
+    <message>
+        <source>The bands stay as they are until something changes</source>
+        <translation>Полосы останутся как есть, пока что-нибудь не изменится</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::BobAnswer</name>
     <message>
         <source>Bob weight, line by line</source>
@@ -8450,6 +8529,38 @@ but nothing can be built</source>
     <message>
         <source>To the full diameter; the cone of the drill&apos;s point lies beyond</source>
         <translation>До полного диаметра; конус сверла лежит глубже</translation>
+    </message>
+    <message>
+        <source>Readings hold</source>
+        <translation>Показания верны</translation>
+    </message>
+    <message>
+        <source>Parts as weighed</source>
+        <translation>Детали как взвешены</translation>
+    </message>
+    <message>
+        <source>Sheet 4, %1</source>
+        <translation>Лист 4, %1</translation>
+    </message>
+    <message>
+        <source>Sheet 4, what may remain</source>
+        <translation>Лист 4, что может остаться</translation>
+    </message>
+    <message>
+        <source>Sheet 5, heavy metal</source>
+        <translation>Лист 5, тяжёлый металл</translation>
+    </message>
+    <message>
+        <source>Sheet 5, drills</source>
+        <translation>Лист 5, свёрла</translation>
+    </message>
+    <message>
+        <source>%1: %2 are still needed, in %3, one after the other: %4</source>
+        <translation>%1: ещё нужно: %2, в %3, одно за другим: %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is still needed. %3</source>
+        <translation>%1: ещё нужно: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -10616,6 +10727,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Mz left</source>
         <translation>Mz остаток</translation>
     </message>
+    <message>
+        <source>Orders 1, 2</source>
+        <translation>Порядки 1, 2</translation>
+    </message>
+    <message>
+        <source>Moments of orders 1 and 2 over two turns</source>
+        <translation>Моменты 1-го и 2-го порядков за два оборота</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -11072,6 +11191,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The job&apos;s sheet cannot be read: %1</source>
         <translation>Лист работы не читается: %1</translation>
     </message>
+    <message>
+        <source>The job is still being saved.</source>
+        <translation>Работа ещё сохраняется.</translation>
+    </message>
+    <message>
+        <source>A number of engine or crankshaft, or a customer, is needed to find it again.</source>
+        <translation>Чтобы найти её потом, нужен номер двигателя или коленвала либо заказчик.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::JobSheet</name>
@@ -11209,6 +11336,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1 is no backup of a journal.</source>
         <translation>%1 — не резервная копия журнала.</translation>
+    </message>
+    <message>
+        <source>another program is writing to the journal</source>
+        <translation>в журнал пишет другая программа</translation>
     </message>
 </context>
 <context>
@@ -11355,6 +11486,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::JournalWriter</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Для этого не хватает памяти.</translation>
     </message>
 </context>
 <context>
@@ -11656,6 +11794,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>What to take off each part to reach the lightest</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
+    </message>
+    <message>
+        <source>Parts have been moved by this rule: press “As weighed” to change it.</source>
+        <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
+    </message>
+    <message>
+        <source>As &amp;weighed</source>
+        <translation>Как &amp;взвешено</translation>
+    </message>
+    <message>
+        <source>The weights go back to the cylinders that they were weighed in.</source>
+        <translation>Массы возвращаются к цилиндрам, в которых их взвесили.</translation>
+    </message>
+    <message>
+        <source>Looking for the best placing…</source>
+        <translation>Ищется лучшая расстановка…</translation>
     </message>
 </context>
 <context>
@@ -12429,10 +12583,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Show what the tolerances do</source>
         <translation>Показать действие допусков</translation>
     </message>
-    <message>
-        <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
-        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::PlugSizesSheet</name>
@@ -13001,16 +13151,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>При α, наилучшем для исходных данных как есть, %1°, — %2.</translation>
     </message>
     <message>
-        <source>The robust α cannot be built: the shaft has no room there.</source>
-        <translation>Надёжный α неосуществим: валу там нет места.</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
-    </message>
-    <message>
-        <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them, by slopes alone.</source>
-        <translation>Полосы вокруг кривых и ± у чисел результатов идут от 5 % до 95 % того, что с ними делают эти допуски, по одним наклонам.</translation>
     </message>
     <message>
         <source>Nothing could be computed.</source>
@@ -13023,6 +13165,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Refused: %1 × %2</source>
         <translation>Отклонено: %1 × %2</translation>
+    </message>
+    <message>
+        <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them.</source>
+        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5 % до 95 % того, что с ними делают допуски.</translation>
     </message>
 </context>
 <context>
@@ -13042,10 +13188,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Present value less that of the reference %1</source>
         <translation>Нынешнее значение минус значение эталона %1</translation>
-    </message>
-    <message>
-        <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
-        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
     </message>
 </context>
 <context>
@@ -13770,6 +13912,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>order %1</source>
         <translation>порядок %1</translation>
     </message>
+    <message>
+        <source>bob weight at the readings</source>
+        <translation>балансировочный груз при измерении</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RobustModel</name>
@@ -13778,20 +13924,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Сначала задайте входу допуск.</translation>
     </message>
     <message>
-        <source>No angle is better than another, or too few samples are solved.</source>
-        <translation>Ни один угол не лучше другого, или решено слишком мало выборок.</translation>
-    </message>
-    <message>
         <source>Robust best α</source>
         <translation>Надёжный лучший α</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::RobustView</name>
-    <message>
-        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are.</source>
-        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший для исходных данных как есть.</translation>
-    </message>
     <message>
         <source>Robust best α</source>
         <translation>Надёжный лучший α</translation>
@@ -13845,10 +13983,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
     </message>
     <message>
-        <source>The robust α cannot be built: the shaft has no room there.</source>
-        <translation>Надёжный α неосуществим: валу там нет места.</translation>
-    </message>
-    <message>
         <source>Samples: %1</source>
         <translation>Выборка: %1</translation>
     </message>
@@ -13859,6 +13993,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Run</source>
         <translation>Запустить</translation>
+    </message>
+    <message>
+        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are. Both of the angles that can be built.</source>
+        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший для исходных данных как есть. Оба — среди углов, которые можно построить.</translation>
     </message>
 </context>
 <context>
@@ -14725,6 +14863,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Not up to date, for these entries are refused: %1</source>
         <translation>Не по листу: отвергнуты значения: %1</translation>
     </message>
+    <message>
+        <source>Readings &amp;hold for this bob weight</source>
+        <translation>Показания &amp;верны для этого груза</translation>
+    </message>
+    <message>
+        <source>They were taken with the bob weight that there is now.</source>
+        <translation>Они сняты с тем грузом, который указан сейчас.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShiftPlot</name>
@@ -15115,6 +15261,25 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The clipboard holds no numbers.</source>
         <translation>В буфере обмена нет чисел.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ToleranceBands</name>
+    <message>
+        <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
+        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
+    </message>
+    <message>
+        <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
+        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
+    </message>
+    <message>
+        <source>Where the tolerances let the curves lie: of %1 samples 5 % are below the band and 5 % above it</source>
+        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5 % ниже полосы и 5 % выше</translation>
+    </message>
+    <message>
+        <source>What the tolerances make of it: the range from 5 % to 95 % of %1 samples</source>
+        <translation>Что делают с ним допуски: диапазон от 5 % до 95 % из %1 проб</translation>
     </message>
 </context>
 <context>
@@ -15810,6 +15975,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>After the compensation</source>
         <translation>После компенсации</translation>
     </message>
+    <message>
+        <source>Readings hold</source>
+        <translation>Показания верны</translation>
+    </message>
+    <message>
+        <source>Move parts</source>
+        <translation>Перестановка деталей</translation>
+    </message>
+    <message>
+        <source>Parts as weighed</source>
+        <translation>Детали как взвешены</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsPage</name>
@@ -16083,10 +16260,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>to nominal, g</source>
         <translation>к номиналу, г</translation>
     </message>
-    <message>
-        <source>Move parts</source>
-        <translation>Перестановка деталей</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::WeighInTable</name>
@@ -16308,6 +16481,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The job of %1 in the journal is for another engine than the sheet.</source>
         <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
     </message>
+    <message>
+        <source>The job is still being saved.</source>
+        <translation>Работа ещё сохраняется.</translation>
+    </message>
 </context>
 <context>
     <name>studies</name>
@@ -16470,6 +16647,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The samples are too few for the sensitivities of %1: standard errors up to %2.</source>
         <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
+    </message>
+    <message>
+        <source>No angle can be built: %1</source>
+        <translation>Ни один угол нельзя построить: %1</translation>
+    </message>
+    <message>
+        <source>Too few samples can be solved: %1 of %2.</source>
+        <translation>Решается слишком мало проб: %1 из %2.</translation>
+    </message>
+    <message>
+        <source>No angle is better than another.</source>
+        <translation>Ни один угол не лучше другого.</translation>
     </message>
 </context>
 <context>
