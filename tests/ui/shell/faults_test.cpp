@@ -26,6 +26,7 @@
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 namespace {
@@ -120,7 +121,9 @@ class Faults : public ::testing::Test {
         ASSERT_EQ(applySetting(*window, u"shaft_angle_deg=%1"_s.arg(angle)), QString());
     }
     /// Presses a key and returns the messages that come up, each answered with Escape.
-    QString said(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QString said(
+        Qt::Key key, Qt::KeyboardModifiers modifiers,
+        const std::function<bool()>& isDone = [] { return true; }) {
         QStringList texts;
         auto guard = std::make_unique<QObject>();
         std::function<void()> look = [&] {
@@ -135,6 +138,8 @@ class Faults : public ::testing::Test {
         EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
         QTest::keyClick(window.get(), key, modifiers);
         QTest::qWait(300);
+        EXPECT_TRUE(QTest::qWaitFor(isDone, 20'000));
+        QTest::qWait(100);
         return texts.join(u'\n');
     }
     QString saveSaid() { return said(Qt::Key_S, Qt::ControlModifier); }
@@ -168,6 +173,24 @@ TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
     EXPECT_EQ(before.readAll(), content);
     EXPECT_EQ(QDir(folder.filePath(u"disk"_s)).entryList(QDir::Files).size(), 1);
     savesAgain(78);
+}
+
+TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
+    ASSERT_TRUE(window->showScene(u"v8-plugs"_s));
+    QTest::qWait(100);  // until the page is there for its keys
+    auto* desk = window->findChild<JobDesk*>();
+    ASSERT_NE(desk, nullptr);
+    ASSERT_TRUE(desk->openJournal()) << desk->journalTrouble().toStdString();
+    ASSERT_EQ(applySetting(*window, u"job/engine_number=53-11"_s), QString());
+    ASSERT_NO_FATAL_FAILURE(disk.fill());
+    const QString trouble = said(Qt::Key_F2, {}, [&] { return !desk->isWaiting(); });
+    // Its log may still have room.
+    EXPECT_NE(trouble.isEmpty(), desk->jobId() == 0) << trouble.toStdString();
+    disk.makeRoom();
+    EXPECT_EQ(said(Qt::Key_F2, {}), QString());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    EXPECT_EQ(desk->journal()->search({}).size(), 1);
+    EXPECT_EQ(desk->journal()->setAsidePath(), QString());
 }
 
 TEST_F(Faults, AReadOnlyFolderIsSaid) {
