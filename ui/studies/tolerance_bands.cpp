@@ -740,6 +740,7 @@ void ToleranceBands::beginSamples() {
 }
 
 void ToleranceBands::endSamples() {
+    ++number_;  // what was told on the way may come late
     if (run_ == nullptr || run_->slow.empty()) {
         run_.reset();
         return;

@@ -645,8 +645,8 @@ void StudyModel::start() {
         const auto tell = [&](const studies::Part& so_far) {
             QMetaObject::invokeMethod(
                 this,
-                [this, number, answers = answersOf(so_far)] {
-                    if (number == run_) {
+                [this, number, run, answers = answersOf(so_far)] {
+                    if (number == run_ && !run->isDone) {  // what is told may come late
                         show(answers, {});
                     }
                 },
