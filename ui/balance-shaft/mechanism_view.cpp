@@ -10,6 +10,7 @@
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
+#include "plot/model/disc.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -100,7 +101,7 @@ void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) con
                             map.at(sizes.offset + half, sizes.cylinder_bottom)));
     for (const auto& [axis, radius] :
          {std::pair{crank, sizes.crank_swing_radius}, std::pair{shaft, sizes.shaft_swing_radius}}) {
-        painter.drawEllipse(axis, map.length(radius), map.length(radius));
+        paintDisc(painter, axis, map.length(radius));
     }
     painter.drawLine(crank, shaft);
 }
@@ -144,15 +145,15 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 
     // Gears: pitch circles, in mesh where they touch.
     painter.setPen(QPen(theme.border(), 1.2));
-    painter.drawEllipse(crank, sizes.gear_pitch_radius * k, sizes.gear_pitch_radius * k);
-    painter.drawEllipse(shaft, sizes.gear_pitch_radius * k, sizes.gear_pitch_radius * k);
+    paintDisc(painter, crank, sizes.gear_pitch_radius * k);
+    paintDisc(painter, shaft, sizes.gear_pitch_radius * k);
     painter.setPen(QPen(theme.border(), 1.0, Qt::DotLine));
-    painter.drawEllipse(crank, sizes.crank_swing_radius * k, sizes.crank_swing_radius * k);
+    paintDisc(painter, crank, sizes.crank_swing_radius * k);
     const bool buildable = model_->result().is_buildable;
     if (!buildable) {
         painter.setPen(QPen(theme.error(), 1.4, Qt::DashLine));
     }
-    painter.drawEllipse(shaft, sizes.shaft_swing_radius * k, sizes.shaft_swing_radius * k);
+    paintDisc(painter, shaft, sizes.shaft_swing_radius * k);
 
     // Cylinder and piston.
     const double bore = sizes.cylinder_bore;
@@ -201,7 +202,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(line, 1.2));
     painter.setBrush(theme.panel());
     for (const QPointF& joint : {crank, pin, piston, shaft}) {
-        painter.drawEllipse(joint, 0.24 * thick + 1.5, 0.24 * thick + 1.5);
+        paintDisc(painter, joint, 0.24 * thick + 1.5);
     }
 
     // Forces, one scale for all: P_j1 max is 0.36 of the picture's smaller side.

@@ -9,6 +9,8 @@
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
+#include "plot/model/disc.h"
+#include "plot/model/thin_polyline.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -150,18 +152,23 @@ QPainterPath HingeMechanismView::track(const drawing::Frame& map, double phi, do
     const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
     const auto& radii =
         guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
-    bool open = false;
+    std::vector<QPointF> stretch;
+    const auto add = [&] {
+        if (!stretch.empty()) {
+            path.addPolygon(thinPolyline(stretch));
+            stretch.clear();
+        }
+    };
     for (std::size_t i = 0; i < radii.size(); i += 2) {
         const double radius = start + factor * (radii[i] - start) + side * roller;
         if (!std::isfinite(radius)) {
-            open = false;
+            add();
             continue;
         }
         const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
-        const QPointF p = map.at(radius * std::cos(angle), radius * std::sin(angle));
-        open ? path.lineTo(p) : path.moveTo(p);
-        open = true;
+        stretch.push_back(map.at(radius * std::cos(angle), radius * std::sin(angle)));
     }
+    add();
     return path;
 }
 
@@ -176,10 +183,10 @@ void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map
     painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
     painter.drawRect(QRectF(map.at(pose.slider.x - 0.36 * r, 0.26 * r),
                             map.at(pose.slider.x + 0.36 * r, -0.26 * r)));
-    painter.drawEllipse(map.at(0, 0), map.length(r), map.length(r));
+    paintDisc(painter, map.at(0, 0), map.length(r));
     if (result.has_counterweight) {
         painter.drawLine(map.at(pose.crankpin), map.at(pose.counterweight));
-        painter.drawEllipse(map.at(pose.counterweight), map.length(0.2 * r), map.length(0.2 * r));
+        paintDisc(painter, map.at(pose.counterweight), map.length(0.2 * r));
     }
 }
 
@@ -248,7 +255,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(line, 1.2));
         painter.setBrush(std::isfinite(here.radius) ? block : theme.error());
         for (const QPointF& p : {up, down}) {
-            painter.drawEllipse(p, rollerRadius, rollerRadius);
+            paintDisc(painter, p, rollerRadius);
         }
     }
 
@@ -274,7 +281,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         const double radius = std::clamp(0.22 * r * std::sqrt(share), 0.1 * r, 0.5 * r) * k;
         painter.setPen(QPen(line, 1.2));
         painter.setBrush(weight);
-        painter.drawEllipse(at, radius, radius);
+        paintDisc(painter, at, radius);
         painter.setPen(line);
         painter.setFont(Theme::font(Theme::smallSize));
         drawing::drawCentred(painter, at, QStringLiteral("P₄"));
@@ -299,7 +306,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(line, 1.2));
     painter.setBrush(theme.panel());
     for (const QPointF& joint : {axis, pin, slider}) {
-        painter.drawEllipse(joint, 0.2 * thick + 1.2, 0.2 * thick + 1.2);
+        paintDisc(painter, joint, 0.2 * thick + 1.2);
     }
 
     // φ, and what moves.

@@ -12,6 +12,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
+#include "plot/model/disc.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -119,7 +120,7 @@ void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) cons
     const double half = 0.95 * pistonHalf * radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(frame.at(0.0, 0.0), frame.length(radius), frame.length(radius));
+    paintDisc(painter, frame.at(0.0, 0.0), frame.length(radius));
     for (const CylinderPose& pose :
          inertia_moments::engine_pose(engine, model_->crankAngleDeg() * degree)) {
         const Complex axial = pose.axis_direction;
@@ -213,7 +214,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
 
     painter.setPen(QPen(theme.grid(), 1.2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(crankPixel_, frame.length(radius), frame.length(radius));
+    paintDisc(painter, crankPixel_, frame.length(radius));
 
     // From the rear to the front, so that the nearer cylinder covers the farther one.
     std::vector<std::size_t> order(poses.size());
@@ -242,7 +243,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         const QPointF pin = frame.at(pose.rod_foot);
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());
-        painter.drawEllipse(piston, 0.5 * thick, 0.5 * thick);
+        paintDisc(painter, piston, 0.5 * thick);
         painter.setPen(theme.text());
         drawing::drawCentred(painter, frame.at(pose.piston_pin + axial * 0.3 * radius),
                              QString::number(i + 1));
@@ -254,7 +255,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
                              drawing::metal(), theme.text());
             painter.setPen(QPen(theme.text(), 1.0));
             painter.setBrush(theme.panel());
-            painter.drawEllipse(frame.at(pose.rod_foot), 0.35 * thick, 0.35 * thick);
+            paintDisc(painter, frame.at(pose.rod_foot), 0.35 * thick);
         }
     }
     // The crank star over all.
@@ -264,11 +265,11 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     }
     painter.setPen(QPen(theme.text(), 1.0));
     painter.setBrush(theme.panel());
-    painter.drawEllipse(crankPixel_, 0.6 * thick + 1.5, 0.6 * thick + 1.5);
+    paintDisc(painter, crankPixel_, 0.6 * thick + 1.5);
     for (std::size_t i = 0; i < poses.size(); ++i) {
         painter.setPen(QPen(theme.text(), 1.0));
         painter.setBrush(drawing::bankColour(banks[i]));
-        painter.drawEllipse(frame.at(poses[i].crankpin), 0.5 * thick + 1.0, 0.5 * thick + 1.0);
+        paintDisc(painter, frame.at(poses[i].crankpin), 0.5 * thick + 1.0);
     }
 }
 
@@ -391,7 +392,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const QPointF reference = at(input.reference_position, 0);
     painter.setPen(QPen(theme.accent(), 1.4));
     painter.setBrush(theme.panel());
-    painter.drawEllipse(reference, 5.0, 5.0);
+    paintDisc(painter, reference, 5.0);
     painter.drawLine(reference - QPointF(8, 0), reference + QPointF(8, 0));
     painter.drawLine(reference - QPointF(0, 8), reference + QPointF(0, 8));
 }

@@ -3,10 +3,14 @@
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
+#include <QImage>
 #include <QPainter>
 #include <QValueAxis>
+#include <algorithm>
 #include <utility>
 
+#include "plot/model/disc.h"
+#include "plot/model/line_brush.h"
 #include "plot/model/ticks.h"
 #include "theme/theme.h"
 
@@ -33,7 +37,7 @@ double rowPerTick() {
 void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen, const QBrush& fill) {
     painter.setPen(pen);
     painter.setBrush(fill);
-    painter.drawEllipse(at, radius, radius);
+    paintDisc(painter, at, radius);
 }
 
 QColor veil(QColor colour, float opacity) {
@@ -346,34 +350,72 @@ void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Ed
 }
 
 void PlotPainter::paintCurves(QPainter& painter) const {
-    const Theme& theme = Theme::instance();
-    painter.setRenderHint(QPainter::Antialiasing);
+    paintShades(painter);
     painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(data_.area);
-    painter.setPen(Qt::NoPen);
-    for (const PlotCurve& curve : data_.curves) {
-        if (data_.showsSpread(curve)) {
-            painter.setBrush(
-                veil(theme.curve(curve.style.colour), data_.spreadStale ? 0.12F : 0.26F));
-            for (const QPolygonF& shade : curve.shades) {
-                painter.drawPolygon(shade);
-            }
-        }
-    }
     painter.setBrush(Qt::NoBrush);
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown) {
             // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
             // a smooth curve.
-            painter.setPen(QPen(theme.curve(curve.style.colour), curve.style.width, curve.style.pen,
-                                Qt::FlatCap, Qt::BevelJoin));
+            painter.setPen(QPen(Theme::instance().curve(curve.style.colour), curve.style.width,
+                                curve.style.pen, Qt::FlatCap, Qt::BevelJoin));
             for (const QPolygonF& stretch : curve.stretches) {
                 painter.drawPolyline(stretch);
             }
         }
     }
     painter.restore();
+    paintPoints(painter);
+}
+
+void PlotPainter::paintCurves(QImage& picture) const {
+    const auto any = [this](auto&& is) {
+        return std::any_of(data_.curves.begin(), data_.curves.end(), is);
+    };
+    if (any([this](const PlotCurve& curve) { return data_.showsSpread(curve); })) {
+        QPainter painter(&picture);
+        paintShades(painter);
+    }
+    const double ratio = picture.devicePixelRatio();
+    LineBrush brush(picture,
+                    QRectF(data_.area.topLeft() * ratio, data_.area.size() * ratio).toRect());
+    for (const PlotCurve& curve : data_.curves) {
+        if (curve.shown && !curve.stretches.empty()) {
+            brush.draw(curve.stretches, ratio, Theme::instance().curve(curve.style.colour),
+                       curve.style.width * ratio, curve.style.pen);
+        }
+    }
+    if (any([](const PlotCurve& curve) {
+            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty());
+        })) {
+        QPainter painter(&picture);
+        paintPoints(painter);
+    }
+}
+
+void PlotPainter::paintShades(QPainter& painter) const {
     painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(data_.area);
+    painter.setPen(Qt::NoPen);
+    for (const PlotCurve& curve : data_.curves) {
+        if (data_.showsSpread(curve)) {
+            painter.setBrush(veil(Theme::instance().curve(curve.style.colour),
+                                  data_.spreadStale ? 0.12F : 0.26F));
+            for (const QPolygonF& shade : curve.shades) {
+                painter.drawPolygon(shade);
+            }
+        }
+    }
+    painter.restore();
+}
+
+void PlotPainter::paintPoints(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(data_.area.adjusted(-4, -4, 4, 4));
     for (const PlotCurve& curve : data_.curves) {
         if (!curve.shown) {

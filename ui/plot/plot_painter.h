@@ -8,6 +8,7 @@
 
 class QChart;
 class QGraphicsScene;
+class QImage;
 class QPainter;
 class QPen;
 class QBrush;
@@ -28,6 +29,8 @@ class PlotPainter {
     /// Title, image, bands, grid, axes, the reference's curves.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
+    /// The same onto a picture of the screen, RGB32; lines by LineBrush.
+    void paintCurves(QImage& picture) const;
     /// Lines, present value, marks, readout.
     void paintOverlay(QPainter& painter) const;
 
@@ -46,6 +49,8 @@ class PlotPainter {
     QRectF shadeOf(const plot::Band& band) const;
     void paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
     void paintGhosts(QPainter& painter) const;
+    void paintShades(QPainter& painter) const;
+    void paintPoints(QPainter& painter) const;
     void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                    const QBrush& brush) const;
     /// What is no line has its spread as bars with caps.

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "plot/accessible_plot.h"
 #include "plot/legend_item.h"
@@ -32,6 +33,7 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     number_ = ++made;
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setTitle(title);
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::showTheme);
@@ -96,6 +98,9 @@ QString PlotView::sentence() const {
 }
 
 void PlotView::setTitle(const QString& title) {
+    if (title == data_.title) {
+        return;
+    }
     data_.title = title;
     setAccessibleName(title);
     chartChanged();
@@ -288,6 +293,9 @@ void PlotView::setImage(const QImage& image, const QRectF& values) {
 }
 
 void PlotView::setBands(std::vector<Band> bands) {
+    if (bands == data_.bands) {
+        return;
+    }
     data_.bands = std::move(bands);
     chartChanged();
 }
@@ -315,17 +323,22 @@ void PlotView::resetZoom() {
     chartChanged();
 }
 
+void PlotView::updateChart() {
+    update(rect().adjusted(0, static_cast<int>(keyTop()), 0, 0));
+}
+
 void PlotView::curvesChanged() {
     pictureStale_ = true;
     if (referenceOf_ != nullptr) {
         referenceOf_->chartChanged();
     }
-    update();
+    updateChart();
 }
 
 void PlotView::chartChanged() {
     axesStale_ = true;
     curvesChanged();
+    update();
 }
 
 void PlotView::showTheme() {
@@ -380,6 +393,7 @@ void PlotView::layoutHeader() {
     data_.headerHeight += keyHeight();
     if (data_.headerHeight != header) {
         updateGeometry();
+        update();
     }
 }
 
@@ -400,8 +414,8 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         const qreal ratio = devicePixelRatioF();
         const QSize pixels = (QSizeF(size()) * ratio).toSize();
         if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
-            for (QPixmap* layer : {&axesPicture_, &picture_}) {
-                *layer = QPixmap(pixels);
+            for (QImage* layer : {&axesPicture_, &picture_}) {
+                *layer = QImage(pixels, QImage::Format_RGB32);
                 layer->setDevicePixelRatio(ratio);
             }
             axesStale_ = true;
@@ -413,12 +427,12 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
             paintGround(axes);
             axesStale_ = false;
         }
-        QPainter picture(&picture_);
-        picture.drawPixmap(0, 0, axesPicture_);
-        painter_->paintCurves(picture);
+        std::memcpy(picture_.bits(), axesPicture_.constBits(),
+                    static_cast<std::size_t>(picture_.sizeInBytes()));
+        painter_->paintCurves(picture_);
         pictureStale_ = false;
     }
-    painter.drawPixmap(0, 0, picture_);
+    painter.drawImage(0, 0, picture_);
     painter_->paintOverlay(painter);
     paintTop(painter);
     if (hasFocus()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QPixmap>
+#include <QImage>
 #include <QWidget>
 
 #include "plot/model/plot_data.h"
@@ -189,10 +189,12 @@ class PlotView : public QWidget {
     void overlay(Value& shown, Value value, bool isNew = true) {
         shown = std::move(value);
         if (isNew) {
-            update();
+            updateChart();
         }
     }
     QList<LegendItem*> shownLegend() const;
+    /// Paints anew what stands below title and legend.
+    void updateChart();
     void curvesChanged();
     void chartChanged();
     void layoutHeader();
@@ -218,8 +220,8 @@ class PlotView : public QWidget {
     bool picking_ = false;
     std::optional<QPointF> panFrom_;
 
-    QPixmap axesPicture_;  ///< title, grid and axes, which rest while the curves move
-    QPixmap picture_;      ///< these with the curves
+    QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move
+    QImage picture_;      ///< these with the curves
     bool axesStale_ = true;
     bool pictureStale_ = true;
 };

@@ -25,6 +25,7 @@ constexpr qint64 longestStepMs = 100;  ///< after a standstill it goes on where 
 MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWidget* parent)
     : ComparedFigure(parent) {
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // it begins with its own ground
     setAccessibleName(name);
     setToolTip(hint);
     timer_.setInterval(frameMs);

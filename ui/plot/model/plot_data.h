@@ -57,6 +57,8 @@ struct Band {
     QColor colour;  ///< with alpha
     QString text = {};
     Qt::Orientation orientation = Qt::Horizontal;
+
+    bool operator==(const Band&) const = default;
 };
 
 /// A straight line across the plot.

@@ -1,0 +1,163 @@
+#include "plot/model/line_brush.h"
+
+#include <gtest/gtest.h>
+
+#include <QPainter>
+#include <cmath>
+
+#include "plot/model/disc.h"
+
+namespace ravnoves {
+namespace {
+
+QImage paper() {
+    QImage image(240, 160, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    return image;
+}
+
+QPolygonF wave() {
+    QPolygonF line;
+    for (int i = 0; i <= 60; ++i) {
+        line << QPointF(10.0 + 3.6 * i, 80.0 + 60.0 * std::sin(0.2 * i) - 0.3 * i);
+    }
+    return line;
+}
+
+/// All darkness of a picture, in whole black pixels.
+double inkOf(const QImage& image) {
+    double ink = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            ink += 1.0 - qGray(image.pixel(x, y)) / 255.0;
+        }
+    }
+    return ink;
+}
+
+/// The mean difference of the pixels that differ from white in either, of 255 shades.
+double meanDifference(const QImage& a, const QImage& b) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const int one = qGray(a.pixel(x, y));
+            const int other = qGray(b.pixel(x, y));
+            if (one < 255 || other < 255) {
+                sum += std::abs(one - other);
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? sum / count : 0.0;
+}
+
+QImage byQt(const QPolygonF& line, double width, Qt::PenStyle style) {
+    QImage image = paper();
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::black, width, style, Qt::FlatCap, Qt::BevelJoin));
+    painter.drawPolyline(line);
+    return image;
+}
+
+QImage byBrush(const QPolygonF& line, double width, Qt::PenStyle style, double scale = 1.0) {
+    QImage image = paper();
+    LineBrush(image, image.rect()).draw({line}, scale, Qt::black, width, style);
+    return image;
+}
+
+TEST(LineBrush, DrawsWhatQtDraws) {
+    // Dashes of one pixel are others to Qt.
+    for (const double width : {1.6, 2.2, 4.0}) {
+        for (const Qt::PenStyle style : {Qt::SolidLine, Qt::DashLine, Qt::DotLine}) {
+            const QImage qt = byQt(wave(), width, style);
+            const QImage ours = byBrush(wave(), width, style);
+            EXPECT_LT(meanDifference(qt, ours), 8.0) << width << ", style " << style;
+            EXPECT_NEAR(inkOf(ours) / inkOf(qt), 1.0, 0.02) << width << ", style " << style;
+        }
+    }
+}
+
+TEST(LineBrush, CoversAsMuchAsTheLineIsWide) {
+    for (const QPointF& end : {QPointF(200, 50), QPointF(50, 130), QPointF(170, 140)}) {
+        const QPointF begin(50, 50);
+        const double length = std::hypot(end.x() - begin.x(), end.y() - begin.y());
+        EXPECT_NEAR(inkOf(byBrush({begin, end}, 1.6, Qt::SolidLine)), 1.6 * length, 0.01 * length);
+    }
+}
+
+TEST(LineBrush, ACrossingIsNoDarkerAndTheClipHolds) {
+    QImage image = paper();
+    const QRect clip(60, 40, 100, 80);
+    LineBrush(image, clip)
+        .draw({{{0, 0}, {240, 160}, {0, 160}, {240, 0}}}, 1.0, QColor(0, 0, 0, 128), 3.0);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            EXPECT_GE(qGray(image.pixel(x, y)), 126) << x << ' ' << y;
+            EXPECT_TRUE(clip.contains(x, y) || qGray(image.pixel(x, y)) == 255) << x << ' ' << y;
+        }
+    }
+    EXPECT_EQ(qGray(image.pixel(120, 80)), 127);
+}
+
+TEST(LineBrush, FarBeyondThePictureTheDashesGoOn) {
+    // The same dashes in sight, whether the line begins 6 or 6·10⁶ pixels before it.
+    const double far = 6e6;
+    const QImage near = byBrush({{-6, 60}, {300, 60}}, 1.0, Qt::DashLine);
+    EXPECT_LT(meanDifference(byBrush({{-far, 60}, {far, 60}}, 1.0, Qt::DashLine), near), 1.0);
+    EXPECT_NEAR(inkOf(near), 240.0 * 4 / 6, 4.0);
+    EXPECT_EQ(byBrush({{1e300, 1e300}, {3e300, 1e300}}, 1.6, Qt::DashLine), paper());
+    EXPECT_EQ(byBrush({{-20, -20}, {-20, 300}}, 1.6, Qt::DashLine), paper());
+}
+
+TEST(LineBrush, AScaleIsOfPlacesAndWidthIsOfPixels) {
+    const QPolygonF line{{10, 10}, {100, 60}};
+    const QPolygonF twice{{20, 20}, {200, 120}};
+    EXPECT_EQ(byBrush(line, 2.0, Qt::SolidLine, 2.0), byBrush(twice, 2.0, Qt::SolidLine));
+}
+
+TEST(PaintDisc, IsTheCircleThatQtDraws) {
+    for (const double radius : {3.6, 7.0, 41.3}) {
+        for (const QBrush& brush : {QBrush(Qt::NoBrush), QBrush(QColor(90, 120, 30, 200))}) {
+            for (const double width : {0.0, 1.2, 2.0}) {
+                const auto drawn = [&](bool qt) {
+                    QImage image = paper();
+                    QPainter painter(&image);
+                    painter.setRenderHint(QPainter::Antialiasing);
+                    painter.setPen(width > 0.0 ? QPen(Qt::black, width) : QPen(Qt::NoPen));
+                    painter.setBrush(brush);
+                    const QPointF middle(80.3, 77.7);
+                    qt ? painter.drawEllipse(middle, radius, radius)
+                       : paintDisc(painter, middle, radius);
+                    return image;
+                };
+                // Qt's circles have corners: the smaller, the more it shows.
+                const QImage ours = drawn(false);
+                EXPECT_LT(meanDifference(drawn(true), ours), radius < 10.0 ? 20.0 : 10.0)
+                    << radius << ' ' << width << ' ' << brush.style();
+                if (brush.style() == Qt::NoBrush && width > 0.0) {
+                    const double area = 6.283185307179586 * radius * width;
+                    EXPECT_NEAR(inkOf(ours), area, 0.01 * area) << radius << ' ' << width;
+                }
+            }
+        }
+    }
+}
+
+TEST(PaintDisc, WhatItCannotMeasureIsQts) {
+    const auto drawn = [&](bool qt) {
+        QImage image = paper();
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(Qt::black, 1.4, Qt::DashLine));
+        painter.translate(60, 10);
+        painter.rotate(30);
+        qt ? painter.drawEllipse(QPointF(70, 20), 30, 30) : paintDisc(painter, {70, 20}, 30);
+        return image;
+    };
+    EXPECT_EQ(drawn(true), drawn(false));
+}
+
+}  // namespace
+}  // namespace ravnoves

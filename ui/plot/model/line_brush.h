@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPolygonF>
+#include <QRect>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace ravnoves {
+
+/// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
+/// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
+/// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
+/// itself it is no darker.
+class LineBrush {
+  public:
+    /// @param picture  RGB32, written to until the brush is gone
+    /// @param clip  pixels of the picture that may change
+    LineBrush(QImage& picture, const QRect& clip);
+
+    /// @param lines  times `scale`: in pixels of the picture
+    /// @param width  pixels of the picture, at least 1
+    /// @param style  dashes count in widths, as Qt's do
+    void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
+              Qt::PenStyle style = Qt::SolidLine);
+
+  private:
+    void markDashes(const QPolygonF& line, const QList<qreal>& pattern);
+    /// Of a straight way from a point, what lies within the clip: from, to; nothing is 0 to 0.
+    std::pair<double, double> stretchSeen(const QPointF& from, const QPointF& along,
+                                          double length) const;
+    void mark(const QPolygonF& line);
+    /// @param before, after  points that the line comes from and goes on to; null at its ends
+    void markSegment(const QPointF& from, const QPointF& to, const QPointF* before,
+                     const QPointF* after);
+    void ink(const QColor& colour);
+
+    QImage& picture_;
+    QRect clip_;
+    double half_ = 0.5;                ///< of the width
+    std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all
+    /// Of each row of the clip, the pixels touched: from, to beyond the last.
+    std::vector<std::pair<int, int>> touched_;
+};
+
+}  // namespace ravnoves
