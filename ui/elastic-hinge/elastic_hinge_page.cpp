@@ -20,6 +20,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
@@ -195,7 +196,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     verdict_->setWordWrap(true);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     verdict_->setObjectName(QStringLiteral("verdict"));
-    answerColumn->addWidget(verdict_);
+    answerColumn->addWidget(new Apart(verdict_, answer));
     auto* mend = new QHBoxLayout;
     takePreload_ = new QPushButton(tr("Take this pre&load"), answer);
     takePreload_->setObjectName(QStringLiteral("take_preload"));
@@ -215,7 +216,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    answerColumn->addWidget(notes_);
+    answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;
 }
@@ -261,7 +262,7 @@ void ElasticHingePage::showAnswer() {
                                field::stiffness.range.contains(*guide.minimum_stiffness));
     quantities_->setRows(model_->quantityRows());
     notes_->setText(model_->notesText());
-    notes_->setVisible(!notes_->text().isEmpty());
+    notes_->parentWidget()->setVisible(!notes_->text().isEmpty());
 }
 
 void ElasticHingePage::showCrank() {

@@ -36,6 +36,7 @@ class GuideTab : public HingePlotTab {
     void setPath(int curve, GuidePicture::Path path);
     void showReach();
     void showRelief();
+    void nameRelief();
 
     ElasticHingeModel* model_;
     PlotView* guide_ = nullptr;
@@ -66,6 +67,7 @@ GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
                       .gaps = true,
                       .closed = true});
     relief_ = addAnglePlot(HingePlots::tr("ρ over the turn, from its value at 0°"), {}, 3);
+    nameRelief();
     const std::array names{HingePlots::tr("compressed"), HingePlots::tr("stretched")};
     const std::array tips{HingePlots::tr("Guide of the compressed spring, minus in (3)"),
                           HingePlots::tr("Guide of the stretched spring, plus in (3)")};
@@ -160,10 +162,12 @@ void GuideTab::showRelief() {
     const std::vector<double>& phi = model_->result().crank_angle_deg;
     const GuidePicture picture = shown();
     if (const double finest = picture.greatestRise(); finest > 0.0) {
-        narrow_ = finest < (narrow_ ? 0.6e-3 : 0.4e-3);  // does not flicker at the border
+        const bool narrow = finest < (narrow_ ? 0.6e-3 : 0.4e-3);  // no flicker at the border
+        if (narrow != narrow_) {
+            narrow_ = narrow;
+            nameRelief();
+        }
     }
-    relief_->setYAxis(PlotView::Side::Left,
-                      {narrow_ ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm")});
     for (std::size_t branch = 0; branch < branches.size(); ++branch) {
         relief_->setCurve(static_cast<int>(branch), phi,
                           picture.rise(branches[branch], narrow_ ? units::micrometre : units::mm));
@@ -175,6 +179,11 @@ void GuideTab::showRelief() {
         bands.push_back({from, to, shade, HingePlots::tr("no guide")});
     }
     relief_->setBands(std::move(bands));
+}
+
+void GuideTab::nameRelief() {
+    relief_->setYAxis(PlotView::Side::Left,
+                      {narrow_ ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm")});
 }
 
 void GuideTab::showMarks() {

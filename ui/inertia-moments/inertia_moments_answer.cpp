@@ -7,6 +7,7 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
@@ -56,7 +57,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     warning_ = captionLabel({}, panel);
     warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
     warning_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    answerColumn->addWidget(warning_);
+    answerColumn->addWidget(new Apart(warning_, panel));
     column->addWidget(panel, 5);
 
     connect(&Theme::instance(), &Theme::changed, this, &InertiaMomentsAnswer::showWarning);
@@ -85,7 +86,7 @@ void InertiaMomentsAnswer::showFront() {
 void InertiaMomentsAnswer::showWarning() {
     colourText(warning_, Theme::instance().warning());
     warning_->setText(model_->warningText());
-    warning_->setVisible(!warning_->text().isEmpty());
+    warning_->parentWidget()->setVisible(!warning_->text().isEmpty());
 }
 
 void InertiaMomentsAnswer::fill() const {

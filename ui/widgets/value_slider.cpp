@@ -205,7 +205,12 @@ void ValueSlider::setValue(double value) {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
     slider_->setValue(tickOf(value));
-    box_->setValue(value * factor_);
+    // A box paints itself anew also where it shows that already.
+    const double shown =
+        QString::number(value * factor_, 'f', box_->decimals()).toDouble();  // as the box rounds
+    if (shown != box_->value() || box_->cleanText() != box_->textFromValue(shown)) {
+        box_->setValue(value * factor_);
+    }
 }
 
 void ValueSlider::edit(double value) {
