@@ -26,8 +26,9 @@ BackgroundJob::~BackgroundJob() {
     }
 }
 
-void BackgroundJob::setPatience(int patienceMs, int pauseMs) {
+void BackgroundJob::setPatience(int patienceMs, int pauseMs, bool untilRest) {
     patienceMs_ = patienceMs;
+    untilRest_ = untilRest;
     pause_.setInterval(pauseMs);
 }
 
@@ -40,7 +41,7 @@ void BackgroundJob::start(Work work) {
         }
     } else if (patienceMs_ < 0) {
         launch();
-    } else if (!pause_.isActive()) {
+    } else if (untilRest_ || !pause_.isActive()) {
         pause_.start();
     }
 }

@@ -29,7 +29,8 @@ class BackgroundJob : public QObject {
     /// For work that is started anew with every step of a drag: a run no older than `patienceMs`
     /// comes to its end and delivers before the newest start follows, after a pause that leaves the
     /// machine to the drag's frames. An older run is stopped.
-    void setPatience(int patienceMs, int pauseMs);
+    /// @param untilRest  the pause is one after the last start: nothing runs while the hand moves
+    void setPatience(int patienceMs, int pauseMs, bool untilRest = false);
     void start(Work work);
     /// Stops what runs; what it has is thrown away.
     void cancel();
@@ -53,6 +54,7 @@ class BackgroundJob : public QObject {
     std::shared_ptr<std::atomic<bool>> stop_;  ///< of the work under way; null where there is none
     Work pending_;                             ///< to follow
     int patienceMs_ = -1;
+    bool untilRest_ = false;
     bool running_ = false;
     WorkerThread worker_;  ///< goes first: what it does uses the others
 };

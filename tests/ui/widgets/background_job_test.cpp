@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -82,6 +83,22 @@ TEST_F(BackgroundJobTest, ShortRunsOfADragComeToTheirEnd) {
     job.start([this](const BackgroundJob::Progress&) { return [this] { result = 5; }; });
     waitForEnd();
     EXPECT_EQ(result, 5);
+}
+
+TEST_F(BackgroundJobTest, WhatWaitsForRestRunsWhenTheHandRests) {
+    job.setPatience(10000, 200, true);
+    QElapsedTimer sinceStart;
+    for (int i = 1; i <= 30; ++i) {  // half as long again as the pause
+        sinceStart.start();
+        job.start([this, i](const BackgroundJob::Progress&) { return [this, i] { result = i; }; });
+        QTest::qWait(10);
+        if (sinceStart.elapsed() < 150) {  // the machine may be busy
+            EXPECT_EQ(result, 0);
+        }
+    }
+    waitForEnd();
+    EXPECT_EQ(result, 30);
+    EXPECT_TRUE(sinceStart.elapsed() >= 190) << sinceStart.elapsed();
 }
 
 /// Neither what made the worker's thread nor the job before leaves it with vector registers in use,

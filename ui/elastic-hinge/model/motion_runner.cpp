@@ -13,7 +13,7 @@ using elastic_hinge::Result;
 namespace {
 
 constexpr int patienceMs = 150;  ///< a run older than that makes room for a newer one
-constexpr int pauseMs = 30;      ///< so that a drag's frames have most of the machine
+constexpr int restMs = 120;      ///< after which the hand rests: a drag's frames have the machine
 constexpr double offFactor = 1.2;
 
 std::shared_ptr<HingeMotions> computeMotions(const Input& input, const Result& result,
@@ -62,7 +62,7 @@ std::shared_ptr<HingeMotions> computeMotions(const Input& input, const Result& r
 }  // namespace
 
 MotionRunner::MotionRunner(QObject* parent) : BackgroundJob(parent) {
-    setPatience(patienceMs, pauseMs);
+    setPatience(patienceMs, restMs, true);
     connect(this, &BackgroundJob::failed, this, [this](const QString& why) {
         auto motions = std::make_shared<HingeMotions>();
         motions->offSpeed = offSpeed_;

@@ -19,8 +19,8 @@ struct HingeMotions {
     QString trouble;                                 ///< why there are none at all; else empty
 };
 
-/// Computes the motions in a worker thread, the newest wish first: short runs come to their end
-/// while a slider moves, long ones are cancelled when a newer wish is there.
+/// Computes the motions in a worker thread, the newest wish first, when the hand rests: they take
+/// as long as a hundred frames of a drag. A long run is cancelled when a newer wish is there.
 class MotionRunner : public BackgroundJob {
     Q_OBJECT
 
