@@ -76,6 +76,10 @@ int main(int argc, char** argv) {
         }
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
+    // Qt would share the painting of small shapes among threads, which takes longer than painting.
+    if (qEnvironmentVariableIsEmpty("QT_NO_GUI_THREADPOOL")) {
+        qputenv("QT_NO_GUI_THREADPOOL", "1");
+    }
     QApplication app(argc, argv);
     QApplication::setApplicationName(u"Ravnoves"_s);
     QApplication::setOrganizationName(u"Ravnoves"_s);
@@ -154,7 +158,7 @@ int main(int argc, char** argv) {
     if (report && !ravnoves::isReportName(reportPath)) {
         return fail(u"--report: must end in .pdf or .html, got %1"_s.arg(reportPath));
     }
-    ravnoves::MainWindow window;
+    ravnoves::MainWindow window(ravnoves::MainWindow::First::Nothing);
     if (!isSilent) {
         window.beginSession();
     }
@@ -170,6 +174,8 @@ int main(int argc, char** argv) {
             names << info.name;
         }
         return fail(u"--scene: must be one of %1, got %2"_s.arg(names.join(u", "_s), scene));
+    } else if (scene.isEmpty() && paths.isEmpty() && !window.documents().hasCurrent()) {
+        window.showScene(ravnoves::sceneList().front().name);
     }
     for (const QString& path : paths) {
         const QString trouble = window.openCase(path);

@@ -209,9 +209,12 @@ void Documents::renewPages() {
         each->page->resume(left);
     }
     tabs_->setAccessibleName(tr("Open cases"));
-    stack_->setCurrentWidget(current_->page);
     delete notice_;
     makeNotice();
+    if (current_ == nullptr) {
+        return;
+    }
+    stack_->setCurrentWidget(current_->page);
     showNotice();
     arrangeTabs();
     current_->page->setActive(true);
@@ -234,6 +237,15 @@ void Documents::remove(OpenDocument& document) {
 OpenDocument& Documents::firstOf(std::size_t scene) {
     OpenDocument* last = lastOf(scene);
     return last != nullptr ? *last : add(scene);
+}
+
+OpenDocument& Documents::current() {
+    if (current_ == nullptr) {
+        const QSignalBlocker quiet(this);
+        bringToFront(firstOf(0));
+        current_->page->setActive(isVisible());
+    }
+    return *current_;
 }
 
 bool Documents::showScene(const QString& scene) {

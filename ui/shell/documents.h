@@ -44,9 +44,13 @@ class Documents : public QWidget {
     ~Documents() override;
 
     const std::vector<SceneInfo>& scenes() const { return scenes_; }
-    /// The one in front; there is one from the first showScene() on.
-    OpenDocument& current() { return *current_; }
-    const SceneInfo& currentScene() const { return scenes_[current_->scene]; }
+    /// The one in front. Before anything was shown it is the first scene's, made now, in silence:
+    /// at the start page nobody needs one.
+    OpenDocument& current();
+    bool hasCurrent() const { return current_ != nullptr; }
+    const SceneInfo& currentScene() const {
+        return scenes_[current_ != nullptr ? current_->scene : 0];
+    }
     const std::vector<std::unique_ptr<OpenDocument>>& all() const { return documents_; }
 
     /// Brings the document of a scene to the front that was there last, or makes its first.
@@ -73,7 +77,7 @@ class Documents : public QWidget {
     /// Closes the document, or the one in front. What is not saved is asked for.
     /// @return false where the user wants to stay
     bool close(OpenDocument& document);
-    bool closeCurrent() { return close(*current_); }
+    bool closeCurrent() { return close(current()); }
     /// Before all of them go: what is not saved is asked for.
     bool mayGo();
 

@@ -72,7 +72,7 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
 
 }  // namespace
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(First first) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/ravnoves.svg")));
     setMinimumSize(800, 500);
     resize(1280, 800);
@@ -100,7 +100,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connect(documents_, &Documents::saved, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
     });
-    documents_->showScene(documents_->scenes().front().name);
+    if (first == First::Scene) {
+        documents_->showScene(documents_->scenes().front().name);
+    }
     // Not at once: what the user chose in may be part of what is made anew.
     connect(&Preferences::instance(), &Preferences::changed, this, &MainWindow::renew,
             Qt::QueuedConnection);
@@ -139,10 +141,10 @@ void MainWindow::renew() {
     buildNavigation();
     buildMenus();
     documents_->show();
-    showCurrent();
-    updateCaseActions();
     if (atStart) {
         showStart();
+    } else {
+        showCurrent();
     }
 }
 
@@ -471,7 +473,9 @@ void MainWindow::showStart() {
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
         connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
     }
-    currentPage()->setActive(false);
+    if (documents_->hasCurrent()) {
+        currentPage()->setActive(false);
+    }
     front_->setCurrentWidget(start_);
     start_->setFocus();
     showCurrent();
@@ -603,6 +607,9 @@ void MainWindow::rememberSession() {
         }
     };
     keep(filesKey, documents_->paths());
+    if (!documents_->hasCurrent()) {
+        return;
+    }
     const QString path = documents_->current().document->path();
     keep(currentKey, path.isEmpty() ? currentScene() : path);
 }
@@ -641,7 +648,7 @@ void MainWindow::showCurrent() {
 }
 
 void MainWindow::updateCaseActions() {
-    const bool hasCase = currentPage()->model()->hasCaseFile();
+    const bool hasCase = !documents_->hasCurrent() || currentPage()->model()->hasCaseFile();
     for (QAction* action : caseActions_) {
         action->setEnabled(hasCase && !isAtStart());
         action->setToolTip(hasCase
@@ -654,20 +661,25 @@ void MainWindow::updateCaseActions() {
 }
 
 void MainWindow::updateHistoryActions() {
-    const SceneModel& model = *currentPage()->model();
-    const QUndoStack& history = *model.history();
     const auto show = [this](QAction* action, bool enabled, const QString& name,
                              const QString& step) {
         action->setEnabled(enabled && !isAtStart());
         action->setText(step.isEmpty() ? name : name + QLatin1Char(' ') + step);
     };
+    if (!documents_->hasCurrent()) {
+        show(undo_, false, tr("&Undo"), {});
+        show(redo_, false, tr("&Redo"), {});
+        return;
+    }
+    const SceneModel& model = *currentPage()->model();
+    const QUndoStack& history = *model.history();
     show(undo_, model.isTyped() || history.canUndo(), tr("&Undo"),
          model.isTyped() ? QString() : history.undoText());
     show(redo_, !model.isTyped() && history.canRedo(), tr("&Redo"), history.redoText());
 }
 
 void MainWindow::updateSceneActions() {
-    variants_->setPage(currentPage());
+    variants_->setPage(documents_->hasCurrent() ? currentPage() : nullptr);
     for (QAction* action : sceneActions_) {
         toolBar_->removeAction(action);
     }
@@ -716,7 +728,8 @@ void MainWindow::openOrSayWhy(const QString& path) {
 }
 
 void MainWindow::openWithDialog() {
-    const QString file = documents_->current().document->path();
+    const QString file =
+        documents_->hasCurrent() ? documents_->current().document->path() : QString();
     const QString path =
         askOpenPath(this, tr("Open case"), file.isEmpty() ? file : QFileInfo(file).absolutePath(),
                     tr("Ravnoves cases (*.case.json *.json);;All files (*)"));

@@ -25,7 +25,11 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
-    explicit MainWindow(QWidget* parent = nullptr);
+    /// What it begins with: the page of the first scene, or nothing, because something else will
+    /// be shown before the window is.
+    enum class First { Scene, Nothing };
+
+    explicit MainWindow(First first = First::Scene);
     ~MainWindow() override;
 
     /// Brings a scene to the front by its word in case files: the document that was there last.

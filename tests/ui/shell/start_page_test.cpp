@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <memory>
 
 #include "case-file/json.h"
@@ -18,9 +19,11 @@
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_case_dialog.h"
+#include "shell/new_cases.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/language.h"
+#include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
@@ -239,6 +242,48 @@ class StartInTheWindow : public ::testing::Test {
 
     MainWindow window;
 };
+
+TEST(StartOfTheProgram, MakesNoPageBeforeOneIsAskedFor) {
+    MainWindow window(MainWindow::First::Nothing);
+    test::showAt(window, {1024, 700});
+    window.showStart();
+    QApplication::processEvents();
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_TRUE(window.documents().all().empty());
+    EXPECT_EQ(window.windowTitle(), u"Ravnoves"_s);
+    // Another language makes the window anew, and still no page.
+    Preferences::instance().setLanguage(u"ru"_s);
+    QApplication::processEvents();
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_TRUE(window.documents().all().empty());
+    Preferences::instance().setLanguage(u"en"_s);
+    QApplication::processEvents();
+    // The document in front is made for whoever asks for it, behind the start page.
+    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    ASSERT_NE(window.currentPage(), nullptr);
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_TRUE(window.showScene(u"balance-shaft"_s));
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_EQ(window.documents().all().size(), 1U);
+    QApplication::processEvents();
+    EXPECT_TRUE(window.currentPage()->isVisible())
+        << window.documents().isVisible() << window.centralWidget()->isVisible();
+}
+
+TEST(StartOfTheProgram, ACaseIsTheOnlyDocument) {
+    MainWindow window(MainWindow::First::Nothing);
+    test::showAt(window, {1024, 700});
+    window.showStart();
+    const auto& cases = newCases();
+    const auto example = std::find_if(cases.begin(), cases.end(), [](const NewCase& each) {
+        return each.scene == u"elastic-hinge"_s && each.kind == NewCase::Kind::Example;
+    });
+    ASSERT_NE(example, cases.end());
+    EXPECT_EQ(window.newCase(example->make()), QString());
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_EQ(window.documents().all().size(), 1U);
+    EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
+}
 
 TEST_F(StartInTheWindow, TwoClicksLeadToAMovingSlider) {
     EXPECT_TRUE(window.isAtStart());
