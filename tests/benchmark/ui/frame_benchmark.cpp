@@ -4,8 +4,11 @@
 /// what share they are of the rival's in the same run: a plain window with three QChartView, seven
 /// series of 721 points, antialiased, whose step is `replace()` alone.
 ///
-/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--alone]
-/// --alone: without the rival, for a profile of the page.
+/// Then the wheel over the largest plot, the cursor in it and the window's size, likewise.
+///
+/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--alone] [--events] [--table]
+/// --alone: without the rival, for a profile of the page; --events: likewise, and which events of
+/// which widgets it went to.
 
 #include <QApplication>
 #include <QChart>
@@ -13,7 +16,12 @@
 #include <QElapsedTimer>
 #include <QGridLayout>
 #include <QLineSeries>
+#include <QMetaEnum>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QScreen>
 #include <QTabWidget>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +30,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "balance-shaft/balance_shaft_page.h"
@@ -35,6 +44,7 @@
 #include "methods/methods_page.h"
 #include "model/background_job.h"
 #include "numerics/constants.h"
+#include "plot/plot_view.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
@@ -161,46 +171,196 @@ double processorMs() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// @param rival  of the plain window; none while it is measured itself
-/// @return the processor times, ms
-Times run(const std::string& name, const std::function<Drag()>& make, int steps, QSize size,
-          const std::optional<Times>& rival) {
-    const Drag drag = make();
-    drag.page->resize(size);
-    drag.page->show();
-    for (int turn = 0; turn < 5; ++turn) {
-        QApplication::processEvents();
+/// An application that knows which widget's events take how long, without those within them.
+class WatchedApplication : public QApplication {
+  public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (!watches) {
+            return QApplication::notify(receiver, event);
+        }
+        const QString name =
+            QStringLiteral("%1 %2 %3")
+                .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())),
+                     QLatin1String(receiver->metaObject()->className()),
+                     receiver->isWidgetType()
+                         ? static_cast<QWidget*>(receiver)->accessibleName().left(30)
+                         : QString());
+        const double outer = within_;
+        within_ = 0.0;
+        const double before = processorMs();
+        const bool done = QApplication::notify(receiver, event);
+        const double took = processorMs() - before;
+        Spent& spent = spent_[name];
+        spent.ms += took - within_;
+        ++spent.times;
+        within_ = outer + took;
+        return done;
     }
+
+    void print(int steps) {
+        std::vector<std::pair<QString, Spent>> sorted(spent_.begin(), spent_.end());
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const auto& a, const auto& b) { return a.second.ms > b.second.ms; });
+        for (const auto& [name, spent] : sorted) {
+            if (spent.ms > 0.01 * steps) {
+                std::printf("  %8.3f ms %6.2f times a step: %s\n", spent.ms / steps,
+                            static_cast<double>(spent.times) / steps, qPrintable(name));
+            }
+        }
+        spent_.clear();
+    }
+
+    bool watches = false;
+
+  private:
+    struct Spent {
+        double ms = 0.0;
+        int times = 0;
+    };
+    std::map<QString, Spent> spent_;
+    double within_ = 0.0;
+};
+
+struct Options {
+    int steps = 500;
+    QSize size{1280, 800};
+    bool events = false;  ///< says which events the time went to
+    bool table = false;   ///< says it in lines for table.py
+};
+
+void print(const std::string& name, const Options& options, std::vector<double> wall,
+           std::vector<double> processor, std::optional<Times>& rival) {
+    std::sort(wall.begin(), wall.end());
+    std::sort(processor.begin(), processor.end());
+    const auto at = [](const std::vector<double>& sorted, double share) {
+        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    };
+    const Times own{at(processor, 0.5), at(processor, 0.95)};
+    if (options.table && rival) {
+        const double scale = QGuiApplication::primaryScreen()->devicePixelRatio();
+        std::printf("frame p95, %s, %dx%d%s | %.2f ms | %.2f ms | %.2f\n", name.c_str(),
+                    options.size.width(), options.size.height(), scale > 1.0 ? ", scale 2" : "",
+                    own.p95, rival->p95, own.p95 / rival->p95);
+    } else if (!options.table) {
+        std::printf(
+            "%-30s wall: median %6.2f p95 %6.2f max %6.2f ms  "
+            "processor: median %6.2f p95 %6.2f ms",
+            name.c_str(), at(wall, 0.5), at(wall, 0.95), at(wall, 1.0), own.median, own.p95);
+        if (rival) {
+            std::printf("  share: median %4.2f p95 %4.2f", own.median / rival->median,
+                        own.p95 / rival->p95);
+        }
+        std::printf("\n");
+    }
+    if (!rival) {
+        rival = own;
+    }
+}
+
+/// Takes so many steps, each of which is painted, and prints what they took.
+void time(const std::string& name, const Options& options, const std::function<void(int)>& step,
+          std::optional<Times>& rival) {
     std::vector<double> wall;
     std::vector<double> processor;
-    for (int step = 0; step < steps; ++step) {
+    auto* const app = static_cast<WatchedApplication*>(QCoreApplication::instance());
+    app->watches = options.events;
+    for (int i = 0; i < options.steps; ++i) {
         QElapsedTimer timer;
         timer.start();
         const double before = processorMs();
-        drag.move(step, steps);
+        step(i);
         // One turn of the loop paints what the change has queued, once.
         QApplication::processEvents();
         wall.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
         processor.push_back(processorMs() - before);
     }
-    std::sort(wall.begin(), wall.end());
-    std::sort(processor.begin(), processor.end());
-    const auto at = [&](const std::vector<double>& sorted, double share) {
-        return sorted[static_cast<std::size_t>(share * static_cast<double>(steps - 1))];
-    };
-    std::printf(
-        "%-21s %4d steps %4dx%-4d  wall: median %6.2f p95 %6.2f max %6.2f ms  "
-        "processor: median %6.2f p95 %6.2f ms",
-        name.c_str(), steps, size.width(), size.height(), at(wall, 0.5), at(wall, 0.95),
-        at(wall, 1.0), at(processor, 0.5), at(processor, 0.95));
-    const Times own{at(processor, 0.5), at(processor, 0.95)};
-    if (rival) {
-        std::printf("  share: median %4.2f p95 %4.2f", own.median / rival->median,
-                    own.p95 / rival->p95);
+    app->watches = false;
+    print(name, options, std::move(wall), std::move(processor), rival);
+    app->print(options.steps);
+}
+
+/// The largest plot to be seen.
+PlotView* largestPlot(QWidget* page) {
+    PlotView* largest = nullptr;
+    for (PlotView* plot : page->findChildren<PlotView*>()) {
+        if (!plot->visibleRegion().isEmpty() &&
+            (largest == nullptr ||
+             plot->width() * plot->height() > largest->width() * largest->height())) {
+            largest = plot;
+        }
     }
-    std::printf("\n");
+    return largest;
+}
+
+/// What the hand does beside dragging: the wheel zooms, the cursor reads, the window is resized.
+void timeGestures(const std::string& name, const Options& options, QWidget* page,
+                  std::optional<Times>& rival) {
+    if (PlotView* plot = largestPlot(page)) {
+        const auto place = [plot](int step) {
+            const QRectF area = plot->plotArea();
+            return QPointF(area.left() + area.width() * (0.1 + 0.8 * (step % 97) / 97.0),
+                           area.center().y());
+        };
+        const auto wheel = [&](int step) {
+            const QPointF at = place(step);
+            // Ten notches in, ten out.
+            QWheelEvent event(at, plot->mapToGlobal(at), {}, {0, step % 20 < 10 ? 120 : -120},
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(plot, &event);
+        };
+        time(name + ", wheel", options, wheel, rival);
+        plot->resetZoom();
+        const auto move = [&](int step) {
+            const QPointF at = place(step);
+            QMouseEvent event(QEvent::MouseMove, at, plot->mapToGlobal(at), Qt::NoButton,
+                              Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(plot, &event);
+        };
+        time(name + ", cursor", options, move, rival);
+    }
+    const auto resize = [&](int step) {
+        page->resize(options.size - QSize(3, 2) * (step % 40 < 20 ? step % 20 : 20 - step % 20));
+    };
+    time(name + ", resize", options, resize, rival);
+}
+
+void run(const std::string& name, const std::function<Drag()>& make, const Options& options,
+         std::optional<Times>& rival) {
+    const bool isRival = !rival;
+    const Drag drag = make();
+    drag.page->resize(options.size);
+    drag.page->show();
+    for (int turn = 0; turn < 5; ++turn) {
+        QApplication::processEvents();
+    }
+    time(
+        name, options, [&](int step) { drag.move(step, options.steps); }, rival);
+    if (!isRival) {
+        Options few = options;
+        few.steps = std::min(options.steps, 200);
+        timeGestures(name, few, drag.page, rival);
+    }
     delete drag.page;
-    return own;
+}
+
+/// The plain window's, in a process of its own.
+Times rivalTimes(QStringList arguments) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("QT_NO_GUI_THREADPOOL"));
+    process.setProcessEnvironment(environment);
+    const QString program = QCoreApplication::applicationFilePath();
+    arguments.removeFirst();
+    arguments.removeAll(QStringLiteral("--table"));
+    process.start(program, arguments << QStringLiteral("--rival"));
+    process.waitForFinished(-1);
+    const QStringList lines =
+        QString::fromUtf8(process.readAllStandardOutput()).trimmed().split(QLatin1Char('\n'));
+    const QStringList numbers = lines.constLast().split(QLatin1Char(' '));
+    std::printf("%s", lines.size() > 1 ? qPrintable(lines.constFirst() + QLatin1Char('\n')) : "");
+    return {numbers.value(0).toDouble(), numbers.value(1).toDouble()};
 }
 
 }  // namespace
@@ -209,33 +369,44 @@ int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    QApplication app(argc, argv);
+    // The rival is painted as Qt does it by itself, the pages as the program has it.
+    const bool isRival = argc > 1 && std::string_view(argv[argc - 1]) == "--rival";
+    if (!isRival) {
+        qputenv("QT_NO_GUI_THREADPOOL", "1");
+    }
+    WatchedApplication app(argc, argv);
     installLanguage(QStringLiteral("en"));
     Theme::instance().install(Theme::Mode::Light);
     std::string only;
-    int steps = 500;
+    Options options;
     bool alone = false;
-    QSize size(1280, 800);
     const QStringList arguments = QApplication::arguments();
     for (int i = 1; i < arguments.size(); ++i) {
         if (arguments[i] == QLatin1String("--steps") && i + 1 < arguments.size()) {
-            steps = std::max(2, arguments[++i].toInt());
+            options.steps = std::max(2, arguments[++i].toInt());
         } else if (arguments[i] == QLatin1String("--size") && i + 1 < arguments.size()) {
             const QStringList parts = arguments[++i].split(QLatin1Char('x'));
-            size = QSize(parts.value(0).toInt(), parts.value(1).toInt());
+            options.size = QSize(parts.value(0).toInt(), parts.value(1).toInt());
         } else if (arguments[i] == QLatin1String("--alone")) {
             alone = true;
-        } else {
+        } else if (arguments[i] == QLatin1String("--events")) {
+            alone = options.events = true;
+        } else if (arguments[i] == QLatin1String("--table")) {
+            options.table = true;
+        } else if (arguments[i] != QLatin1String("--rival")) {
             only = arguments[i].toStdString();
         }
     }
     std::optional<Times> rival;
-    if (!alone) {
-        rival = run("plain window", plainWindow, steps, size, std::nullopt);
+    if (isRival) {
+        run("plain window", plainWindow, options, rival);
+        std::printf("%.6f %.6f\n", rival->median, rival->p95);
+        return 0;
     }
+    rival = alone ? Times{1.0, 1.0} : rivalTimes(arguments);
     for (const auto& [name, make] : drags()) {
         if (only.empty() || name.starts_with(only)) {
-            run(name, make, steps, size, rival);
+            run(name, make, options, rival);
         }
     }
     return 0;
