@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "theme/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -46,9 +47,8 @@ void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape s
 
 QSize LegendItem::sizeHint() const {
     const QFontMetricsF metrics(itemFont());
-    return {
-        static_cast<int>(std::ceil(strokeLength + 3 * inset + metrics.horizontalAdvance(text()))),
-        static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
+    return {static_cast<int>(std::ceil(strokeLength + 3 * inset + textWidth(itemFont(), text()))),
+            static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
 }
 
 void LegendItem::draw(QPainter& painter, const QRectF& rect) const {

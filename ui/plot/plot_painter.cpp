@@ -12,6 +12,7 @@
 #include "plot/model/disc.h"
 #include "plot/model/line_brush.h"
 #include "plot/model/ticks.h"
+#include "theme/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -103,7 +104,8 @@ void PlotPainter::layout(const QSizeF& size, bool& axesStale) {
 
 void PlotPainter::layoutArea() {
     data_.fitScales();
-    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
+    const QFont font = Theme::font(Theme::smallSize);
+    const QFontMetricsF metrics(font);
     const double top = data_.headerHeight + labelGap;
     const double bottom =
         std::ceil(metrics.height() * (data_.x.spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
@@ -117,8 +119,7 @@ void PlotPainter::layoutArea() {
         scale.chooseStep(height, chartRowPerTick());
         double widest = 0.0;
         for (const double tick : ticks) {
-            widest =
-                std::max(widest, metrics.horizontalAdvance(scale.tickText(tick, data_.locale)));
+            widest = std::max(widest, textWidth(font, scale.tickText(tick, data_.locale)));
         }
         const double title = scale.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap;
         return std::ceil(widest + title + 2 * labelGap);
@@ -126,7 +127,7 @@ void PlotPainter::layoutArea() {
     const double left = margin(data_.left);
     const auto lastLabel = [&] {  // stands half beyond the axis
         data_.x.chooseStep(std::max(20.0, size_.width() - left), columnPerTick());
-        return metrics.horizontalAdvance(data_.x.tickText(data_.x.high, data_.locale));
+        return textWidth(font, data_.x.tickText(data_.x.high, data_.locale));
     };
     const double right = data_.sideUsed(Side::Right)
                              ? margin(data_.right)

@@ -6,11 +6,13 @@
 #include <QProxyStyle>
 #include <QScreen>
 #include <QStyleOptionComplex>
+#include <QtMath>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "theme/desktop_colour_scheme.h"
+#include "theme/text_width.h"
 
 namespace ravnoves {
 
@@ -141,7 +143,8 @@ class DenseTabs : public QProxyStyle {
             bar != nullptr ? qobject_cast<const QTabWidget*>(bar->parentWidget()) : nullptr;
         int wanted = 0;
         for (int i = 0; tabs != nullptr && i < bar->count(); ++i) {
-            wanted += bar->fontMetrics().size(Qt::TextShowMnemonic, bar->tabText(i)).width() +
+            // Asked for each tab anew, at every painting.
+            wanted += qCeil(textWidth(bar->font(), bar->tabText(i).remove(QLatin1Char('&')))) +
                       2 * Theme::space;
         }
         return tabs != nullptr && wanted > tabs->width();

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QHash>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -17,6 +16,7 @@
 #include "text/csv_format.h"
 #include "text/difference_text.h"
 #include "text/number_text.h"
+#include "theme/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -41,26 +41,6 @@ QFont differenceFont() {
 
 int differenceHeight() {
     return QFontMetrics(differenceFont()).height() - 1;
-}
-
-/// All digits are of one width, so that the shape of a number tells how wide it is: what a drag
-/// shows has been measured before.
-int widthOfText(const QFont& font, const QString& text) {
-    constexpr qsizetype most = 4096;
-    static QHash<QString, int> widths;
-    static QFont measured;
-    if (font != measured || widths.size() > most) {
-        widths.clear();
-        measured = font;
-    }
-    QString shape = text;
-    for (QChar& sign : shape) {
-        sign = sign.isDigit() ? QLatin1Char('0') : sign;
-    }
-    const auto known = widths.constFind(shape);
-    return known != widths.constEnd()
-               ? *known
-               : *widths.insert(shape, QFontMetrics(font).horizontalAdvance(shape));
 }
 
 QStringList inOneLine(QStringList parts) {
@@ -322,7 +302,7 @@ int ResultTable::widthOf(int row, int column, Place place) const {
     if (cell == nullptr) {
         return 0;
     }
-    int width = widthOfText(font(), cell->text());
+    int width = qRound(textWidth(font(), cell->text()));
     if (place != Place::Columns) {
         const QStringList parts = besideAt(row, column);
         const QFontMetrics small(differenceFont());
