@@ -9632,7 +9632,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Unit</source>
-        <translation>Единица</translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>The load takes the mean torque. The inertia of piston and rod is in the torque already and is not a part of J.</source>
@@ -11126,7 +11126,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Unit</source>
-        <translation>Единица</translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>Copy as &amp;text</source>
@@ -13032,7 +13032,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Unit</source>
-        <translation>Единица</translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>What it is</source>
@@ -15406,7 +15406,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Watch a result …</source>
-        <translation>Наблюдать результат …</translation>
+        <translation>Наблюдать результат…</translation>
     </message>
     <message>
         <source>Give an input its tolerance: 0.02, 1 % or σ 0.01.</source>
