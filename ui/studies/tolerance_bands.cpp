@@ -712,10 +712,8 @@ void ToleranceBands::beginSamples() {
         const BandValues values = [&](const Json& input) {
             std::function<void()> take = solve(input);
             auto awaited = std::make_shared<AwaitedNumbers>();
-            QMetaObject::invokeMethod(
-                this,
-                [this, run, take = std::move(take), awaited] { awaited->give(read(run, take)); },
-                Qt::QueuedConnection);
+            job_->post(
+                [this, run, take = std::move(take), awaited] { awaited->give(read(run, take)); });
             return awaited->wait(goesOn);
         };
         auto found = findBands(
@@ -725,9 +723,7 @@ void ToleranceBands::beginSamples() {
                 return goesOn();
             },
             [&](BandAnswer answer) {
-                QMetaObject::invokeMethod(
-                    this, [this, run, answer = std::move(answer)] { showSamples(run, answer); },
-                    Qt::QueuedConnection);
+                job_->post([this, run, answer = std::move(answer)] { showSamples(run, answer); });
             });
         if (!found) {
             return {};
@@ -740,7 +736,6 @@ void ToleranceBands::beginSamples() {
 }
 
 void ToleranceBands::endSamples() {
-    ++number_;  // what was told on the way may come late
     if (run_ == nullptr || run_->slow.empty()) {
         run_.reset();
         return;

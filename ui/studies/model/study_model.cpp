@@ -643,14 +643,11 @@ void StudyModel::start() {
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
         const auto tell = [&](const studies::Part& so_far) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, number, run, answers = answersOf(so_far)] {
-                    if (number == run_ && !run->isDone) {  // what is told may come late
-                        show(answers, {});
-                    }
-                },
-                Qt::QueuedConnection);
+            job_->post([this, number, answers = answersOf(so_far)] {
+                if (number == run_) {
+                    show(answers, {});
+                }
+            });
         };
         QElapsedTimer sinceTold;
         sinceTold.start();
