@@ -1,5 +1,6 @@
 #include "studies/band_progress.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -12,28 +13,43 @@
 
 namespace ravnoves {
 
-BandProgress::BandProgress(QWidget* parent) : QWidget(parent), progress_(new QProgressBar(this)) {
+BandProgress::BandProgress(QWidget* parent)
+    : QWidget(parent),
+      title_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      stop_(new QToolButton(this)) {
     setObjectName(QStringLiteral("band_progress"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(new QLabel(tr("Bands"), this));
+    row->addWidget(title_);
     progress_->setRange(0, 100);
-    progress_->setAccessibleName(tr("Bands: progress"));
     progress_->setFixedWidth(Theme::withText(90));
     row->addWidget(progress_);
-    auto* stop = new QToolButton(this);
-    stop->setText(tr("Stop"));
-    stop->setObjectName(QStringLiteral("stop_bands"));
-    stop->setAccessibleName(tr("Stop the bands"));
-    stop->setToolTip(tr("The bands stay as they are until something changes"));
-    stop->setFocusPolicy(Qt::TabFocus);
-    connect(stop, &QToolButton::clicked, this, [this] {
+    stop_->setObjectName(QStringLiteral("stop_bands"));
+    stop_->setFocusPolicy(Qt::TabFocus);
+    connect(stop_, &QToolButton::clicked, this, [this] {
         if (bands_) {
             bands_->stop();
         }
     });
-    row->addWidget(stop);
+    row->addWidget(stop_);
+    setTexts();
     hide();
+}
+
+void BandProgress::setTexts() {
+    title_->setText(tr("Bands"));
+    progress_->setAccessibleName(tr("Bands: progress"));
+    stop_->setText(tr("Stop"));
+    stop_->setAccessibleName(tr("Stop the bands"));
+    stop_->setToolTip(tr("The bands stay as they are until something changes"));
+}
+
+void BandProgress::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        setTexts();
+    }
 }
 
 void BandProgress::follow(const ScenePage* page) {

@@ -3,7 +3,9 @@
 #include <QPointer>
 #include <QWidget>
 
+class QLabel;
 class QProgressBar;
+class QToolButton;
 
 namespace ravnoves {
 
@@ -21,11 +23,17 @@ class BandProgress : public QWidget {
     /// Null: of none.
     void follow(const ScenePage* page);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void setTexts();
     void showRunning();
 
     QPointer<ToleranceBands> bands_;
+    QLabel* title_;
     QProgressBar* progress_;
+    QToolButton* stop_;
 };
 
 }  // namespace ravnoves
