@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
         said("case", i);
         window.showScene(u"v8-plugs"_s);
         auto* desk = window.findChild<JobDesk*>();
+        type("engine_number", u"53-11"_s);  // without a name nothing is kept
         type("technician", QString::number(i));
         QTest::keyClick(&window, Qt::Key_F2);
         if (!QTest::qWaitFor([&] { return desk->jobId() != 0 && !desk->isWaiting(); }, 20'000)) {
