@@ -113,9 +113,11 @@ run_coverage() {
         --folder 'ui/*/model=90'
 }
 
-# Killed while it saves, by the release's own test.
+# Killed while they save, by the release's own tests.
 run_kills() {
-    RAVNOVES_KILLS=500 "$root/build/release/tests/ui/test-ui-shell" --gtest_filter='KilledWindow.*'
+    local -x RAVNOVES_KILLS=500
+    "$root/build/release/tests/ui/test-ui-shell" --gtest_filter='KilledWindow.*' &&
+        "$root/build/release/tests/ui/test-ui-workshop" --gtest_filter='*WhenKilled*'
 }
 
 # Slider moves, cases opened and closed, animation: memory stays.
