@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
@@ -35,46 +36,59 @@ struct KnotColumns {
 };
 
 /// The largest upper and the least lower value of each block.
-template <typename Lanes>
-RAVNOVES_KERNEL void block_extrema(const KnotColumns& knots, double x, double y, double* highest,
-                                   double* lowest) {
-    Lanes by_cos;
-    Lanes by_sin;
-    set_all(by_cos, x);
-    set_all(by_sin, y);
-    for (std::size_t k = 0; k < knots.blocks; ++k) {
-        Lanes top;
-        Lanes bottom;
-        set_all(top, -std::numeric_limits<double>::infinity());
-        set_all(bottom, std::numeric_limits<double>::infinity());
-        for (std::size_t i = k * block; i < (k + 1) * block; i += lanes_of<Lanes>) {
-            Lanes cos;
-            Lanes sin;
-            Lanes upper;
-            Lanes lower_value;
-            load(cos, knots.cos + i);
-            load(sin, knots.sin + i);
-            load(upper, knots.upper + i);
-            load(lower_value, knots.lower + i);
-            const Lanes sine = by_cos * cos + by_sin * sin;
-            upper += sine;
-            lower_value += sine;
-            raise(top, upper);
-            lower(bottom, lower_value);
+struct BlockExtrema {
+    template <typename Lanes>
+    RAVNOVES_KERNEL static void run(const KnotColumns& knots, double x, double y, double* highest,
+                                    double* lowest) {
+        Lanes by_cos;
+        Lanes by_sin;
+        set_all(by_cos, x);
+        set_all(by_sin, y);
+        for (std::size_t k = 0; k < knots.blocks; ++k) {
+            Lanes top;
+            Lanes bottom;
+            set_all(top, -std::numeric_limits<double>::infinity());
+            set_all(bottom, std::numeric_limits<double>::infinity());
+            for (std::size_t i = k * block; i < (k + 1) * block; i += lanes_of<Lanes>) {
+                Lanes cos;
+                Lanes sin;
+                Lanes upper;
+                Lanes lower_value;
+                load(cos, knots.cos + i);
+                load(sin, knots.sin + i);
+                load(upper, knots.upper + i);
+                load(lower_value, knots.lower + i);
+                const Lanes sine = by_cos * cos + by_sin * sin;
+                upper += sine;
+                lower_value += sine;
+                raise(top, upper);
+                lower(bottom, lower_value);
+            }
+            highest[k] = greatest(top);
+            lowest[k] = least(bottom);
         }
-        highest[k] = greatest(top);
-        lowest[k] = least(bottom);
     }
-}
+};
 
-void block_extrema_anywhere(const KnotColumns& knots, double x, double y, double* highest,
-                            double* lowest) {
-    block_extrema<PlainLanes>(knots, x, y, highest, lowest);
-}
-
-RAVNOVES_AVX2 void block_extrema_avx2(const KnotColumns& knots, double x, double y, double* highest,
-                                      double* lowest) {
-    block_extrema<WideLanes>(knots, x, y, highest, lowest);
+/// Newton's method within a bracket, which is halved where a step would leave it.
+/// @param rises   the function is positive right of its root
+/// @param enough  the last change
+/// @param at      the function and its slope at t
+template <typename At>
+double root_within(double low, double high, double t, bool rises, double enough, const At& at) {
+    constexpr int most_steps = 40;
+    double change = high - low;
+    for (int step = 0; step < most_steps && change > enough; ++step) {
+        const auto [value, slope] = at(t);
+        ((value > 0.0) == rises ? high : low) = t;
+        double moved = t - value / slope;
+        if (!(moved >= low && moved <= high)) {
+            moved = (low + high) / 2.0;
+        }
+        change = std::abs(moved - t);
+        t = moved;
+    }
+    return t;
 }
 
 }  // namespace
@@ -290,7 +304,6 @@ bool BasicCycleExtrema<Scalar>::search_smooth(
         const Scalar angle = w * t;
         return angle <= longest_short_angle ? short_cos_sin(angle) : CosSin{cos(angle), sin(angle)};
     };
-    constexpr int most_steps = 40;
     const Scalar enough = 1e-9 * h;  // Newton's next step would be of the order of its square
     struct End {
         Scalar t;
@@ -310,22 +323,13 @@ bool BasicCycleExtrema<Scalar>::search_smooth(
                     : corner > std::min(search.lowest, search.found.min.value)) {
             return;
         }
-        Scalar low = left.t;
-        Scalar high = right.t;
-        Scalar t = low + (high - low) * left.rise / (left.rise - right.rise);
-        Scalar change = h;
-        for (int step = 0; step < most_steps && change > enough; ++step) {
-            const auto [c, s] = cos_sin(t);
-            const Scalar rise = p.slope(t) + w * (slope * c - sine * s);
-            const Scalar bend = 2 * p.c2 + 6 * p.c3 * t - w * w * (sine * c + slope * s);
-            ((rise > 0) == is_arch ? low : high) = t;
-            Scalar moved = t - rise / bend;
-            if (!(moved >= low && moved <= high)) {
-                moved = (low + high) / 2;
-            }
-            change = abs(moved - t);
-            t = moved;
-        }
+        const Scalar guess = left.t + (right.t - left.t) * left.rise / (left.rise - right.rise);
+        const Scalar t =
+            root_within(left.t, right.t, guess, !is_arch, enough, [&](const Scalar& at) {
+                const auto [c, s] = cos_sin(at);
+                return std::pair(p.slope(at) + w * (slope * c - sine * s),
+                                 2 * p.c2 + 6 * p.c3 * at - w * w * (sine * c + slope * s));
+            });
         const auto [c, s] = cos_sin(t);
         const Scalar value = p.value(t) + sine * c + slope * s;
         if (is_arch) {
@@ -369,21 +373,13 @@ bool BasicCycleExtrema<Scalar>::search_smooth(
     if (!first_matters && !last_matters) {
         return true;
     }
-    Scalar low(0);
-    Scalar high = h;
-    Scalar t = h * bend_first / (bend_first - bend_last);
-    Scalar change = h;
-    for (int step = 0; step < most_steps && change > enough; ++step) {
-        const auto [c, s] = cos_sin(t);
-        const Scalar bend = cubic_first + 6 * p.c3 * t - w * w * (sine * c + slope * s);
-        ((bend < 0) == begins_as_arch ? low : high) = t;
-        Scalar moved = t - bend / (6 * p.c3 - w * w * w * (slope * c - sine * s));
-        if (!(moved >= low && moved <= high)) {
-            moved = (low + high) / 2;
-        }
-        change = abs(moved - t);
-        t = moved;
-    }
+    const Scalar t = root_within(
+        Scalar(0), h, h * bend_first / (bend_first - bend_last), begins_as_arch, enough,
+        [&](const Scalar& at) {
+            const auto [c, s] = cos_sin(at);
+            return std::pair(cubic_first + 6 * p.c3 * at - w * w * (sine * c + slope * s),
+                             6 * p.c3 - w * w * w * (slope * c - sine * s));
+        });
     const auto [c, s] = cos_sin(t);
     const End between{t, p.value(t) + sine * c + slope * s,
                       p.slope(t) + w * (slope * c - sine * s)};
@@ -442,8 +438,7 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
     if constexpr (std::is_same_v<Scalar, double>) {
         const KnotColumns knots{cos_.data(), sin_.data(), upper_.data(), lower_.data(),
                                 static_cast<std::size_t>(blocks)};
-        (has_avx2() ? block_extrema_avx2 : block_extrema_anywhere)(knots, search.x, search.y,
-                                                                   block_max, block_min);
+        run_kernel<BlockExtrema>(knots, search.x, search.y, block_max, block_min);
     } else {
         for (Eigen::Index k = 0; k < blocks; ++k) {
             const Block<Scalar> sine = search.x * cos_.template segment<block>(k * block) +
@@ -503,9 +498,8 @@ void BasicCycleExtrema<Scalar>::find_near(
     const auto blocks = static_cast<std::size_t>(cos_.size() / block);
     near.block_max.resize(blocks);
     near.block_min.resize(blocks);
-    (has_avx2() ? block_extrema_avx2 : block_extrema_anywhere)(
-        {cos_.data(), sin_.data(), upper_.data(), lower_.data(), blocks}, x, y,
-        near.block_max.data(), near.block_min.data());
+    const KnotColumns knots{cos_.data(), sin_.data(), upper_.data(), lower_.data(), blocks};
+    run_kernel<BlockExtrema>(knots, x, y, near.block_max.data(), near.block_min.data());
     const auto highest = std::max_element(near.block_max.begin(), near.block_max.end());
     const auto lowest = std::min_element(near.block_min.begin(), near.block_min.end());
     const auto sine = [&](Eigen::Index row) { return x * cos_[row] + y * sin_[row]; };

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "numerics/short_trigonometry.h"
@@ -24,45 +26,39 @@ struct Segments {
 };
 
 /// Squares of the distances from a place; returns the least.
-template <typename Lanes>
-RAVNOVES_KERNEL double squares_from(const Segments& of, double place_x, double place_y,
-                                    double* out) {
-    Lanes least_of_all;
-    Lanes zero;
-    Lanes one;
-    set_all(least_of_all, std::numeric_limits<double>::infinity());
-    set_all(zero, 0.0);
-    set_all(one, 1.0);
-    for (std::size_t i = 0; i < of.count; i += lanes_of<Lanes>) {
-        Lanes x;
-        Lanes y;
-        Lanes along_x;
-        Lanes along_y;
-        load(x, of.x + i);
-        load(y, of.y + i);
-        load(along_x, of.along_x + i);
-        load(along_y, of.along_y + i);
-        const Lanes to_x = place_x - x;
-        const Lanes to_y = place_y - y;
-        Lanes t = (to_x * along_x + to_y * along_y) * of.per_length2;
-        t = t < zero ? zero : t;
-        t = one < t ? one : t;
-        const Lanes dx = to_x - t * along_x;
-        const Lanes dy = to_y - t * along_y;
-        const Lanes square = dx * dx + dy * dy;
-        store(out + i, square);
-        lower(least_of_all, square);
+struct SquaresFrom {
+    template <typename Lanes>
+    RAVNOVES_KERNEL static double run(const Segments& of, double place_x, double place_y,
+                                      double* out) {
+        Lanes least_of_all;
+        Lanes zero;
+        Lanes one;
+        set_all(least_of_all, std::numeric_limits<double>::infinity());
+        set_all(zero, 0.0);
+        set_all(one, 1.0);
+        for (std::size_t i = 0; i < of.count; i += lanes_of<Lanes>) {
+            Lanes x;
+            Lanes y;
+            Lanes along_x;
+            Lanes along_y;
+            load(x, of.x + i);
+            load(y, of.y + i);
+            load(along_x, of.along_x + i);
+            load(along_y, of.along_y + i);
+            const Lanes to_x = place_x - x;
+            const Lanes to_y = place_y - y;
+            Lanes t = (to_x * along_x + to_y * along_y) * of.per_length2;
+            t = t < zero ? zero : t;
+            t = one < t ? one : t;
+            const Lanes dx = to_x - t * along_x;
+            const Lanes dy = to_y - t * along_y;
+            const Lanes square = dx * dx + dy * dy;
+            store(out + i, square);
+            lower(least_of_all, square);
+        }
+        return least(least_of_all);
     }
-    return least(least_of_all);
-}
-
-double squares_anywhere(const Segments& of, double x, double y, double* out) {
-    return squares_from<PlainLanes>(of, x, y, out);
-}
-
-RAVNOVES_AVX2 double squares_avx2(const Segments& of, double x, double y, double* out) {
-    return squares_from<WideLanes>(of, x, y, out);
-}
+};
 
 }  // namespace
 
@@ -117,7 +113,7 @@ double RodSweep::squares(double x, double y, Column& out) const {
     static_assert(samples % lanes_of<WideLanes> == 0);
     const Segments all{x_.data(),       y_.data(), along_x_.data(),
                        along_y_.data(), samples,   per_length2_};
-    return (has_avx2() ? squares_avx2 : squares_anywhere)(all, x, y, out.data());
+    return run_kernel<SquaresFrom>(all, x, y, out.data());
 }
 
 /// Where the square of the distance is least within a step of a sample that lies lower than its
@@ -141,37 +137,20 @@ double RodSweep::flat_beside(std::size_t sample, double x, double y) const {
         return -((to_x - t * rod.along_x) * (1.0 - t) * pin_x +
                  (to_y - t * rod.along_y) * ((1.0 - t) * pin_y + t * piston.ds));
     };
-    double other = -step;
-    double last = step;
-    double slope_other = slope(other);
-    double slope_last = slope(last);
-    if (!(slope_other < 0.0 && slope_last > 0.0)) {
+    const double slope_low = slope(-step);
+    const double slope_high = slope(step);
+    if (!(slope_low < 0.0 && slope_high > 0.0)) {
         return boost::math::tools::brent_find_minima(
                    [&](double theta) { return square(rod_at(theta), x, y); }, middle - step,
                    middle + step, 26)
             .first;
     }
-    // Secants over a bracket (Anderson and Björck). The distance is flat there: half of a double's
-    // digits are enough.
-    constexpr int most_secants = 60;
-    for (int i = 0; i < most_secants; ++i) {
-        const double at = last - slope_last * (last - other) / (slope_last - slope_other);
-        const double here = slope(at);
-        const double change = std::abs(at - last);
-        if ((here > 0.0) != (slope_last > 0.0)) {
-            other = last;
-            slope_other = slope_last;
-        } else {
-            const double kept = 1.0 - here / slope_last;
-            slope_other *= kept > 0.0 ? kept : 0.5;
-        }
-        last = at;
-        slope_last = here;
-        if (here == 0.0 || change <= 1e-9) {
-            break;
-        }
-    }
-    return middle + last;
+    std::uintmax_t tries = 40;
+    // The distance is flat there: half of a double's digits are enough.
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        slope, -step, step, slope_low, slope_high,
+        [](double low, double high) { return high - low <= 1e-9; }, tries);
+    return middle + left + (right - left) / 2.0;
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {

@@ -72,35 +72,28 @@ struct CurveColumns {
 };
 
 /// M_s = x cos φ + y sin φ and M_up + M_s.
-template <typename Lanes>
-RAVNOVES_KERNEL void shaft_curves(const CurveColumns& at, double x, double y, double* shaft,
-                                  double* sum) {
-    std::size_t i = 0;
-    for (; i + lanes_of<Lanes> <= at.count; i += lanes_of<Lanes>) {
-        Lanes cos;
-        Lanes sin;
-        Lanes tipping;
-        load(cos, at.cos + i);
-        load(sin, at.sin + i);
-        load(tipping, at.tipping + i);
-        const Lanes moment = x * cos + y * sin;
-        store(shaft + i, moment);
-        store(sum + i, tipping + moment);
+struct ShaftCurves {
+    template <typename Lanes>
+    RAVNOVES_KERNEL static void run(const CurveColumns& at, double x, double y, double* shaft,
+                                    double* sum) {
+        std::size_t i = 0;
+        for (; i + lanes_of<Lanes> <= at.count; i += lanes_of<Lanes>) {
+            Lanes cos;
+            Lanes sin;
+            Lanes tipping;
+            load(cos, at.cos + i);
+            load(sin, at.sin + i);
+            load(tipping, at.tipping + i);
+            const Lanes moment = x * cos + y * sin;
+            store(shaft + i, moment);
+            store(sum + i, tipping + moment);
+        }
+        for (; i < at.count; ++i) {
+            shaft[i] = x * at.cos[i] + y * at.sin[i];
+            sum[i] = at.tipping[i] + shaft[i];
+        }
     }
-    for (; i < at.count; ++i) {
-        shaft[i] = x * at.cos[i] + y * at.sin[i];
-        sum[i] = at.tipping[i] + shaft[i];
-    }
-}
-
-void shaft_curves_anywhere(const CurveColumns& at, double x, double y, double* shaft, double* sum) {
-    shaft_curves<PlainLanes>(at, x, y, shaft, sum);
-}
-
-RAVNOVES_AVX2 void shaft_curves_avx2(const CurveColumns& at, double x, double y, double* shaft,
-                                     double* sum) {
-    shaft_curves<WideLanes>(at, x, y, shaft, sum);
-}
+};
 
 }  // namespace
 
@@ -359,10 +352,9 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     result.spectrum_M_ups[prepared.first_order()] =
         order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
 
-    (has_avx2() ? shaft_curves_avx2 : shaft_curves_anywhere)(
-        {prepared.cos_curve.data(), prepared.sin_curve.data(), prepared.base.curves.M_up.data(),
-         prepared.cos_curve.size()},
-        x, y, result.curves.M_s.data(), result.curves.M_ups.data());
+    const CurveColumns at{prepared.cos_curve.data(), prepared.sin_curve.data(),
+                          prepared.base.curves.M_up.data(), prepared.cos_curve.size()};
+    run_kernel<ShaftCurves>(at, x, y, result.curves.M_s.data(), result.curves.M_ups.data());
 }
 
 double Solver::M_up(double crank_angle) const {

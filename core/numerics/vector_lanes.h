@@ -5,11 +5,11 @@
 #include <cstring>
 
 /// Kernels that use the processor's wide registers where it has them. A kernel is written once, as
-/// an inline template of the kind of lanes; it is compiled twice, for any processor with PlainLanes
-/// and, marked RAVNOVES_AVX2, with WideLanes, and has_avx2() chooses. Both do the same operations
-/// on every element, none of them fused (AVX2 alone has no fused multiply-add), and put together
-/// by maxima and minima only, so the results are equal to the last bit. AVX-512 is not used: with
-/// it the compiler fuses.
+/// a type with an inline template `run` of the kind of lanes; run_kernel() compiles it twice, for
+/// any processor with PlainLanes and for AVX2 with WideLanes, and chooses. Both do the same
+/// operations on every element, none of them fused (AVX2 alone has no fused multiply-add), and put
+/// together by maxima and minima only, so the results are equal to the last bit. AVX-512 is not
+/// used: with it the compiler fuses.
 namespace ravnoves {
 
 using PlainLanes = double __attribute__((vector_size(16)));  ///< two doubles: any x86-64 has them
@@ -43,6 +43,20 @@ inline bool has_avx2() {
 /// For tests and benchmarks: the way for any processor, where `wanted` is false.
 inline void want_avx2(bool wanted) {
     detail::avx2_wanted.store(wanted, std::memory_order_relaxed);
+}
+
+namespace detail {
+template <typename Kernel, typename... Arguments>
+RAVNOVES_AVX2 auto run_wide(const Arguments&... arguments) {
+    return Kernel::template run<WideLanes>(arguments...);
+}
+}  // namespace detail
+
+/// Kernel::run<Lanes>(arguments…) with the lanes that the processor has.
+template <typename Kernel, typename... Arguments>
+auto run_kernel(const Arguments&... arguments) {
+    return has_avx2() ? detail::run_wide<Kernel>(arguments...)
+                      : Kernel::template run<PlainLanes>(arguments...);
 }
 
 // By reference: how such values are passed by value depends on the processor.

@@ -68,6 +68,7 @@ struct Work {
 
     double whole() const { return basis + samples + pairs; }
 };
+
 /// Samples, points of a grid, or points of an expansion.
 std::uint64_t points_of(const Study& study) {
     return is_sampled(study.method) || study.method == Method::grid ? study.points()
