@@ -223,13 +223,13 @@ void visit_fields(FieldVisitor& visitor, Reading& reading) {
     visitor.number(field::reading_position, reading.position);
     visitor.required(field::unbalance, reading.unbalance);
     visitor.required(field::angle, reading.angle);
-    visitor.number(field::reading_bob_weight, reading.bob_weight);
+    visitor.number(field::bob_weight_then, reading.bob_weight);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
     visitor.required(field::angle, reading.angle);
-    visitor.number(field::reading_bob_weight, reading.bob_weight);
+    visitor.number(field::bob_weight_then, reading.bob_weight);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierRun& run) {

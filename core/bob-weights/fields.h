@@ -170,14 +170,7 @@ inline constexpr Field angle{
                       "Angle of the heavy spot from the machine's zero mark; a machine that shows "
                       "the light spot shows it 180° from here."),
     .placeholder = CORE_TEXT("V8", "needed")};
-inline constexpr Field reading_bob_weight{
-    .key = "bobweight_g",
-    .unit = units::gram,
-    .range = Range::between(0, 100'000'000),
-    .label = CORE_TEXT("bob-weights", "Bob weight then"),
-    .hint = CORE_TEXT("bob-weights",
-                      "That hung on each crankpin when the machine read; readings hold for it "
-                      "alone.")};
+using workshop::field::bob_weight_then;
 inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Drills at hand.")};
 inline constexpr Field diameters{
     .key = "diameters_mm",

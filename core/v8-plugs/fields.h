@@ -151,19 +151,17 @@ inline constexpr Field rear_reading{
     .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
-inline constexpr Field front_bob_weight{
-    .key = "front_bobweight_g",
-    .unit = units::gram,
-    .range = Range::between(0, 100'000'000),
-    .label = CORE_TEXT("V8", "Bob weight then, front"),
-    .hint = CORE_TEXT("V8",
-                      "That hung on each crankpin when the machine read; readings hold for it "
-                      "alone.")};
+using workshop::field::bob_weight_then;
+inline constexpr Field front_bob_weight{.key = "front_bobweight_g",
+                                        .unit = bob_weight_then.unit,
+                                        .range = bob_weight_then.range,
+                                        .label = CORE_TEXT("V8", "Bob weight then, front"),
+                                        .hint = bob_weight_then.hint};
 inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
-                                       .unit = units::gram,
-                                       .range = front_bob_weight.range,
+                                       .unit = bob_weight_then.unit,
+                                       .range = bob_weight_then.range,
                                        .label = CORE_TEXT("V8", "Bob weight then, rear"),
-                                       .hint = front_bob_weight.hint};
+                                       .hint = bob_weight_then.hint};
 
 // ------------------------------------------------------------------------- head of the card
 using workshop::field::crankshaft_number;

@@ -66,6 +66,12 @@ struct BalancingSheet {
 
     /// Nothing while grade, mass or speed are missing.
     std::optional<BalancingCheck> check() const;
+    /// Of another crankshaft, that the machine has not read yet.
+    void forget_readings() {
+        for (auto* value : {&front_reading, &rear_reading, &front_bob_weight, &rear_bob_weight}) {
+            value->reset();
+        }
+    }
 
     friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
 };

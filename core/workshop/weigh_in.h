@@ -149,6 +149,15 @@ inline constexpr Field rod_sets{
     .hint = CORE_TEXT("V8",
                       "Number of the rod in each cylinder, where it is not that of the cylinder: "
                       "it was weighed there.")};
+/// Of a reading of the balancing machine.
+inline constexpr Field bob_weight_then{
+    .key = "bobweight_g",
+    .unit = units::gram,
+    .range = Range::between(0, 100'000'000),
+    .label = CORE_TEXT("V8", "Bob weight then"),
+    .hint = CORE_TEXT("V8",
+                      "That hung on each crankpin when the machine read; readings hold for it "
+                      "alone.")};
 
 }  // namespace field
 

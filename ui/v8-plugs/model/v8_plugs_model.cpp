@@ -250,10 +250,7 @@ void V8PlugsModel::newJob() {
     }
     next.balancing = input().balancing;
     if (next.balancing) {
-        next.balancing->front_reading.reset();
-        next.balancing->rear_reading.reset();
-        next.balancing->front_bob_weight.reset();
-        next.balancing->rear_bob_weight.reset();
+        next.balancing->forget_readings();
     }
     next.job.technician = input().job.technician;
     desk_.beginJob([&] {

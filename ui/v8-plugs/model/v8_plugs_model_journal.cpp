@@ -82,10 +82,7 @@ void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
         next.job.notes.clear();
         next.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
         if (next.balancing) {
-            next.balancing->front_reading.reset();
-            next.balancing->rear_reading.reset();
-            next.balancing->front_bob_weight.reset();
-            next.balancing->rear_bob_weight.reset();
+            next.balancing->forget_readings();
         }
     }
     editText(QString::fromStdString(file.title),
