@@ -298,6 +298,17 @@
     </message>
 </context>
 <context>
+    <name>Errors</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Для этого не хватает памяти.</translation>
+    </message>
+    <message>
+        <source>The computation failed.</source>
+        <translation>Вычисление не удалось.</translation>
+    </message>
+</context>
+<context>
     <name>JobCard</name>
     <message>
         <source>custom</source>
@@ -1885,6 +1896,10 @@
     <message>
         <source>Bob weight then, rear</source>
         <translation>Балансировочный груз при этом, сзади</translation>
+    </message>
+    <message>
+        <source>Bob weight then</source>
+        <translation>Балансировочный груз при этом</translation>
     </message>
 </context>
 <context>
@@ -3787,14 +3802,6 @@
     <message>
         <source>To the full diameter: the cone of the drill&apos;s point lies beyond it.</source>
         <translation>До полного диаметра: конус сверла лежит глубже.</translation>
-    </message>
-    <message>
-        <source>Bob weight then</source>
-        <translation>Балансировочный груз при этом</translation>
-    </message>
-    <message>
-        <source>That hung on each crankpin when the machine read; readings hold for it alone.</source>
-        <translation>Висел на каждой шатунной шейке при измерении; показания верны только для него.</translation>
     </message>
 </context>
 <context>
@@ -7629,17 +7636,6 @@
     <message>
         <source>The options</source>
         <translation>Варианты</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BackgroundJob</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Для этого не хватает памяти.</translation>
-    </message>
-    <message>
-        <source>The computation failed.</source>
-        <translation>Вычисление не удалось.</translation>
     </message>
 </context>
 <context>
@@ -11486,13 +11482,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::JournalWriter</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Для этого не хватает памяти.</translation>
     </message>
 </context>
 <context>

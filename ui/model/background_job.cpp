@@ -1,7 +1,6 @@
 #include "model/background_job.h"
 
 #include <exception>
-#include <new>
 #include <utility>
 
 #include "numerics/vector_state.h"
@@ -52,40 +51,30 @@ void BackgroundJob::launch() {
     }
     stop_ = std::make_shared<std::atomic<bool>>(false);
     clock_.start();
-    worker_.begin(
-        [this, work = std::exchange(pending_, nullptr), stop = stop_]() -> WorkerThread::Telling {
-            QElapsedTimer sinceReport;
-            sinceReport.start();
-            const auto report = [&](double part) {
-                if (sinceReport.elapsed() >= reportMs) {
-                    sinceReport.restart();
-                    worker_.post([this, stop, part] {
-                        if (!*stop) {
-                            Q_EMIT progress(part);
-                        }
-                    });
-                }
-                return !*stop;
-            };
-            std::function<void()> apply;
-            clear_vector_state();
-            try {
-                apply = work(report);
-            } catch (...) {
-                apply = [this, thrown = std::current_exception()] {
-                    try {
-                        std::rethrow_exception(thrown);
-                    } catch (const std::bad_alloc&) {
-                        Q_EMIT failed(tr("There is not enough memory for this."));
-                    } catch (const std::exception& error) {
-                        Q_EMIT failed(errorText(error));
-                    } catch (...) {
-                        Q_EMIT failed(tr("The computation failed."));
+    worker_.begin([this, work = std::exchange(pending_, nullptr),
+                   stop = stop_]() -> WorkerThread::Telling {
+        QElapsedTimer sinceReport;
+        sinceReport.start();
+        const auto report = [&](double part) {
+            if (sinceReport.elapsed() >= reportMs) {
+                sinceReport.restart();
+                worker_.post([this, stop, part] {
+                    if (!*stop) {
+                        Q_EMIT progress(part);
                     }
-                };
+                });
             }
-            return [this, stop, apply] { done(*stop, apply); };
-        });
+            return !*stop;
+        };
+        std::function<void()> apply;
+        clear_vector_state();
+        try {
+            apply = work(report);
+        } catch (...) {
+            apply = [this, thrown = std::current_exception()] { Q_EMIT failed(errorText(thrown)); };
+        }
+        return [this, stop, apply] { done(*stop, apply); };
+    });
 }
 
 void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {

@@ -1,5 +1,8 @@
 #include "text/error_text.h"
 
+#include <QCoreApplication>
+#include <new>
+
 #include "case-file/input_error.h"
 #include "text/message_text.h"
 
@@ -8,6 +11,18 @@ namespace ravnoves {
 QString errorText(const std::exception& error) {
     const auto* input = dynamic_cast<const InputError*>(&error);
     return input == nullptr ? QString::fromUtf8(error.what()) : messageText(input->message());
+}
+
+QString errorText(const std::exception_ptr& thrown) {
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        return QCoreApplication::translate("Errors", "There is not enough memory for this.");
+    } catch (const std::exception& error) {
+        return errorText(error);
+    } catch (...) {
+        return QCoreApplication::translate("Errors", "The computation failed.");
+    }
 }
 
 }  // namespace ravnoves

@@ -1,27 +1,11 @@
 #include "workshop/model/journal_writer.h"
 
 #include <exception>
-#include <new>
 #include <utility>
 
 #include "text/error_text.h"
 
 namespace ravnoves {
-
-namespace {
-
-/// What goes wrong in a task is told, whatever it is.
-QString writingTrouble() {
-    try {
-        throw;
-    } catch (const std::bad_alloc&) {
-        return JournalWriter::tr("There is not enough memory for this.");
-    } catch (const std::exception& error) {
-        return errorText(error);
-    }
-}
-
-}  // namespace
 
 JournalWriter::JournalWriter(const QString& path, const QString& session, QObject* parent)
     : QObject(parent), path_(path), session_(session) {}
@@ -69,7 +53,7 @@ void JournalWriter::saveJob(const JournalJob& job, bool endsDraft, JobTold told)
                 journal.discardDraft(session_);
             }
         } catch (...) {
-            why = writingTrouble();
+            why = errorText(std::current_exception());
         }
         return [told, saved, written, why] { told(saved, written, why); };
     });
@@ -88,7 +72,7 @@ void JournalWriter::saveDraft(const JournalDraft& draft, DraftTold told) {
                 why = journal.lastError();
             }
         } catch (...) {
-            why = writingTrouble();
+            why = errorText(std::current_exception());
         }
         return [told, kept, why] { told(kept, why); };
     });
