@@ -329,6 +329,21 @@ struct ToleranceBands::Run {
         QString howNumbers;
         bool isStale = false;
     };
+    Shown slopes() const {
+        Shown found;
+        for (std::size_t i = 0; i < nominal.size(); ++i) {
+            const double half = point95 * std::sqrt(variance[i]);
+            found.below.push_back(half - shift[i]);
+            found.above.push_back(half + shift[i]);
+        }
+        found.howCurves = ToleranceBands::tr(
+            "Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and "
+            "5 % above it where the results go straight with the inputs");
+        found.howNumbers = ToleranceBands::tr(
+            "What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 "
+            "% where it goes straight with the inputs");
+        return found;
+    }
     void show(const Shown& shown) const {
         std::map<std::size_t, QString> fails;
         for (const auto& [group, why] : shown.fails) {
@@ -551,9 +566,7 @@ void ToleranceBands::step() {
         } else {
             run_->take(std::nullopt);
         }
-        for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
-            job->cancel();
-        }
+        cancelTwin();
     }
     if (!run_->isDone()) {
         later_.start(run_->waits ? lookAgainMs : 0);
@@ -637,9 +650,7 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
             run->slow.emplace_back(plot, twin);
         }
     }
-    for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
-        job->cancel();
-    }
+    cancelTwin();
     const AllDigits digits;
     run->layOut();
     return run;
@@ -670,20 +681,15 @@ void ToleranceBands::fill(const Run& run) {
     }
 }
 
+void ToleranceBands::cancelTwin() {
+    for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
+        job->cancel();
+    }
+}
+
 void ToleranceBands::finishSlopes() {
     isClear_ = false;
-    Run::Shown shown;
-    for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
-        const double half = point95 * std::sqrt(run_->variance[i]);
-        shown.below.push_back(half - run_->shift[i]);
-        shown.above.push_back(half + run_->shift[i]);
-    }
-    shown.howCurves =
-        tr("Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band "
-           "and 5 % above it where the results go straight with the inputs");
-    shown.howNumbers =
-        tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
-           "5 % to 95 % where it goes straight with the inputs");
+    Run::Shown shown = run_->slopes();
     shown.isStale = isOther_;
     run_->show(shown);
 }
@@ -760,9 +766,7 @@ std::optional<std::vector<double>> ToleranceBands::read(int run,
     const AllDigits digits;
     take();
     fill(*run_);
-    for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
-        job->cancel();
-    }
+    cancelTwin();
     return run_->numbers();
 }
 
@@ -773,26 +777,22 @@ void ToleranceBands::showSamples(int run, const BandAnswer& answer) {
     if (answer.below.empty() && answer.fails.empty()) {
         return;  // slopes hold
     }
-    Run::Shown shown;
-    const bool isSampled = !answer.below.empty();
-    for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
-        const double half = point95 * std::sqrt(run_->variance[i]);
-        const bool has = isSampled && std::isfinite(answer.below[i]);
-        shown.below.push_back(has ? answer.below[i] : half - run_->shift[i]);
-        shown.above.push_back(has ? answer.above[i] : half + run_->shift[i]);
+    Run::Shown shown = run_->slopes();
+    if (!answer.below.empty()) {
+        for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
+            if (std::isfinite(answer.below[i])) {
+                shown.below[i] = answer.below[i];
+                shown.above[i] = answer.above[i];
+            }
+        }
+        const QString samples = QLocale().toString(static_cast<qulonglong>(answer.samples));
+        shown.howCurves = tr("Where the tolerances let the curves lie: of %1 samples 5 % are below "
+                             "the band and 5 % above it")
+                              .arg(samples);
+        shown.howNumbers =
+            tr("What the tolerances make of it: the range from 5 % to 95 % of %1 samples")
+                .arg(samples);
     }
-    const QString samples = QLocale().toString(static_cast<qulonglong>(answer.samples));
-    shown.howCurves =
-        isSampled ? tr("Where the tolerances let the curves lie: of %1 samples 5 % are below the "
-                       "band and 5 % above it")
-                        .arg(samples)
-                  : tr("Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below "
-                       "the band and 5 % above it where the results go straight with the inputs");
-    shown.howNumbers =
-        isSampled ? tr("What the tolerances make of it: the range from 5 % to 95 % of %1 samples")
-                        .arg(samples)
-                  : tr("What the tolerances make of it: 1.645 σ, by slopes, half of the range from "
-                       "5 % to 95 % where it goes straight with the inputs");
     const std::vector<BandTask::Group> groups = run_->groups();
     for (const auto& [group, why] : answer.fails) {
         if (group < groups.size()) {

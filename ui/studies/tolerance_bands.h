@@ -55,6 +55,8 @@ class ToleranceBands : public QObject {
     /// Shows the second page another input. @return false where it is refused
     bool load(const Run& run, std::size_t input, double by);
     void fill(const Run& run);
+    /// What the twin computes in the background is not needed now.
+    void cancelTwin();
     void finishSlopes();
     void beginSamples();
     void endSamples();
