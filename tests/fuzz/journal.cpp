@@ -1,25 +1,18 @@
 // A damaged journal: opened, or restored from. What cannot be read is set aside, and the journal is
 // there for the next job in any case.
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
+#include "window_target.h"
 #include "workshop/model/journal.h"
 
 namespace {
 
 using namespace ravnoves;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 JournalJob job(int number) {
     JournalJob made;
@@ -35,15 +28,16 @@ JournalJob job(int number) {
 QByteArray journalOfThree(const QString& path) {
     {
         Journal journal(path);
-        require(journal.open());
+        require(journal.open(), "a new journal opens");
         for (int number = 1; number <= 3; ++number) {
             JournalJob added = job(number);
-            require(journal.save(added) == Journal::Saved::Yes);
+            require(journal.save(added) == Journal::Saved::Yes, "a job is saved");
         }
-        require(journal.saveEngine({QStringLiteral("ZMZ"), QByteArrayLiteral("{}")}));
+        require(journal.saveEngine({QStringLiteral("ZMZ"), QByteArrayLiteral("{}")}),
+                "an engine is saved");
     }
     QFile file(path);
-    require(file.open(QIODevice::ReadOnly));
+    require(file.open(QIODevice::ReadOnly), "the journal is a file");
     return file.readAll();
 }
 
@@ -64,23 +58,20 @@ QByteArray damaged(QByteArray file, const std::uint8_t* data, std::size_t size) 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static int count = 1;
-    static char name[] = "fuzz-journal";
-    static char* arguments[] = {name, nullptr};
-    static QCoreApplication application(count, arguments);
+    needApplication();
     static QTemporaryDir folder;
     static const QByteArray whole = journalOfThree(folder.filePath(QStringLiteral("whole.sqlite")));
 
     const QString own = folder.filePath(QStringLiteral("own"));
-    require(QDir().mkpath(own));
+    require(QDir().mkpath(own), "there is a folder");
     const QString path = own + QStringLiteral("/journal.sqlite");
     {
         QFile file(path);
-        require(file.open(QIODevice::WriteOnly));
+        require(file.open(QIODevice::WriteOnly), "the file is written");
         file.write(damaged(whole, data, size));
     }
     const QString backup = own + QStringLiteral("/backup.sqlite");
-    require(QFile::copy(path, backup));
+    require(QFile::copy(path, backup), "the backup is written");
     {
         Journal journal(path);
         JournalJob added = job(9);
@@ -88,21 +79,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             journal.search({});
             journal.engines();
             if (journal.save(added) == Journal::Saved::No) {
-                require(!journal.lastError().isEmpty());
+                require(!journal.lastError().isEmpty(), "a refusal has words");
             }
         } else {
-            require(!journal.lastError().isEmpty());
+            require(!journal.lastError().isEmpty(), "a refusal has words");
         }
     }
     {
         Journal journal(own + QStringLiteral("/fresh.sqlite"));
-        require(journal.open());
+        require(journal.open(), "a new journal opens");
         const auto restored = journal.restore(backup);
-        require(restored || !journal.lastError().isEmpty());
-        require(!restored || journal.search({}).size() == restored->added);
+        require(restored || !journal.lastError().isEmpty(), "a refusal has words");
+        require(!restored || journal.search({}).size() == restored->added,
+                "what was added is there");
         JournalJob added = job(9);
-        require(journal.save(added) != Journal::Saved::No);
+        require(journal.save(added) != Journal::Saved::No, "the next job is saved");
     }
-    require(QDir(own).removeRecursively());
+    require(QDir(own).removeRecursively(), "the folder goes");
     return 0;
 }

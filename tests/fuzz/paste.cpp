@@ -1,12 +1,9 @@
 // Text on the clipboard, pasted into each table that takes numbers: written whole or refused in
 // words. What stands there then is a case that can be solved, and undo brings back what stood.
 
-#include <QCoreApplication>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <vector>
 
@@ -20,18 +17,12 @@
 #include "studies/model/study_tables.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/weigh_in_table.h"
+#include "window_target.h"
 
 namespace {
 
 using namespace ravnoves;
 using Cells = std::vector<QStringList>;
-
-void require(bool holds, const char* what) {
-    if (!holds) {
-        std::fprintf(stderr, "it does not hold: %s\n", what);
-        std::abort();
-    }
-}
 
 /// Pastes into a table of a model and takes it back.
 void paste(SceneModel& model, const std::function<QString()>& write) {
@@ -68,10 +59,7 @@ struct Pages {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static int count = 1;
-    static char name[] = "fuzz-paste";
-    static char* arguments[] = {name, nullptr};
-    static QCoreApplication application(count, arguments);
+    needApplication();
     static Pages pages;
     if (size < 2) {
         return 0;
