@@ -95,7 +95,6 @@ void WorkshopPage::buildActions() {
         auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
         action->setObjectName(name);
         action->setShortcut(keys);
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         action->setToolTip(tip +
                            QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText)));
         connect(action, &QAction::triggered, this, slot);
