@@ -8297,6 +8297,10 @@ but nothing can be built</source>
         <source>The bands stay as they are until something changes</source>
         <translation>Полосы останутся как есть, пока что-нибудь не изменится</translation>
     </message>
+    <message>
+        <source>The bands and ± are those of slopes, or of the samples so far, until something changes.</source>
+        <translation>Полосы и ± — по наклонам или по посчитанным пробам, пока что-нибудь не изменится.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobAnswer</name>

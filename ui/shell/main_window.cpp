@@ -79,7 +79,10 @@ MainWindow::MainWindow(First first) {
     setAcceptDrops(true);
     documents_ = new Documents(this);
     scale_ = new ScaleButton(this);
-    statusBar()->addPermanentWidget(new BandProgress(this));
+    auto* bands = new BandProgress(this);
+    statusBar()->addPermanentWidget(bands);
+    connect(bands, &BandProgress::stopped, this,
+            [this](const QString& what) { statusBar()->showMessage(what, 10'000); });
     statusBar()->addPermanentWidget(scale_);
     connect(scale_, &ScaleButton::status, this,
             [this](const QString& text) { statusBar()->showMessage(text, 10'000); });

@@ -30,6 +30,9 @@ BandProgress::BandProgress(QWidget* parent)
     connect(stop_, &QToolButton::clicked, this, [this] {
         if (bands_) {
             bands_->stop();
+            Q_EMIT stopped(
+                tr("The bands and ± are those of slopes, or of the samples so far, until "
+                   "something changes."));
         }
     });
     row->addWidget(stop_);

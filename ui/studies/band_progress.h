@@ -23,6 +23,10 @@ class BandProgress : public QWidget {
     /// Null: of none.
     void follow(const ScenePage* page);
 
+  Q_SIGNALS:
+    /// What is shown then.
+    void stopped(const QString& what);
+
   protected:
     void changeEvent(QEvent* event) override;
 

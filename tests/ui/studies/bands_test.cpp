@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -198,7 +199,10 @@ TEST_F(Bands, AreThoseOfTheSamplesWhenTheHandRests) {
     BandProgress progress;
     progress.follow(page.get());
     EXPECT_FALSE(progress.isHidden());
+    QSignalSpy stopped(&progress, &BandProgress::stopped);
     test::named<QToolButton>(progress, "stop_bands")->click();
+    ASSERT_EQ(stopped.size(), 1);
+    EXPECT_TRUE(stopped[0][0].toString().contains(u"slopes"_s));
     EXPECT_TRUE(progress.isHidden());
     EXPECT_FALSE(page->isBusy());
     EXPECT_NEAR(sides().first, sides().second, 1e-6);
