@@ -30,6 +30,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <map>
 
 #include "case-file/case_file.h"
@@ -718,6 +719,24 @@ TEST_F(V8PageTest, ReadingsAreJudgedByTheToleranceAloneAndBothLimitsAreExplained
     V8PlugsModel picture({});
     EXPECT_EQ(picture.input().tolerance, default_tolerance);
     QSettings().remove(u"workshop/tolerance_g_mm"_s);
+}
+
+/// A button that hides when it is pressed gives the focus to whatever comes next.
+TEST_F(V8PageTest, ItsKeysWorkWhereverTheFocusIs) {
+    QWidget window;
+    QVBoxLayout column(&window);
+    QPushButton other(u"Other"_s, &window);
+    column.addWidget(&other);
+    column.addWidget(&page);
+    test::showAt(window, {1187, 760});
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    type("engine_number", u"53-11"_s);
+    other.setFocus();
+    ASSERT_TRUE(other.hasFocus());
+    QTest::keyClick(&other, Qt::Key_F2);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return model->desk()->jobId() != 0; }, 20'000));
+    page.setParent(nullptr);
 }
 
 TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
