@@ -200,6 +200,7 @@ BasicCycleExtrema<Scalar>::BasicCycleExtrema(const BasicPeriodicPiecewise<Scalar
     const Scalar size =
         std::max({amplitude_, Scalar(upper_.maxCoeff()), Scalar(-lower_.minCoeff())});
     const Scalar slack = 50 * std::numeric_limits<Scalar>::epsilon() * size;
+    slack_ = slack;
     for (Branch& branch : branches_) {
         branch.above = branch.above * (1 + 1e-9) + slack;
         branch.below = branch.below * (1 + 1e-9) + slack;
@@ -219,6 +220,20 @@ BasicCycleExtrema<Scalar>::BasicCycleExtrema(const BasicPeriodicPiecewise<Scalar
     for (Eigen::Index k = 0; k < padded / block; ++k) {
         block_above_[k] = above_.template segment<block>(k * block).maxCoeff();
         block_below_[k] = below_.template segment<block>(k * block).maxCoeff();
+    }
+    if constexpr (std::is_same_v<Scalar, double>) {
+        std::vector<double> knots;
+        if (count_ > KnotStretches::few) {
+            knots.assign(knot_deg_.begin(), knot_deg_.end() - 1);
+        }
+        for (double& knot : knots) {
+            knot *= degree;
+        }
+        stretches_ = KnotStretches(knots);
+        stretch_upper_ = stretches_.greatest(upper_);
+        stretch_lower_ = stretches_.least(lower_);
+        stretch_above_ = stretches_.greatest(above_);
+        stretch_below_ = stretches_.greatest(below_);
     }
 }
 
@@ -417,9 +432,104 @@ void BasicCycleExtrema<Scalar>::offer_knot(std::size_t j, const Scalar& top, con
     search.searched = j;
 }
 
+/// Every knot of a block that is near to the best is offered with the interior extrema of the
+/// intervals on its two sides.
+template <typename Scalar>
+void BasicCycleExtrema<Scalar>::search_block(Eigen::Index k, const Scalar& block_max,
+                                             const Scalar& block_min, Search& search) const {
+    if (search.beaten(block_max + block_above_[k], block_min - block_below_[k])) {
+        return;
+    }
+    const Eigen::Index end = std::min((k + 1) * block, static_cast<Eigen::Index>(count_));
+    for (Eigen::Index row = k * block; row < end; ++row) {
+        const Scalar sine = search.x * cos_[row] + search.y * sin_[row];
+        const Scalar top = upper_[row] + sine;
+        const Scalar bottom = lower_[row] + sine;
+        if (search.beaten(top + above_[row], bottom - below_[row])) {
+            continue;
+        }
+        offer_knot(static_cast<std::size_t>(row), top, bottom, search);
+    }
+}
+
+template <typename Scalar>
+KnotStretches::Bounds BasicCycleExtrema<Scalar>::reach(
+    std::size_t stretch, const Scalar& x,
+    const Scalar& y) const requires std::is_same_v<Scalar, double> {
+    const KnotStretches::Bounds sine = stretches_.sine(stretch, x, y);
+    return {stretch_lower_[stretch] + sine.low - slack_,
+            stretch_upper_[stretch] + sine.high + slack_};
+}
+
+/// The two passes of operator(), but stretches that cannot hold an extremum are passed over.
+template <typename Scalar>
+void BasicCycleExtrema<Scalar>::search_many(
+    Search& search) const requires std::is_same_v<Scalar, double> {
+    constexpr Eigen::Index blocks = KnotStretches::length / block;
+    std::array<double, static_cast<std::size_t>(blocks)> block_max;  // filled as far as it is read
+    std::array<double, static_cast<std::size_t>(blocks)> block_min;
+    const auto look = [&](std::size_t stretch) -> Eigen::Index {
+        const auto first = static_cast<Eigen::Index>(stretch) * KnotStretches::length;
+        const Eigen::Index count = std::min(blocks, (cos_.size() - first) / block);
+        const KnotColumns knots{cos_.data() + first, sin_.data() + first, upper_.data() + first,
+                                lower_.data() + first, static_cast<std::size_t>(count)};
+        run_kernel<BlockExtrema>(knots, search.x, search.y, block_max.data(), block_min.data());
+        return count;
+    };
+    thread_local std::vector<KnotStretches::Bounds> reaches;
+    reaches.resize(stretches_.size());
+    std::size_t highest = 0;
+    std::size_t lowest = 0;
+    for (std::size_t k = 0; k < reaches.size(); ++k) {
+        reaches[k] = reach(k, search.x, search.y);
+        highest = reaches[k].high > reaches[highest].high ? k : highest;
+        lowest = reaches[k].low < reaches[lowest].low ? k : lowest;
+    }
+    search.highest = -std::numeric_limits<double>::infinity();
+    search.lowest = std::numeric_limits<double>::infinity();
+    const auto look_at_knots = [&](std::size_t stretch) {
+        const Eigen::Index count = look(stretch);
+        search.highest =
+            std::max(search.highest, *std::max_element(block_max.data(), block_max.data() + count));
+        search.lowest =
+            std::min(search.lowest, *std::min_element(block_min.data(), block_min.data() + count));
+    };
+    look_at_knots(highest);
+    look_at_knots(lowest);
+    for (std::size_t k = 0; k < reaches.size(); ++k) {
+        if (k != highest && k != lowest &&
+            (reaches[k].high >= search.highest || reaches[k].low <= search.lowest)) {
+            look_at_knots(k);
+        }
+    }
+    for (std::size_t k = 0; k < reaches.size(); ++k) {
+        if (search.beaten(reaches[k].high + stretch_above_[k],
+                          reaches[k].low - stretch_below_[k])) {
+            continue;
+        }
+        const Eigen::Index count = look(k);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            search_block(static_cast<Eigen::Index>(k) * blocks + i,
+                         block_max[static_cast<std::size_t>(i)],
+                         block_min[static_cast<std::size_t>(i)], search);
+        }
+    }
+}
+
 template <typename Scalar>
 BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) const {
     Search search = search_at(alpha);
+    const auto found = [&]() -> BasicExtrema<Scalar> {
+        search.found.max.angle_deg = wrap<Scalar>(search.found.max.angle_deg, period_);
+        search.found.min.angle_deg = wrap<Scalar>(search.found.min.angle_deg, period_);
+        return search.found;
+    };
+    if constexpr (std::is_same_v<Scalar, double>) {
+        if (stretches_.size() > 0) {
+            search_many(search);
+            return found();
+        }
+    }
 
     // First pass: extrema at the knots, block by block; they are kept so that the second pass opens
     // only blocks near the best.
@@ -455,26 +565,10 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
     search.highest = highest;
     search.lowest = lowest;
 
-    // Second pass: every knot that near to the best is offered with the interior extrema of the
-    // intervals on its two sides.
     for (Eigen::Index k = 0; k < blocks; ++k) {
-        if (search.beaten(block_max[k] + block_above_[k], block_min[k] - block_below_[k])) {
-            continue;
-        }
-        const Eigen::Index end = std::min((k + 1) * block, static_cast<Eigen::Index>(count_));
-        for (Eigen::Index row = k * block; row < end; ++row) {
-            const Scalar sine = search.x * cos_[row] + search.y * sin_[row];
-            const Scalar top = upper_[row] + sine;
-            const Scalar bottom = lower_[row] + sine;
-            if (search.beaten(top + above_[row], bottom - below_[row])) {
-                continue;
-            }
-            offer_knot(static_cast<std::size_t>(row), top, bottom, search);
-        }
+        search_block(k, block_max[k], block_min[k], search);
     }
-    search.found.max.angle_deg = wrap<Scalar>(search.found.max.angle_deg, period_);
-    search.found.min.angle_deg = wrap<Scalar>(search.found.min.angle_deg, period_);
-    return search.found;
+    return found();
 }
 
 template <typename Scalar>

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "balance-shaft/knot_stretches.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -83,6 +84,12 @@ class BasicCycleExtrema {
     struct Near;
 
     Search search_at(const Scalar& alpha) const;
+    void search_block(Eigen::Index k, const Scalar& block_max, const Scalar& block_min,
+                      Search& search) const;
+    /// What the knots of a stretch reach with a sine, up to rounding.
+    KnotStretches::Bounds reach(std::size_t stretch, const Scalar& x,
+                                const Scalar& y) const requires std::is_same_v<Scalar, double>;
+    void search_many(Search& search) const requires std::is_same_v<Scalar, double>;
     void offer_knot(std::size_t j, const Scalar& top, const Scalar& bottom, Search& search) const;
     void search_interval(Eigen::Index j, Search& search) const;
     bool search_smooth(const Branch& branch, Eigen::Index j, const Scalar& value_left,
@@ -102,6 +109,10 @@ class BasicCycleExtrema {
     // How far the function may lie above and below the ends within the intervals beside a knot, and
     // the largest of that in each block.
     Column above_, below_, block_above_, block_below_;
+    // Of double alone, and where the knots are many.
+    KnotStretches stretches_;
+    std::vector<double> stretch_upper_, stretch_lower_, stretch_above_, stretch_below_;
+    Scalar slack_ = Scalar(0);  ///< rounding of a value
 };
 
 using CycleExtrema = BasicCycleExtrema<double>;

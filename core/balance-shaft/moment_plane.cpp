@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
@@ -72,6 +73,8 @@ MomentPlane::MomentPlane(const PeriodicPiecewise& moment) {
     for (Eigen::Index k = 0; k < padded / lanes; ++k) {
         block_chord_[k] = chord_beside_.segment<lanes>(k * lanes).maxCoeff();
     }
+    stretches_ = KnotStretches(std::span(knot_).first(count_));
+    stretch_chord_ = stretches_.greatest(chord_beside_);
     prepare(moment);
     slack_ = 50.0 * epsilon * std::max(up_.peak.abs().maxCoeff(), down_.peak.abs().maxCoeff());
 }
@@ -127,6 +130,8 @@ void MomentPlane::prepare(const PeriodicPiecewise& moment) {
         for (Eigen::Index k = 0; k < side->block_above.size(); ++k) {
             side->block_above[k] = side->above.segment<lanes>(k * lanes).maxCoeff();
         }
+        side->stretch_peak = stretches_.greatest(side->peak);
+        side->stretch_above = stretches_.greatest(side->above);
     }
 }
 
@@ -198,54 +203,107 @@ void MomentPlane::search_branch(const Branch& branch, const Vector& at, Place& b
     }
 }
 
-MomentPlane::Place MomentPlane::highest(const Side& side, const Vector& at) const {
-    const Eigen::Index blocks = cos_.size() / lanes;
-    constexpr Eigen::Index most_on_stack = 128;
-    std::array<double, most_on_stack> stack;  // filled as far as it is read
-    std::vector<double> heap;
-    double* block_max = stack.data();
-    if (blocks > most_on_stack) {
-        heap.resize(static_cast<std::size_t>(blocks));
-        block_max = heap.data();
-    }
-    double top = -std::numeric_limits<double>::infinity();
-    for (Eigen::Index k = 0; k < blocks; ++k) {
-        const Lanes value = side.peak.segment<lanes>(k * lanes) +
-                            at.a * cos_.segment<lanes>(k * lanes) +
-                            at.b * sin_.segment<lanes>(k * lanes);
-        block_max[k] = value.maxCoeff();
-        top = std::max(top, block_max[k]);
-    }
+/// The highest place so far.
+struct MomentPlane::Search {
+    double top = -std::numeric_limits<double>::infinity();  ///< at the knots
     Place best;
-    best.value = -std::numeric_limits<double>::infinity();
-    std::size_t searched = count_;  // the last interval searched
-    for (Eigen::Index k = 0; k < blocks; ++k) {
-        const auto beaten = [&](double reach) {
-            return reach + at.slack < std::max(top, best.value);
-        };
-        if (beaten(block_max[k] + side.block_above[k] + at.size * block_chord_[k])) {
+    std::size_t searched;  ///< the last interval searched
+
+    bool beaten(double reach, const Vector& at) const {
+        return reach + at.slack < std::max(top, best.value);
+    }
+};
+
+double MomentPlane::block_top(const Side& side, const Vector& at, Eigen::Index block) const {
+    const Lanes value = side.peak.segment<lanes>(block * lanes) +
+                        at.a * cos_.segment<lanes>(block * lanes) +
+                        at.b * sin_.segment<lanes>(block * lanes);
+    return value.maxCoeff();
+}
+
+void MomentPlane::search_block(const Side& side, const Vector& at, Eigen::Index block,
+                               double block_top, Search& search) const {
+    if (search.beaten(block_top + side.block_above[block] + at.size * block_chord_[block], at)) {
+        return;
+    }
+    const Eigen::Index end = std::min((block + 1) * lanes, static_cast<Eigen::Index>(count_));
+    for (Eigen::Index row = block * lanes; row < end; ++row) {
+        const double value = side.peak[row] + at.a * cos_[row] + at.b * sin_[row];
+        if (search.beaten(value + side.above[row] + at.size * chord_beside_[row], at)) {
             continue;
         }
-        const Eigen::Index end = std::min((k + 1) * lanes, static_cast<Eigen::Index>(count_));
-        for (Eigen::Index row = k * lanes; row < end; ++row) {
-            const double value = side.peak[row] + at.a * cos_[row] + at.b * sin_[row];
-            if (beaten(value + side.above[row] + at.size * chord_beside_[row])) {
+        const auto j = static_cast<std::size_t>(row);
+        const std::size_t before = (j == 0 ? count_ : j) - 1;
+        for (const std::size_t interval : {before, j}) {
+            if (interval == search.searched) {
                 continue;
             }
-            const auto j = static_cast<std::size_t>(row);
-            const std::size_t before = (j == 0 ? count_ : j) - 1;
-            for (const std::size_t interval : {before, j}) {
-                if (interval == searched) {
-                    continue;
-                }
-                for (std::size_t i = turns_ * interval; i < turns_ * (interval + 1); ++i) {
-                    search_branch(side.branches[i], at, best);
-                }
+            for (std::size_t i = turns_ * interval; i < turns_ * (interval + 1); ++i) {
+                search_branch(side.branches[i], at, search.best);
             }
-            searched = j;
+        }
+        search.searched = j;
+    }
+}
+
+MomentPlane::Place MomentPlane::highest(const Side& side, const Vector& at) const {
+    if (stretches_.size() > 0) {
+        return highest_of_many(side, at);
+    }
+    const Eigen::Index blocks = cos_.size() / lanes;
+    std::array<double, KnotStretches::few / lanes> block_max;  // filled as far as it is read
+    Search search;
+    search.best.value = -std::numeric_limits<double>::infinity();
+    search.searched = count_;
+    for (Eigen::Index k = 0; k < blocks; ++k) {
+        block_max[static_cast<std::size_t>(k)] = block_top(side, at, k);
+        search.top = std::max(search.top, block_max[static_cast<std::size_t>(k)]);
+    }
+    for (Eigen::Index k = 0; k < blocks; ++k) {
+        search_block(side, at, k, block_max[static_cast<std::size_t>(k)], search);
+    }
+    return search.best;
+}
+
+/// The same, but stretches that cannot hold it are passed over.
+MomentPlane::Place MomentPlane::highest_of_many(const Side& side, const Vector& at) const {
+    Search search;
+    search.best.value = -std::numeric_limits<double>::infinity();
+    search.searched = count_;
+    thread_local std::vector<double> reach;  // most at the knots of a stretch
+    reach.resize(stretches_.size());
+    for (std::size_t k = 0; k < reach.size(); ++k) {
+        reach[k] = side.stretch_peak[k] + stretches_.sine(k, at.a, at.b).high + at.slack;
+    }
+    constexpr Eigen::Index blocks = KnotStretches::length / lanes;
+    const auto each_block = [&](std::size_t stretch, const auto& look) {
+        const auto first = static_cast<Eigen::Index>(stretch) * blocks;
+        const Eigen::Index end = std::min(first + blocks, cos_.size() / lanes);
+        for (Eigen::Index k = first; k < end; ++k) {
+            look(k, block_top(side, at, k));
+        }
+    };
+    const auto look_at_knots = [&](std::size_t stretch) {
+        each_block(stretch, [&](Eigen::Index /*block*/, double block_top) {
+            search.top = std::max(search.top, block_top);
+        });
+    };
+    const auto promising =
+        static_cast<std::size_t>(std::max_element(reach.begin(), reach.end()) - reach.begin());
+    look_at_knots(promising);
+    for (std::size_t k = 0; k < reach.size(); ++k) {
+        if (k != promising && reach[k] >= search.top) {
+            look_at_knots(k);
         }
     }
-    return best;
+    for (std::size_t k = 0; k < reach.size(); ++k) {
+        if (!search.beaten(reach[k] + side.stretch_above[k] + at.size * stretch_chord_[k], at)) {
+            each_block(k, [&](Eigen::Index block, double block_top) {
+                search_block(side, at, block, block_top, search);
+            });
+        }
+    }
+    return search.best;
 }
 
 MomentPlane::Vector MomentPlane::vector(double a, double b) const {
@@ -293,6 +351,16 @@ void MomentPlane::add_tile(const Side& side, const Grid& grid, std::size_t colum
     }
     const double size = middle.size + radius;
     for (Eigen::Index k = 0; k < cos_.size(); k += lanes) {
+        if (stretches_.size() > 0 && k % KnotStretches::length == 0) {
+            const auto stretch = static_cast<std::size_t>(k / KnotStretches::length);
+            const double reach = side.stretch_peak[stretch] +
+                                 stretches_.sine(stretch, middle.a, middle.b).high + middle.slack +
+                                 side.stretch_above[stretch] + size * stretch_chord_[stretch];
+            if (best.value - middle.slack - reach > 2.0 * radius * (1.0 + 1e-9)) {
+                k += KnotStretches::length - lanes;
+                continue;
+            }
+        }
         const Lanes below = best.value - middle.slack -
                             (side.peak.segment<lanes>(k) + middle.a * cos_.segment<lanes>(k) +
                              middle.b * sin_.segment<lanes>(k) + side.above.segment<lanes>(k) +

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "balance-shaft/knot_stretches.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -57,6 +58,7 @@ class MomentPlane {
         Eigen::ArrayXd peak;           ///< the higher branch at each knot, padded to whole blocks
         Eigen::ArrayXd above;  ///< most that the intervals beside a knot lie above their chords
         Eigen::ArrayXd block_above;
+        std::vector<double> stretch_peak, stretch_above;
     };
     struct Vector {
         double a;
@@ -68,6 +70,11 @@ class MomentPlane {
 
     void prepare(const PeriodicPiecewise& moment);
     Place highest(const Side& side, const Vector& at) const;
+    Place highest_of_many(const Side& side, const Vector& at) const;
+    double block_top(const Side& side, const Vector& at, Eigen::Index block) const;
+    struct Search;
+    void search_block(const Side& side, const Vector& at, Eigen::Index block, double block_top,
+                      Search& search) const;
     void search_branch(const Branch& branch, const Vector& at, Place& best) const;
     void add_tile(const Side& side, const Grid& grid, std::size_t column, std::size_t row,
                   std::vector<double>& ranges) const;
@@ -79,6 +86,8 @@ class MomentPlane {
     std::vector<double> chord_;    ///< h²/8 of each interval: a sine's most above its chord
     Eigen::ArrayXd chord_beside_;  ///< the larger of those beside a knot, padded
     Eigen::ArrayXd block_chord_;
+    KnotStretches stretches_;  ///< none where the knots are few
+    std::vector<double> stretch_chord_;
     Side up_;
     Side down_;
     double slack_ = 0.0;  ///< rounding of a value of M, N·m

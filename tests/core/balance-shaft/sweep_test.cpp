@@ -18,7 +18,7 @@ namespace {
 
 std::vector<Input> engines() {
     std::vector<Input> inputs{preset_tmz_650d(), test::diesel(), test::two_stroke()};
-    for (const std::size_t rows : {3, 5, 12, 49, 200}) {
+    for (const std::size_t rows : {3, 5, 12, 49, 200, 2600}) {
         inputs.push_back(preset_tmz_650d());
         inputs.back().torque.table = test::random_table(static_cast<unsigned>(rows), rows);
     }
@@ -80,6 +80,47 @@ TEST(BalanceShaftSweep, ExtremaAreThoseOfThePlaneAndStandAtTheirAngles) {
                         moment(at.angle_deg) + amplitude * std::sin(at.angle_deg * degree + alpha),
                         at.value, 10.0 * rounding);
                 }
+            }
+        }
+    }
+}
+
+/// Where stretches of knots are passed over, none that holds an extremum is.
+TEST(BalanceShaftSweep, ThousandsOfRowsHaveTheExtremaOfAllTheirKnots) {
+    TorqueTable even;
+    constexpr int rows = 9000;
+    for (int i = 0; i <= rows; ++i) {
+        even.crank_angle_deg.push_back(720.0 * i / rows);
+        even.torque.push_back(300.0 * std::cos(2.0 * two_pi * i / rows) + i % 7);
+    }
+    even.torque.back() = even.torque.front();
+    TorqueTable uneven = test::random_table(3, 5000);
+    for (std::size_t i = 1; i + 1 < uneven.size(); ++i) {
+        // Nearly all of them within one turn, so that one stretch is wide.
+        uneven.crank_angle_deg[i] = 0.01 * uneven.crank_angle_deg[i] + (i > 4900 ? 400.0 : 0.0);
+    }
+    for (const TorqueTable& table : {even, uneven}) {
+        const auto moment = PeriodicPiecewise::linear(table.crank_angle_deg, table.torque);
+        const MomentPlane plane(moment);
+        for (const double amplitude : {0.0, 1.0, 300.0, 3000.0}) {
+            const CycleExtrema extrema(moment, amplitude);
+            for (const double alpha : some_angles(12, 0.0, two_pi)) {
+                double highest = -1e9;
+                double lowest = 1e9;
+                for (std::size_t i = 0; i < table.size(); ++i) {
+                    const double value =
+                        table.torque[i] +
+                        amplitude * std::sin(table.crank_angle_deg[i] * degree + alpha);
+                    highest = std::max(highest, value);
+                    lowest = std::min(lowest, value);
+                }
+                const Extrema found = extrema(alpha);
+                const auto other = plane(amplitude * std::sin(alpha), amplitude * std::cos(alpha));
+                const double rounding = 4e-14 * (1000.0 + amplitude);
+                EXPECT_GE(found.max.value, highest - rounding);
+                EXPECT_LE(found.min.value, lowest + rounding);
+                EXPECT_NEAR(found.max.value, other.max.value, rounding);
+                EXPECT_NEAR(found.min.value, other.min.value, rounding);
             }
         }
     }
