@@ -683,6 +683,9 @@ void BasicCycleExtrema<Scalar>::ranges(std::span<const Scalar> alpha, std::span<
 }
 
 template class BasicCycleExtrema<double>;
-template class BasicCycleExtrema<Real50>;
+// By members: clang 14 would instantiate those that are for double alone, too.
+template BasicCycleExtrema<Real50>::BasicCycleExtrema(const BasicPeriodicPiecewise<Real50>&,
+                                                      const Real50&);
+template BasicExtrema<Real50> BasicCycleExtrema<Real50>::operator()(const Real50&) const;
 
 }  // namespace ravnoves::balance_shaft

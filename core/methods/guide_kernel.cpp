@@ -130,7 +130,7 @@ Message singular() {
 
 /// Steps of a fixed size through the whole turn; `step(slope, y, phi, h)` returns the next y.
 template <typename Equation, typename Step>
-Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step& step) {
+Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, Step step) {
     Method<GuideCase> method;
     method.info = std::move(info);
     method.prepare = [step](const GuideCase& guide, const Setting& setting) -> Run {
