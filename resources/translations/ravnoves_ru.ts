@@ -25,19 +25,19 @@
     </message>
     <message>
         <source>front, %1</source>
-        <translation>перед, %1</translation>
+        <translation>спереди, %1</translation>
     </message>
     <message>
         <source>front, °</source>
-        <translation>перед, °</translation>
+        <translation>спереди, °</translation>
     </message>
     <message>
         <source>rear, %1</source>
-        <translation>зад, %1</translation>
+        <translation>сзади, %1</translation>
     </message>
     <message>
         <source>rear, °</source>
-        <translation>зад, °</translation>
+        <translation>сзади, °</translation>
     </message>
     <message>
         <source>Front plane</source>
@@ -150,7 +150,7 @@
     </message>
     <message>
         <source>Run</source>
-        <translation>Запустить</translation>
+        <translation>Пуск</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -226,11 +226,11 @@
     </message>
     <message>
         <source>Front, %1</source>
-        <translation>Перед, %1</translation>
+        <translation>Спереди, %1</translation>
     </message>
     <message>
         <source>Rear, %1</source>
-        <translation>Зад, %1</translation>
+        <translation>Сзади, %1</translation>
     </message>
     <message>
         <source>After correction</source>
@@ -675,7 +675,7 @@
     </message>
     <message>
         <source>factor</source>
-        <translation>коэффициент груза</translation>
+        <translation>доля в грузе</translation>
     </message>
     <message>
         <source>flywheel</source>
@@ -811,7 +811,7 @@
     </message>
     <message>
         <source>relieved shaft</source>
-        <translation>вал с проточкой</translation>
+        <translation>вал с лыской</translation>
     </message>
     <message>
         <source>rings</source>
@@ -934,11 +934,11 @@
     </message>
     <message>
         <source>Throws from the front at %1.</source>
-        <translation>Колена спереди: %1.</translation>
+        <translation>Углы колен, считая спереди: %1.</translation>
     </message>
     <message>
         <source>The couple counts; its size needs the cylinder spacing.</source>
-        <translation>Пара учтена; для её величины нужен шаг цилиндров.</translation>
+        <translation>Момент учтён; для его величины нужен шаг цилиндров.</translation>
     </message>
     <message>
         <source>First-order force of the differences %1 → %2</source>
@@ -946,7 +946,7 @@
     </message>
     <message>
         <source>, couple %1 → %2.</source>
-        <translation>, пара %1 → %2.</translation>
+        <translation>, момент %1 → %2.</translation>
     </message>
     <message>
         <source>What differs</source>
@@ -978,11 +978,11 @@
     </message>
     <message>
         <source>Couple</source>
-        <translation>Пара</translation>
+        <translation>Момент</translation>
     </message>
     <message>
         <source>Couple at %1</source>
-        <translation>Пара при %1</translation>
+        <translation>Момент при %1</translation>
     </message>
     <message>
         <source>At the ends, mean</source>
@@ -1002,7 +1002,7 @@
     </message>
     <message>
         <source>Root mean square over a turn and both end cylinders, of force and couple together: what “Least shaking” makes small</source>
-        <translation>Среднее квадратичное за оборот по обоим крайним цилиндрам, сила и пара вместе: это уменьшает цель «Меньше тряски»</translation>
+        <translation>Среднее квадратическое за оборот по обоим крайним цилиндрам, сила и момент вместе: это уменьшает цель «Меньше тряски»</translation>
     </message>
     <message>
         <source>Cylinder</source>
@@ -1311,7 +1311,7 @@
     </message>
     <message>
         <source>One plug as the scale says, before it is machined.</source>
-        <translation>Одна пробка по весам, до обработки.</translation>
+        <translation>Масса одной пробки по показанию весов, до обработки.</translation>
     </message>
     <message>
         <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>Metric thread with its pitch, like M22x1.5.</source>
-        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
+        <translation>Метрическая резьба с шагом, например M22×1,5.</translation>
     </message>
     <message>
         <source>&amp;Height h</source>
@@ -1623,7 +1623,7 @@
     </message>
     <message>
         <source>Weights of the parts as the scale says.</source>
-        <translation>Массы деталей по весам.</translation>
+        <translation>Массы деталей по показаниям весов.</translation>
     </message>
     <message>
         <source>Nominal mass of the part.</source>
@@ -1978,11 +1978,11 @@
     </message>
     <message>
         <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: Table 1.</source>
-        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ± 0,015 кг. Источник: табл. 1.</translation>
+        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ± 0,015 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation>любая</translation>
+        <translation>не задано</translation>
     </message>
     <message>
         <source>Coun&amp;terweight radius ρ₁</source>
@@ -2318,7 +2318,7 @@
     </message>
     <message>
         <source>The bar is too thin: over a length of %1 its diameter must be at least %2; with this diameter the relieved length must be at least %3.</source>
-        <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина проточки не меньше %3.</translation>
+        <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина лыски не меньше %3.</translation>
     </message>
     <message>
         <source>The unbalance needed is beyond any shaft of such sizes.</source>
@@ -2326,7 +2326,7 @@
     </message>
     <message>
         <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
+        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
     </message>
     <message>
         <source>More than half of the bar is milled away: the depth %1 gives the same unbalance and a stiffer shaft.</source>
@@ -2650,7 +2650,7 @@
     </message>
     <message>
         <source>Prints range and RMS over angle and speed too.</source>
-        <translation>Печатать также размах и СКО по углу и частоте.</translation>
+        <translation>Печатать также размах и СКЗ по углу и частоте.</translation>
     </message>
     <message>
         <source>A bar with a segment milled away in place of counterweights.</source>
@@ -3090,11 +3090,11 @@
     </message>
     <message>
         <source>Shaft with a relieved middle</source>
-        <translation>Вал с выбранной серединой</translation>
+        <translation>Вал с лыской в средней части</translation>
     </message>
     <message>
         <source>ρ density, b length of the relief, A the segment milled away, y from the axis</source>
-        <translation>ρ — плотность, b — длина выборки, A — снятый сегмент, y — от оси</translation>
+        <translation>ρ — плотность, b — длина лыски, A — снятый сегмент, y — от оси</translation>
     </message>
     <message>
         <source>Second-order forces (mⱼ r ω² λ cos 2φ) stay and are not counted in the moment on the mounts.</source>
@@ -3182,38 +3182,38 @@
     </message>
     <message>
         <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2.</source>
-        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2.</translation>
+        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2.</translation>
     </message>
 </context>
 <context>
     <name>bob-weights</name>
     <message>
         <source>Banks at %1 with crankpins split by %2: the parts of the first-order force that turn against the crank cancel, and 50 % takes up the rest. Nothing remains.</source>
-        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50 % снимают остальное. Не остаётся ничего.</translation>
+        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50 % снимают остальное. Не остаётся ничего.</translation>
     </message>
     <message>
         <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. At %4 the part that turns with it is as large, and both make a motion to and fro in one direction, which mounts bear best. With a balance shaft that turns against the crank it is 50 %.</source>
-        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С уравновешивающим валом, вращающимся против коленчатого, — 50 %.</translation>
+        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С балансирным валом, вращающимся против коленчатого, — 50 %.</translation>
     </message>
     <message>
         <source>Two cylinders at 90° on one crankpin: their first-order forces add up to one of constant size that turns with the crank, as a mass of half of both on the crankpin would. 50 % takes up all of it.</source>
-        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50 % снимают её всю.</translation>
+        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50 % снимают её всю.</translation>
     </message>
     <message>
         <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it. The crankpins together may cancel it.</source>
-        <translation>Развал %1: при 50 % снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
+        <translation>Развал %1: при 50 % снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
     </message>
     <message>
         <source>Boxer: opposite pistons cancel each other&apos;s force. The factor concerns what is left of their couple and the load of the main bearings; 50 % makes its largest value smallest.</source>
-        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50 % наибольшее значение наименьшее.</translation>
+        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50 % наибольшее значение наименьшее.</translation>
     </message>
     <message>
         <source>In line: 50 % turns the to and fro of each piston into a circle of half the size. Where the crankpins balance one another (four, six in line) the factor changes the load of the main bearings alone, and no bob weights are needed where all would weigh the same.</source>
-        <translation>Рядный: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
+        <translation>Рядный: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
     </message>
     <message>
         <source>Each rod on a crankpin of its own: 50 % turns the to and fro of each piston into a circle of half the size that turns against the crank.</source>
-        <translation>У каждого шатуна своя шейка: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
+        <translation>У каждого шатуна своя шейка: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
     </message>
     <message>
         <source>Of the first-order force nothing remains.</source>
@@ -3265,11 +3265,11 @@
     </message>
     <message>
         <source>Loc&amp;ks</source>
-        <translation>&amp;Замки</translation>
+        <translation>&amp;Стопорные кольца</translation>
     </message>
     <message>
         <source>The locks of one pin; 0 where it is pressed in.</source>
-        <translation>Замки одного пальца; 0, если палец запрессован.</translation>
+        <translation>Стопорные кольца одного пальца; 0, если палец запрессован.</translation>
     </message>
     <message>
         <source>S&amp;mall end</source>
@@ -3413,7 +3413,7 @@
     </message>
     <message>
         <source>Added to the factor; negative for underbalance. Usual for high speeds: 1 to 3 %.</source>
-        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3 %.</translation>
+        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3 %.</translation>
     </message>
     <message>
         <source>Masses of one cylinder&apos;s parts.</source>
@@ -4284,7 +4284,7 @@
     </message>
     <message>
         <source>No engine has a rod of %1: is its length right?</source>
-        <translation>Ни у одного двигателя нет шатуна в %1: верна ли его длина?</translation>
+        <translation>Ни у одного двигателя нет шатуна длиной %1: верна ли длина?</translation>
     </message>
     <message>
         <source>mrad</source>
@@ -4954,11 +4954,11 @@
     </message>
     <message>
         <source>%1: the two-term form leaves it out, %2 % of the largest order</source>
-        <translation>%1: двучленная формула отбрасывает его, %2 % наибольшего порядка</translation>
+        <translation>%1: двучленная формула отбрасывает его, %2 % наибольшего порядка</translation>
     </message>
     <message>
         <source>%1: the two-term form is %2 % off</source>
-        <translation>%1: двучленная формула ошибается на %2 %</translation>
+        <translation>%1: двучленная формула ошибается на %2 %</translation>
     </message>
     <message>
         <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
@@ -5130,7 +5130,7 @@
     </message>
     <message>
         <source>&amp;Designed for</source>
-        <translation>Рассчитаны &amp;для</translation>
+        <translation>Рассчитаны &amp;на</translation>
     </message>
     <message>
         <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
@@ -5522,7 +5522,7 @@
     </message>
     <message>
         <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of 5 to 12 % of the first, and uneven dead centres. &quot;Articulated rods&quot; above the table of cylinders computes them (articulated in the case file).</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12 % первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12 % первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
     </message>
     <message>
         <source>The articulated rods of cylinders %1 are longer than the master rod (%2): usual ones are shorter by about the knuckle radius.</source>
@@ -5542,7 +5542,7 @@
     </message>
     <message>
         <source>offset</source>
-        <translation>смещение оси</translation>
+        <translation>дезаксаж</translation>
     </message>
     <message>
         <source>crankpin angle</source>
@@ -5622,7 +5622,7 @@
     </message>
     <message>
         <source>Balance shaft against a moment</source>
-        <translation>Уравновешивающий вал против момента</translation>
+        <translation>Балансирный вал против момента</translation>
     </message>
     <message>
         <source>L distance of its two weights; phase opposite to A or B</source>
@@ -5630,7 +5630,7 @@
     </message>
     <message>
         <source>Balance shaft against a force</source>
-        <translation>Уравновешивающий вал против силы</translation>
+        <translation>Балансирный вал против силы</translation>
     </message>
     <message>
         <source>Rotating masses</source>
@@ -5698,15 +5698,15 @@
     </message>
     <message>
         <source>Roll moment</source>
-        <translation>Момент крена</translation>
+        <translation>Опрокидывающий момент</translation>
     </message>
     <message>
         <source>of the offset axes, and the reaction to the torque on the crank</source>
-        <translation>смещённых осей и реакция на момент на кривошипе</translation>
+        <translation>от дезаксажей и как реакция на момент на кривошипе</translation>
     </message>
     <message>
         <source>what its inertia differs from two masses; acts on roll moment and torque</source>
-        <translation>отличие его инерции от двух масс; действует на момент крена и крутящий момент</translation>
+        <translation>отличие его инерции от двух масс; действует на опрокидывающий и крутящий моменты</translation>
     </message>
     <message>
         <source>The engine is rigid, and the crank turns at constant speed.</source>
@@ -5821,7 +5821,7 @@
     </message>
     <message>
         <source>Crankpins whose weights differ least; the fewest sets moved that bring them within what they may differ by; or the least first-order force at both ends of the crankshaft, force and couple together, of what the parts differ by.</source>
-        <translation>Наименьшая разница между шейками; наименьшее число перестановок, при котором разница допустима; или наименьшая сила первого порядка на обоих концах вала, сила и пара вместе, от разницы масс деталей.</translation>
+        <translation>Наименьшая разница между шейками; наименьшее число перестановок, при котором разница допустима; или наименьшая сила первого порядка на обоих концах вала, сила и момент вместе, от разницы масс деталей.</translation>
     </message>
     <message>
         <source>Piston sets may go</source>
@@ -5893,11 +5893,11 @@
     </message>
     <message>
         <source>Between neighbours of a bank, along the crankshaft: for the size of the couple.</source>
-        <translation>Между соседними цилиндрами ряда, вдоль вала: для величины пары.</translation>
+        <translation>Между соседними цилиндрами ряда, вдоль вала: для величины момента.</translation>
     </message>
     <message>
         <source>no couple</source>
-        <translation>без пары</translation>
+        <translation>без момента</translation>
     </message>
     <message>
         <source>Bank offset</source>
@@ -6364,7 +6364,7 @@
     </message>
     <message>
         <source>relative offset K at λ = 0.265</source>
-        <translation>относительное смещение K при λ = 0,265</translation>
+        <translation>относительный дезаксаж K при λ = 0,265</translation>
     </message>
     <message>
         <source>gives no finite number</source>
@@ -6548,11 +6548,11 @@
     </message>
     <message>
         <source>offset e</source>
-        <translation>смещение e</translation>
+        <translation>дезаксаж e</translation>
     </message>
     <message>
         <source>relative offset K</source>
-        <translation>относительное смещение K</translation>
+        <translation>относительный дезаксаж K</translation>
     </message>
     <message>
         <source>e / R.</source>
@@ -7280,7 +7280,7 @@
     </message>
     <message>
         <source>The paper names no α for it. The mean of the 49 rows, with the end of the cycle counted twice, falls by 12 % at α from %1 to %2° and by 16 % at α from %3 to %4°; of these we take 30°, where the paper&apos;s range begins, and 45°, of its Fig. 2. No shaft changes the cycle mean.</source>
-        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12 % при α от %1 до %2° и на 16 % при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
+        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12 % при α от %1 до %2° и на 16 % при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
     </message>
     <message>
         <source>cut of the mean moment, by our choice at α = %1°</source>
@@ -7616,7 +7616,7 @@
     </message>
     <message>
         <source>where a clearance binds, part of the input&apos;s scatter</source>
-        <translation>где зазор становится связью, доля разброса входа</translation>
+        <translation>где зазор становится связью, доля разброса исходной величины</translation>
     </message>
     <message>
         <source>What scatters is known to a few digits itself, so five thousandths of the standard deviation do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
@@ -7958,11 +7958,11 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Least range %2 at %1°</source>
-        <translation>Наименьший размах %2 при %1°</translation>
+        <translation>Наименьший размах %2 при %1°</translation>
     </message>
     <message>
         <source>Least RMS %2 at %1°</source>
-        <translation>Наименьшее СКЗ %2 при %1°</translation>
+        <translation>Наименьшее СКЗ %2 при %1°</translation>
     </message>
     <message>
         <source>Tipping moment on the engine without a shaft, −Mᵢ</source>
@@ -8217,7 +8217,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Relief</source>
-        <translation>Проточка</translation>
+        <translation>Лыска</translation>
     </message>
     <message>
         <source>TMZ-650D</source>
@@ -8441,7 +8441,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>%1 of cylinder %2 as the scale says.</source>
-        <translation>%1 цилиндра %2 по весам.</translation>
+        <translation>%1 цилиндра %2 по показанию весов.</translation>
     </message>
     <message>
         <source>The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at the first has room for all, or type the means on sheet 2.</source>
@@ -8786,11 +8786,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>offset</source>
-        <translation>смещение</translation>
+        <translation>дезаксаж</translation>
     </message>
     <message>
         <source>e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ</source>
-        <translation>e mⱼ ω² s″: добавка смещённого цилиндра к Mᵤₚ</translation>
+        <translation>e mⱼ ω² s″: добавка дезаксиального цилиндра к Mᵤₚ</translation>
     </message>
     <message>
         <source>engine torque</source>
@@ -8935,15 +8935,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Go on with the numbers that were read before. The case is opened with those of the file.</source>
-        <translation>Продолжить с числами, прочитанными раньше. При открытии расчёта берутся числа из файла.</translation>
+        <translation>Продолжить с числами, прочитанными раньше. При открытии задачи берутся числа из файла.</translation>
     </message>
     <message>
         <source>%1, which this case reads, is no longer there.</source>
-        <translation>Файла %1, который читает этот расчёт, больше нет.</translation>
+        <translation>Файла %1, который читает эта задача, больше нет.</translation>
     </message>
     <message>
         <source>%1, which this case reads, was changed by another program.</source>
-        <translation>Файл %1, который читает этот расчёт, изменён другой программой.</translation>
+        <translation>Файл %1, который читает эта задача, изменён другой программой.</translation>
     </message>
 </context>
 <context>
@@ -9085,7 +9085,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>any</source>
-        <translation>любая</translation>
+        <translation>любой</translation>
     </message>
     <message>
         <source>∮ M₁₂ dφ</source>
@@ -9706,7 +9706,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>on crank, κ mⱼ r</source>
-        <translation>на валу, κ mⱼ r</translation>
+        <translation>на кривошипе, κ mⱼ r</translation>
     </message>
     <message>
         <source>First-order inertia force, mⱼ r ω²</source>
@@ -10637,11 +10637,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>of offsets and rods</source>
-        <translation>смещений и шатунов</translation>
+        <translation>дезаксажей и шатунов</translation>
     </message>
     <message>
         <source>Moment of the inertia forces about the crank axis: −Σ e F and the couples of rigid rods</source>
-        <translation>Момент сил инерции относительно оси вала: −Σ e F и пары твёрдых шатунов</translation>
+        <translation>Момент сил инерции относительно оси вала: −Σ e F и моменты твёрдых шатунов</translation>
     </message>
     <message>
         <source>reaction torque</source>
@@ -10908,11 +10908,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2 % наибольшего)</translation>
+        <translation>%1 отброшен (%2 % наибольшего)</translation>
     </message>
     <message>
         <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
+        <translation>%1: ошибка %2 %</translation>
     </message>
     <message>
         <source>Two-term is not enough: order %1.</source>
@@ -10952,7 +10952,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Part B that turns against the crank</source>
-        <translation>Часть B, вращающаяся навстречу валу</translation>
+        <translation>Часть B, вращающаяся против вала</translation>
     </message>
     <message>
         <source>Direction of the part to the left at φ = 0, counter-clockwise from x</source>
@@ -11040,7 +11040,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Roll moment on the engine, of offsets, rods and the reaction of the torque</source>
-        <translation>Момент крена двигателя: от дезаксажей, шатунов и реакции крутящего момента</translation>
+        <translation>Опрокидывающий момент двигателя: от дезаксажей, шатунов и реакции крутящего момента</translation>
     </message>
     <message>
         <source>Force of the order k = the number</source>
@@ -11114,7 +11114,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Input</source>
-        <translation>Ввод</translation>
+        <translation>Величина</translation>
     </message>
     <message>
         <source>Present</source>
@@ -11591,7 +11591,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>As the &amp;desktop</source>
-        <translation>Как на рабочем &amp;столе</translation>
+        <translation>Как в &amp;системе</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -11659,7 +11659,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>This page has no case file: its numbers are measured anew. Copy or export them.</source>
-        <translation>У этой страницы нет файла расчёта: её числа измеряются заново. Скопируйте или запишите их.</translation>
+        <translation>У этой страницы нет файла задачи: её числа измеряются заново. Скопируйте или запишите их.</translation>
     </message>
     <message>
         <source>Start</source>
@@ -11916,7 +11916,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>open case</source>
-        <translation>открытый расчёт</translation>
+        <translation>открытая задача</translation>
     </message>
     <message>
         <source>preset</source>
@@ -11990,11 +11990,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Take the &amp;open case</source>
-        <translation>Взять &amp;открытый расчёт</translation>
+        <translation>Взять &amp;открытую задачу</translation>
     </message>
     <message>
         <source>Measure at the value of the case that is open in the scene</source>
-        <translation>Измерить при значении расчёта, открытого на его странице</translation>
+        <translation>Измерить при значении задачи, открытой на её странице</translation>
     </message>
     <message>
         <source>&amp;Quantity</source>
@@ -12078,15 +12078,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The open case says nothing of it; the preset: %1.</source>
-        <translation>В открытом расчёте этого нет; исходное значение: %1.</translation>
+        <translation>В открытой задаче этого нет; исходное значение: %1.</translation>
     </message>
     <message>
         <source>Open case: %1.</source>
-        <translation>Открытый расчёт: %1.</translation>
+        <translation>Открытая задача: %1.</translation>
     </message>
     <message>
         <source>Open case: %1, not on the chart.</source>
-        <translation>Открытый расчёт: %1, вне графика.</translation>
+        <translation>Открытая задача: %1, вне графика.</translation>
     </message>
     <message>
         <source>What is computed</source>
@@ -12527,7 +12527,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>With bands: 5…95 % of what the tolerances make of it.</source>
-        <translation>С полосами: 5…95 % того, что делают допуски.</translation>
+        <translation>С полосами: 5…95 % того, что делают допуски.</translation>
     </message>
 </context>
 <context>
@@ -12570,7 +12570,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>5…95 %</source>
-        <translation>5…95 %</translation>
+        <translation>5…95 %</translation>
     </message>
     <message>
         <source>Show what the tolerances do</source>
@@ -12678,7 +12678,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>A newer version of Ravnoves has kept a case that was not saved: only that can read it. It stays as %1.</source>
-        <translation>Несохранённый расчёт оставила более новая версия Ravnoves: прочесть его может только она. Он остаётся в файле %1.</translation>
+        <translation>Несохранённую задачу оставила более новая версия Ravnoves: прочесть её может только она. Задача остаётся в файле %1.</translation>
     </message>
 </context>
 <context>
@@ -12700,7 +12700,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::RelievedShaftDrawing</name>
     <message>
         <source>Drawing of the shaft with a relieved middle</source>
-        <translation>Чертёж вала с проточкой</translation>
+        <translation>Чертёж вала с лыской</translation>
     </message>
     <message>
         <source>No shaft of these sizes</source>
@@ -12870,7 +12870,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::RelievedShaftView</name>
     <message>
         <source>Shaft with a relieved middle</source>
-        <translation>Вал с проточкой в средней части</translation>
+        <translation>Вал с лыской в средней части</translation>
     </message>
     <message>
         <source>Size that follows from the others</source>
@@ -12949,7 +12949,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Scene</source>
-        <translation>Сцена</translation>
+        <translation>Раздел</translation>
     </message>
     <message>
         <source>Case file</source>
@@ -13017,7 +13017,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Input</source>
-        <translation>Ввод</translation>
+        <translation>Величина</translation>
     </message>
     <message>
         <source>Value</source>
@@ -13101,7 +13101,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Inputs and their tolerances</source>
-        <translation>Входы и их допуски</translation>
+        <translation>Исходные данные и допуски</translation>
     </message>
     <message>
         <source>Method: %1</source>
@@ -13137,11 +13137,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.</source>
-        <translation>Надёжный наилучший α: %1° ± %2°; у 95 % выборок %3 не больше: %4 ± %5.</translation>
+        <translation>Надёжный наилучший α: %1° ± %2°; у 95 % проб %3 не больше: %4 ± %5.</translation>
     </message>
     <message>
         <source>At the α that is best of the inputs as they are, %1°, it is %2.</source>
-        <translation>При α, наилучшем для исходных данных как есть, %1°, — %2.</translation>
+        <translation>При α, наилучшем при заданных исходных данных, %1°, — %2.</translation>
     </message>
     <message>
         <source>Tolerances</source>
@@ -13153,7 +13153,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Samples solved: %1</source>
-        <translation>Решено выборок: %1</translation>
+        <translation>Решено проб: %1</translation>
     </message>
     <message>
         <source>Refused: %1 × %2</source>
@@ -13161,7 +13161,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them.</source>
-        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5 % до 95 % того, что с ними делают допуски.</translation>
+        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5 % до 95 % того, что с ними делают допуски.</translation>
     </message>
 </context>
 <context>
@@ -13267,7 +13267,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>bob weight with plugs in</source>
-        <translation>груз при вставленных заглушках</translation>
+        <translation>груз с пробками в валу</translation>
     </message>
     <message>
         <source>bob weights</source>
@@ -13395,7 +13395,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>cycle of the firing</source>
-        <translation>цикл зажигания</translation>
+        <translation>цикл вспышек</translation>
     </message>
     <message>
         <source>first order</source>
@@ -13459,7 +13459,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>of offsets and rods</source>
-        <translation>от смещений и шатунов</translation>
+        <translation>от дезаксажей и шатунов</translation>
     </message>
     <message>
         <source>check of the inertia torque</source>
@@ -13603,15 +13603,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>new crankshaft, its own plugs</source>
-        <translation>новый вал, свои заглушки</translation>
+        <translation>новый вал, свои пробки</translation>
     </message>
     <message>
         <source>new crankshaft, aluminium plugs</source>
-        <translation>новый вал, алюминиевые заглушки</translation>
+        <translation>новый вал, алюминиевые пробки</translation>
     </message>
     <message>
         <source>new crankshaft, today&apos;s steel plugs</source>
-        <translation>новый вал, нынешние стальные заглушки</translation>
+        <translation>новый вал, нынешние стальные пробки</translation>
     </message>
     <message>
         <source>nominal</source>
@@ -13663,7 +13663,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>mass of a plug</source>
-        <translation>масса заглушки</translation>
+        <translation>масса пробки</translation>
     </message>
     <message>
         <source>preload</source>
@@ -13703,7 +13703,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>lightening of a plug</source>
-        <translation>облегчение заглушки</translation>
+        <translation>облегчение пробки</translation>
     </message>
     <message>
         <source>times less</source>
@@ -13715,7 +13715,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>relief</source>
-        <translation>разгрузка</translation>
+        <translation>перепад</translation>
     </message>
     <message>
         <source>left</source>
@@ -13839,11 +13839,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>today&apos;s steel plugs machined</source>
-        <translation>обработанные нынешние стальные заглушки</translation>
+        <translation>обработанные нынешние стальные пробки</translation>
     </message>
     <message>
         <source>aluminium plugs</source>
-        <translation>алюминиевые заглушки</translation>
+        <translation>алюминиевые пробки</translation>
     </message>
     <message>
         <source>spring stretched</source>
@@ -13914,7 +13914,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::RobustModel</name>
     <message>
         <source>Give an input its tolerance first.</source>
-        <translation>Сначала задайте входу допуск.</translation>
+        <translation>Сначала задайте допуск исходной величины.</translation>
     </message>
     <message>
         <source>Robust best α</source>
@@ -13937,7 +13937,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Of the inputs as they are.</source>
-        <translation>Для входов, как они есть.</translation>
+        <translation>При заданных исходных данных.</translation>
     </message>
     <message>
         <source>One sample of twenty is more.</source>
@@ -13965,7 +13965,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>of the inputs as they are</source>
-        <translation>для входов, как они есть</translation>
+        <translation>при заданных исходных данных</translation>
     </message>
     <message>
         <source>robust</source>
@@ -13973,7 +13973,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1: its 95 % point is less by %2 at the robust α.</source>
-        <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
+        <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
     </message>
     <message>
         <source>Samples: %1</source>
@@ -13989,7 +13989,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are. Both of the angles that can be built.</source>
-        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший для исходных данных как есть. Оба — среди углов, которые можно построить.</translation>
+        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший при заданных исходных данных. Оба — среди углов, которые можно построить.</translation>
     </message>
 </context>
 <context>
@@ -14196,11 +14196,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::ScatterTable</name>
     <message>
         <source>0.02: anywhere within ± 0.02, as likely here as there. 1 %: within ± 1 % of the value. σ 0.01: normal, with this standard deviation.</source>
-        <translation>0,02: где угодно в пределах ± 0,02, равновероятно. 1 %: в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
+        <translation>0,02: где угодно в пределах ± 0,02, равновероятно. 1 %: в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
     </message>
     <message>
         <source>Input</source>
-        <translation>Вход</translation>
+        <translation>Величина</translation>
     </message>
     <message>
         <source>Value</source>
@@ -14344,7 +14344,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>As the desktop</source>
-        <translation>Как на рабочем столе</translation>
+        <translation>Как в системе</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -14372,23 +14372,23 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>small, 85 %</source>
-        <translation>мелкий, 85 %</translation>
+        <translation>мелкий, 85 %</translation>
     </message>
     <message>
         <source>normal, 100 %</source>
-        <translation>обычный, 100 %</translation>
+        <translation>обычный, 100 %</translation>
     </message>
     <message>
         <source>large, 125 %</source>
-        <translation>крупный, 125 %</translation>
+        <translation>крупный, 125 %</translation>
     </message>
     <message>
         <source>very large, 150 %</source>
-        <translation>очень крупный, 150 %</translation>
+        <translation>очень крупный, 150 %</translation>
     </message>
     <message>
         <source>largest, 200 %</source>
-        <translation>самый крупный, 200 %</translation>
+        <translation>самый крупный, 200 %</translation>
     </message>
     <message>
         <source>Te&amp;xt size</source>
@@ -14416,7 +14416,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Of all that is shown, typed, printed and exported. Case files stay as they are, and drawings for the machine shop are in millimetres.</source>
-        <translation>Всего, что показано, вводится, печатается и экспортируется. Файлы расчётов остаются как есть, чертежи для цеха — в миллиметрах.</translation>
+        <translation>Всего, что показано, вводится, печатается и экспортируется. Файлы задач остаются как есть, чертежи для цеха — в миллиметрах.</translation>
     </message>
     <message>
         <source>L&amp;engths</source>
@@ -14602,7 +14602,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>0 %: no change</source>
-        <translation>0 %: без изменений</translation>
+        <translation>0 %: без изменений</translation>
     </message>
     <message>
         <source>shaft, and its l</source>
@@ -14955,11 +14955,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 % worse</source>
-        <translation>на %1 % хуже</translation>
+        <translation>на %1 % хуже</translation>
     </message>
     <message>
         <source>%1 % better</source>
-        <translation>на %1 % лучше</translation>
+        <translation>на %1 % лучше</translation>
     </message>
     <message>
         <source>α %1°, n %2: %3 of that without a shaft, %4</source>
@@ -14982,7 +14982,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source> %1° would gain %2 % more but cannot be built.</source>
-        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
+        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
     </message>
     <message>
         <source>range</source>
@@ -15010,7 +15010,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3, the %1 is %4 % %5.</source>
-        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
+        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
     </message>
 </context>
 <context>
@@ -15151,7 +15151,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard deviation; %1 is none.</source>
-        <translation>Допуск — число больше 0: 0,02, 1 % или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
+        <translation>Допуск — число больше 0: 0,02, 1 % или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
     </message>
     <message>
         <source>Tolerances</source>
@@ -15190,7 +15190,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::SweepView</name>
     <message>
         <source>&amp;Input</source>
-        <translation>В&amp;ход</translation>
+        <translation>&amp;Величина</translation>
     </message>
     <message>
         <source>a&amp;nd</source>
@@ -15202,19 +15202,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Ran&amp;ge</source>
-        <translation>&amp;Промежуток</translation>
+        <translation>&amp;Диапазон</translation>
     </message>
     <message>
         <source>its ±</source>
-        <translation>его ±</translation>
+        <translation>допуск</translation>
     </message>
     <message>
         <source>%1 times its ±</source>
-        <translation>%1 его ±</translation>
+        <translation>%1 × допуск</translation>
     </message>
     <message>
         <source>Of an input without a tolerance: a tenth of its value.</source>
-        <translation>У входа без допуска — десятая часть его значения.</translation>
+        <translation>У величины без допуска — десятая часть её значения.</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -15222,7 +15222,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>no other: a line</source>
-        <translation>без второго: линия</translation>
+        <translation>без второй: линия</translation>
     </message>
     <message>
         <source>Computing …</source>
@@ -15234,7 +15234,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Refused: %1 of %2 places</source>
-        <translation>Отклонено: %1 из %2 мест</translation>
+        <translation>Отклонено: %1 из %2 точек</translation>
     </message>
     <message>
         <source>at least</source>
@@ -15260,19 +15260,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::ToleranceBands</name>
     <message>
         <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
-        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
+        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
     </message>
     <message>
         <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
-        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
+        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
     </message>
     <message>
         <source>Where the tolerances let the curves lie: of %1 samples 5 % are below the band and 5 % above it</source>
-        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5 % ниже полосы и 5 % выше</translation>
+        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5 % ниже полосы и 5 % выше</translation>
     </message>
     <message>
         <source>What the tolerances make of it: the range from 5 % to 95 % of %1 samples</source>
-        <translation>Что делают с ним допуски: диапазон от 5 % до 95 % из %1 проб</translation>
+        <translation>Что делают с ним допуски: диапазон от 5 % до 95 % из %1 проб</translation>
     </message>
 </context>
 <context>
@@ -15283,7 +15283,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Inputs and their tolerances</source>
-        <translation>Входы и их допуски</translation>
+        <translation>Исходные данные и допуски</translation>
     </message>
     <message>
         <source>&amp;Usual ones</source>
@@ -15291,19 +15291,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>&amp;Weighed parts: ± 0.5 g</source>
-        <translation>&amp;Взвешенные детали: ± 0,5 г</translation>
+        <translation>&amp;Взвешенные детали: ± 0,5 г</translation>
     </message>
     <message>
         <source>&amp;Machined sizes: ± 0.05 mm</source>
-        <translation>&amp;Обработанные размеры: ± 0,05 мм</translation>
+        <translation>&amp;Обработанные размеры: ± 0,05 мм</translation>
     </message>
     <message>
         <source>&amp;All inputs: ± 1 %</source>
-        <translation>Вс&amp;е входы: ± 1 %</translation>
+        <translation>Вс&amp;е величины: ± 1 %</translation>
     </message>
     <message>
         <source>The selected inputs do not scatter</source>
-        <translation>Выделенные входы без разброса</translation>
+        <translation>Выделенные величины без разброса</translation>
     </message>
     <message>
         <source>Results to watch</source>
@@ -15363,7 +15363,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Of all samples that could be solved.</source>
-        <translation>По всем решённым выборкам.</translation>
+        <translation>По всем решённым пробам.</translation>
     </message>
     <message>
         <source>Standard deviation of the samples.</source>
@@ -15391,7 +15391,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>share of the samples, %</source>
-        <translation>доля выборки, %</translation>
+        <translation>доля проб, %</translation>
     </message>
     <message>
         <source>Histogram</source>
@@ -15403,7 +15403,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Give an input its tolerance: 0.02, 1 % or σ 0.01.</source>
-        <translation>Задайте входу допуск: 0,02, 1 % или σ 0,01.</translation>
+        <translation>Задайте допуск исходной величины: 0,02, 1 % или σ 0,01.</translation>
     </message>
     <message>
         <source>Choose a result to watch.</source>
@@ -15415,7 +15415,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Samples solved: %1</source>
-        <translation>Решено выборок: %1</translation>
+        <translation>Решено проб: %1</translation>
     </message>
     <message>
         <source>Refused: %1 × %2</source>
@@ -15459,7 +15459,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Of a case file that lists values of its inputs: its table is made by the command line. Another method takes the range of the values.</source>
-        <translation>Для файла случая, где значения исходных данных перечислены: таблицу строит командная строка. Другой метод берёт диапазон этих значений.</translation>
+        <translation>Для файла задачи, где значения исходных данных перечислены: таблицу строит командная строка. Другой метод берёт диапазон этих значений.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -15475,7 +15475,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Stopped: of the samples so far.</source>
-        <translation>Остановлено: по уже посчитанным выборкам.</translation>
+        <translation>Остановлено: по уже посчитанным пробам.</translation>
     </message>
     <message>
         <source>Of the values before; computing anew …</source>
@@ -15490,7 +15490,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::TornadoView</name>
     <message>
         <source>smaller ones: %1</source>
-        <translation>меньших: %1</translation>
+        <translation>остальных: %1</translation>
     </message>
 </context>
 <context>
@@ -15509,7 +15509,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Tor&amp;que from</source>
-        <translation>&amp;Момент из</translation>
+        <translation>Источник &amp;момента</translation>
     </message>
     <message>
         <source>A table is taken as it is. From a pressure trace or a computed cycle the torque is gas torque plus inertia torque of the masses and speed entered, so it follows both.</source>
@@ -15517,7 +15517,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Use its speed</source>
-        <translation>Взять её частоту</translation>
+        <translation>Взять эту частоту</translation>
     </message>
     <message>
         <source>Set the speed at which the masses entered have the inertia torque that is in the table.</source>
@@ -15846,11 +15846,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Excess Δmᵤ: not known yet</source>
-        <translation>Δmᵤ: пока неизвестна</translation>
+        <translation>Неуравновешенная масса Δmᵤ пока неизвестна</translation>
     </message>
     <message>
         <source>Excess Δmᵤ: %1, %2</source>
-        <translation>Δmᵤ: %1, %2</translation>
+        <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
     </message>
     <message>
         <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
@@ -16278,7 +16278,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 of cylinder %2 as the scale says.</source>
-        <translation>%1, цилиндр %2, по весам.</translation>
+        <translation>%1, цилиндр %2, по показанию весов.</translation>
     </message>
     <message>
         <source>nominal, g</source>
@@ -16619,11 +16619,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The second order fails for %1 within two standard deviations of an input: %2.</source>
-        <translation>Второй порядок для %1 неверен в пределах двух стандартных отклонений входа: %2.</translation>
+        <translation>Второй порядок для %1 неверен в пределах двух стандартных отклонений исходной величины: %2.</translation>
     </message>
     <message>
         <source>The linear answer fails for %1 within two standard deviations of an input: %2.</source>
-        <translation>Линейный ответ для %1 неверен в пределах двух стандартных отклонений входа: %2.</translation>
+        <translation>Линейный ответ для %1 неверен в пределах двух стандартных отклонений исходной величины: %2.</translation>
     </message>
     <message>
         <source>The second order fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3; %4.</source>
@@ -16738,7 +16738,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Drilling in the webs, flywheel and damper are the balancing machine&apos;s business.</source>
-        <translation>Сверление щёк, маховик и демпфер — дело балансировочного станка.</translation>
+        <translation>Сверление щёк, маховик и гаситель колебаний — дело балансировочного станка.</translation>
     </message>
 </context>
 <context>
