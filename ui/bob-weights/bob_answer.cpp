@@ -8,6 +8,7 @@
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "bob-weights/plane_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/page_columns.h"
@@ -28,7 +29,7 @@ QLabel* answerLabel(QWidget* parent, const char* name, int pixelSize, bool bold 
 }
 
 void sayOrHide(QLabel* label, const QString& text) {
-    label->setText(text);
+    label->setText(unbroken(text));
     label->setVisible(!text.isEmpty());
 }
 

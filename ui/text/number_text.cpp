@@ -1,5 +1,6 @@
 #include "text/number_text.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +24,26 @@ QLocale plain(QLocale locale) {
 
 QString unitText(std::string_view unit) {
     return shownText({"core", std::string(unit).c_str()});
+}
+
+QString unbroken(QString text) {
+    static const QRegularExpression units(
+        QStringLiteral(
+            "(?<=[\\d½]) (?=(?:[%°‰]|(?:µm|mm|cm|m|kg|g|l|kN|N|J|[kMG]?Pa|bar|s|rad|min⁻¹|мкм|"
+            "мм|см|м|кг|г|л|кН|Н|Дж|[кМГ]?Па|бар|с|рад|мин⁻¹|oz|lb)[²³]?(?:[·/]\\w+[²³]?)*)"
+            "(?![\\w]))"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression signs(QStringLiteral("(?<=[±⌀]|\\bG|\\bISO|\\bИСО) (?=\\d)"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    // No article, no pronoun.
+    static const QRegularExpression symbols(
+        QStringLiteral("(?<=[\\w.,%)]) (?=&?(?![aAI](?![\\w&]))Δ?[A-Za-zℓ\\x{391}-\\x{3C9}]"
+                       "(?:&?[₀-₉ₐ-ₜᵢ-ᵪⱼ′″])*(?![\\w&]))"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    for (const QRegularExpression& each : {units, signs, symbols}) {
+        text.replace(each, QString(QChar(0x00A0)));
+    }
+    return text;
 }
 
 QString withUnit(const QString& number, const QString& unit) {

@@ -22,6 +22,9 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
 
 /// A unit of core ("mm", "min⁻¹") as the language writes it.
 QString unitText(std::string_view unit);
+/// What belongs together does not come apart at the end of a line: a number and its unit, a sign
+/// and its number, a word and the symbol after it ("5 g·mm", "± 0.2", "Crank radius r").
+QString unbroken(QString text);
 /// "46 mm", "50.65°": a number and its unit, which may be empty.
 QString withUnit(const QString& number, const QString& unit);
 

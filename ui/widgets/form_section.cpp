@@ -193,7 +193,7 @@ NumberField* FormSection::addNumber(const Field& field) {
 
 void FormSection::addWidget(const QString& label, QWidget* field, const QString& unit,
                             const QString& hint) {
-    auto* name = new QLabel(label, this);
+    auto* name = new QLabel(unbroken(label), this);
     name->setBuddy(field);
     name->setWordWrap(true);
     if (!hint.isEmpty()) {
@@ -229,7 +229,7 @@ void FormSection::addWide(QWidget* widget) {
 }
 
 QLabel* FormSection::addResult(const QString& label, const QString& hint) {
-    auto* name = new QLabel(label, this);
+    auto* name = new QLabel(unbroken(label), this);
     name->setWordWrap(true);
     auto* value = new QLabel(this);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -59,6 +59,18 @@ TEST_F(ShownUnits, AreExact) {
     EXPECT_EQ(shownUnit(units::mm).factor, 1.0);
 }
 
+TEST(Unbroken, KeepsNumbersSymbolsAndTheirWordsTogether) {
+    const auto shown = [](const QString& text) {
+        return unbroken(text).replace(QChar(0x00A0), u'_');
+    };
+    EXPECT_EQ(shown(u"Crank radius r"_s), u"Crank radius_r"_s);
+    EXPECT_EQ(shown(u"Стальная пробка &mₚ, 5 г·мм"_s), u"Стальная пробка_&mₚ, 5_г·мм"_s);
+    EXPECT_EQ(shown(u"Weighed parts: ± 0.5 g, 95 % of 8 plugs"_s),
+              u"Weighed parts: ±_0.5_g, 95_% of 8 plugs"_s);
+    EXPECT_EQ(shown(u"7850 kg/m³ at a shaft"_s), u"7850_kg/m³ at a shaft"_s);
+    EXPECT_EQ(shown(u"of 8 grams, as I said"_s), u"of 8 grams, as I said"_s);
+}
+
 TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRefused) {
     FormSection section({});
     NumberField* field = section.addNumber(radius);
