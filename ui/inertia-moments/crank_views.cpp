@@ -176,9 +176,16 @@ FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     makeFigure(this);
-    setToolTip(
-        tr("One cycle of the crank, 720° or 360°, counter-clockwise from the top: cylinders in the "
-           "order of firing, the intervals between them, the present crank angle."));
+    const auto tell = [this] {
+        const QString cycle = withUnit(fixedNumber(model_->input().cycle() / degree, 0, QLocale()),
+                                       QStringLiteral("°"));
+        setToolTip(
+            tr("One cycle of the crank, %1, counter-clockwise from the top: cylinders in the "
+               "order of firing, the intervals between them, the present crank angle.")
+                .arg(cycle));
+    };
+    tell();
+    connect(model_, &SceneModel::changed, this, tell);
     connectTo(model, this);
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }

@@ -26,7 +26,7 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
     evenFiring_ = new QPushButton(tr("E&ven firing"), this);
     evenFiring_->setObjectName(QStringLiteral("even_firing"));
     evenFiring_->setToolTip(
-        tr("Sets the crankpins so that the cylinders fire at even intervals over 720° in the "
+        tr("Sets the crankpins so that the cylinders fire at even intervals over a cycle in the "
            "firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper "
            "prints γ + φ_TDC; its own angle, 21°40′, is the one with 2)."));
     connect(evenFiring_, &QPushButton::clicked, this, [this] {
