@@ -65,6 +65,16 @@ class FieldNames {
         }
         return nullptr;
     }
+    /// How the form shows a number of an entry: where another field names it, in the unit of that.
+    ShownUnit shown(const FieldEntry& entry) const {
+        const FieldEntry* named = labelled(entry);
+        ShownUnit unit = shownUnit(entry.field);
+        if (named != nullptr && isSpeed(named->field.unit) && isSpeed(entry.field.unit)) {
+            unit = shownUnit(named->field);
+            unit.factor *= entry.field.unit.to_si / named->field.unit.to_si;
+        }
+        return unit;
+    }
     QString name(const std::string& pointer) const {
         const FieldEntry* entry = find(pointer);
         QStringList parts;
@@ -97,6 +107,9 @@ class FieldNames {
             }
         }
         return nullptr;
+    }
+    static bool isSpeed(const Unit& unit) {
+        return unit.name == units::rpm.name || unit.name == units::rad_per_s.name;
     }
     static QString words(const std::string& pointer) { return keyInWords(lastKey(pointer)); }
     static std::vector<std::string> segments(const std::string& pointer) {
@@ -191,7 +204,7 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
             return;
         }
         const FieldEntry* entry = names.find(pointer);
-        const ShownUnit unit = entry != nullptr ? shownUnit(entry->field.unit) : ShownUnit{};
+        const ShownUnit unit = entry != nullptr ? shownUnit(entry->field) : ShownUnit{};
         InputDifference difference{.pointer = pointer,
                                    .name = names.name(pointer),
                                    .unit = unit.name,
@@ -241,7 +254,8 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
         }
         numbers.push_back({pointer, names.name(pointer),
                            entry != nullptr ? unitText(entry->field.unit.name) : QString(),
-                           value.get<double>(), entry != nullptr});
+                           value.get<double>(), entry != nullptr,
+                           entry != nullptr ? names.shown(*entry) : ShownUnit{}});
     }
     // What the case leaves to its default, each behind the field before it.
     std::size_t place = 0;
@@ -258,9 +272,10 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
             !field.field.label.empty() && !input.contains(pointer) &&
             input.contains(pointer.parent_pointer()) &&
             input.at(pointer.parent_pointer()).is_object()) {
-            numbers.insert(numbers.begin() + static_cast<std::ptrdiff_t>(place),
-                           {field.pointer, names.name(field.pointer),
-                            unitText(field.field.unit.name), std::get<double>(field.value)});
+            numbers.insert(
+                numbers.begin() + static_cast<std::ptrdiff_t>(place),
+                {field.pointer, names.name(field.pointer), unitText(field.field.unit.name),
+                 std::get<double>(field.value), true, names.shown(field)});
             ++place;
         }
     }

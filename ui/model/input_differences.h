@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case-file/json_fwd.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -37,6 +38,7 @@ struct InputNumber {
     QString unit;  ///< its own, that of its key
     double value = 0.0;
     bool hasLabel = true;  ///< else its name is its key
+    ShownUnit shown = {};  ///< in which the form shows it
 };
 
 /// The numbers of the present input that may take any value, in the order of the case file; long

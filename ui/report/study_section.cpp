@@ -69,8 +69,9 @@ Table givenTolerances(const StudyModel& study) {
     for (const StudyModel::Input& input : study.inputs()) {
         if (input.varied) {
             QStringList cells;
-            for (const QString& text : {input.name, formNumber(input.nominal, QLocale(), 8),
-                                        StudyModel::scatterText(input.varied), input.unit}) {
+            const double value = input.shown.factor * input.nominal;
+            for (const QString& text : {input.name, formNumber(value, QLocale(), 8),
+                                        StudyModel::scatterText(input), input.shown.name}) {
                 cells << text.toHtmlEscaped();
             }
             table.rows << cells;

@@ -95,7 +95,12 @@ MainWindow::MainWindow(First first) {
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
-    connect(documents_, &Documents::historyChanged, this, &MainWindow::updateHistoryActions);
+    connect(documents_, &Documents::historyChanged, this, [this] {
+        updateHistoryActions();
+        if (!isAtStart()) {
+            hint_->setText(documents_->currentScene().summary);  // what was said is of before
+        }
+    });
     connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
     connect(documents_, &Documents::status, this, [this](const QString& text) {
         hint_->setText(text.isEmpty() ? documents_->currentScene().summary : text);
@@ -333,18 +338,7 @@ void MainWindow::buildMenus() {
     edit->addMenu(variants_);
     QAction* tolerances =
         add(edit, QStringLiteral("tolerances"), tr("T&olerances…"),
-            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] {
-                auto* window = new ToleranceWindow(currentPage(), this);
-                window->setAttribute(Qt::WA_DeleteOnClose);
-                connect(window, &ToleranceWindow::saveWanted, this, [this, page = currentPage()] {
-                    for (const auto& each : documents_->all()) {
-                        if (each->page == page) {
-                            each->document->save();
-                        }
-                    }
-                });
-                window->show();
-            });
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { showTolerances(); });
     QAction* properties =
         add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
             auto* dialog = new CaseProperties(currentPage()->model(), this);
@@ -446,12 +440,33 @@ void MainWindow::buildMenus() {
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
     toolBar_->addWidget(variants_->button());
+    toolBar_->addAction(tolerances);
     toolBar_->addSeparator();
     pageActions_ = {close, copyText, copyCsv, picture, reset};
     caseActions_ = {fresh, saveAction, saveAsAction, tolerances, properties, report};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
     }
+}
+
+void MainWindow::showTolerances() {
+    for (auto* open : findChildren<ToleranceWindow*>()) {
+        if (open->page() == currentPage() && open->isVisible()) {
+            open->raise();
+            open->activateWindow();
+            return;
+        }
+    }
+    auto* window = new ToleranceWindow(currentPage(), this);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    connect(window, &ToleranceWindow::saveWanted, this, [this, page = currentPage()] {
+        for (const auto& each : documents_->all()) {
+            if (each->page == page) {
+                each->document->save();
+            }
+        }
+    });
+    window->show();
 }
 
 bool MainWindow::showScene(const QString& name) {

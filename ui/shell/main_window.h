@@ -93,6 +93,8 @@ class MainWindow : public QMainWindow {
     void updateHistoryActions();
     void showHelp(const QString& topic);
     void showAbout();
+    /// The window of the tolerances of the case in front; one that is open comes to the front.
+    void showTolerances();
 
     QStackedWidget* front_ = nullptr;  ///< the documents, or the start page
     Documents* documents_ = nullptr;

@@ -29,10 +29,11 @@ BandProgress::BandProgress(QWidget* parent)
     stop_->setFocusPolicy(Qt::TabFocus);
     connect(stop_, &QToolButton::clicked, this, [this] {
         if (bands_) {
-            bands_->stop();
-            Q_EMIT stopped(
+            const QString what =
                 tr("The bands and ± are those of slopes, or of the samples so far, until "
-                   "something changes."));
+                   "something changes.");
+            bands_->stop(what);
+            Q_EMIT stopped(what);
         }
     });
     row->addWidget(stop_);

@@ -435,9 +435,15 @@ ToleranceBands::ToleranceBands(ScenePage* page)
     rest_.setInterval(handRestsMs);
     connect(&rest_, &QTimer::timeout, this, &ToleranceBands::beginSamples);
     const SceneModel* model = page->model();
-    for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged,
-                              &SceneModel::historyChanged, &SceneModel::studyChanged}) {
+    for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged}) {
         connect(model, signal, this, [this] { outdate(true); });
+    }
+    for (const auto signal : {&SceneModel::historyChanged, &SceneModel::studyChanged}) {
+        connect(model, signal, this, [this] {
+            if (isAnother()) {
+                outdate(true);
+            }
+        });
     }
     for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
         connect(tabs, &QTabWidget::currentChanged, this, [this] { outdate(false); });
@@ -455,11 +461,14 @@ bool ToleranceBands::isBusy() const {
     return later_.isActive() || rest_.isActive() || job_->isRunning();
 }
 
-void ToleranceBands::stop() {
+void ToleranceBands::stop(const QString& why) {
     later_.stop();
     rest_.stop();
     job_->cancel();
     run_.reset();
+    for (ResultTable* table : page_->findChildren<ResultTable*>()) {
+        table->stopSpreads(why);
+    }
 }
 
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
@@ -467,6 +476,21 @@ bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
         outdate(false);
     }
     return QObject::eventFilter(watched, event);
+}
+
+bool ToleranceBands::isAnother() {
+    const SceneModel& model = *page_->model();
+    std::string now;
+    if (!model.study().empty() && ToleranceSwitch::instance().isOn()) {
+        Json study = Json::parse(model.study(), nullptr, false);
+        if (study.is_object()) {
+            study.erase("watch");  // what is watched, and its limits, has no band
+        }
+        now = study.dump() + model.inputJson().dump() + model.keptJson().dump();
+    }
+    const bool isSame = !now.empty() && now == seen_;
+    seen_ = std::move(now);
+    return !isSame;
 }
 
 void ToleranceBands::outdate(bool isOther) {

@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ravnoves {
@@ -38,8 +39,8 @@ class ToleranceBands : public QObject {
     bool isBusy() const;
     /// Solves the samples; with progress.
     BackgroundJob* job() const { return job_; }
-    /// No more samples, until something changes: what there is stays.
-    void stop();
+    /// No more samples, until something changes: what there is stays, and the tables say so.
+    void stop(const QString& why);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +51,8 @@ class ToleranceBands : public QObject {
 
     /// @param isOther  what is shown is another, not only more or less of it
     void outdate(bool isOther);
+    /// Input and tolerances are not those that were there when it was asked before.
+    bool isAnother();
     void step();
     std::unique_ptr<Run> begin();
     /// Shows the second page another input. @return false where it is refused
@@ -73,6 +76,7 @@ class ToleranceBands : public QObject {
     std::unique_ptr<Run> run_;
     QTimer later_;
     QTimer rest_;
+    std::string seen_;
     int number_ = 0;  ///< of the run whose samples count
     bool outdated_ = false;
     bool isOther_ = false;  ///< since the run began

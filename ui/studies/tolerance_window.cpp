@@ -72,7 +72,9 @@ QString percent(const std::optional<double>& share, int decimals = 1) {
 
 ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     : QDialog(parent), page_(page), model_(new StudyModel(page->model(), this)) {
-    setWindowFlags(Qt::Window);
+    // Over the window of the page, however large that is.
+    setWindowFlags(Qt::Dialog | Qt::WindowTitleHint | Qt::WindowSystemMenuHint |
+                   Qt::WindowMinMaxButtonsHint | Qt::WindowCloseButtonHint);
     setWindowTitle(tr("Tolerances"));
     setObjectName(QStringLiteral("tolerances"));
     constexpr QSize roomy(1120, 680);
@@ -210,11 +212,18 @@ QWidget* ToleranceWindow::makeInputs() {
     keeps.setRetainSizeWhenHidden(true);
     refused_->setSizePolicy(keeps);
     column->addWidget(refused_);
-    for (const TableEditor* editor : {inputs_, watched_}) {
+    for (const std::size_t table : {0U, 1U}) {
+        const TableEditor* editor = table == 0 ? inputs_ : watched_;
         connect(qobject_cast<EditableTable*>(editor->view()->model()),
-                &EditableTable::troubleChanged, this, [this](const QString& trouble) {
-                    refused_->say(trouble);
-                    refused_->setToolTip(trouble);
+                &EditableTable::troubleChanged, this, [this, table](const QString& trouble) {
+                    troubles_[table] = trouble;
+                    QStringList all(troubles_.begin(), troubles_.end());
+                    all.removeAll(QString());
+                    refused_->say(all.join(QLatin1Char('\n')));
+                    refused_->setToolTip(refused_->text());
+                    if (table == 0) {
+                        showAnswers();  // they are without what is refused
+                    }
                 });
     }
     return holder;
@@ -397,9 +406,19 @@ void ToleranceWindow::showAnswers() {
             lines.prepend(tr("Of the values before; computing anew …"));
         }
     }
+    const QStringList refused =
+        static_cast<const ScatterTable*>(inputs_->view()->model())->refusedNames();
+    if (!refused.isEmpty()) {
+        lines.prepend(tr("Not up to date, for these tolerances are refused: %1.")
+                          .arg(refused.join(QStringLiteral(", "))));
+    }
     QPalette ink = table_->palette();
     const Theme& theme = Theme::instance();
-    ink.setColor(QPalette::Text, model_->isStale() ? theme.mutedText() : theme.text());
+    const bool isCut = model_->isStopped() || !refused.isEmpty();
+    ink.setColor(QPalette::Text, isCut               ? theme.warning()
+                                 : model_->isStale() ? theme.mutedText()
+                                                     : theme.text());
+    colourText(words_, isCut ? theme.warning() : theme.mutedText());
     table_->setPalette(ink);
     table_->setRows(rows);
     for (int row = 0; answers != nullptr && row < rows.size(); ++row) {

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <QTimer>
+#include <array>
 
 class QComboBox;
 class QLabel;
@@ -31,6 +32,7 @@ class ToleranceWindow : public QDialog {
   public:
     ToleranceWindow(ScenePage* page, QWidget* parent);
 
+    const ScenePage* page() const { return page_; }
     StudyModel* model() const { return model_; }
     TableEditor* inputs() const { return inputs_; }
     TableEditor* watched() const { return watched_; }
@@ -73,6 +75,7 @@ class ToleranceWindow : public QDialog {
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
     TroubleLine* refused_ = nullptr;
+    std::array<QString, 2> troubles_;  ///< of inputs and of watched results
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
     ScatterView* scatter_ = nullptr;

@@ -96,8 +96,9 @@ class DifferenceDelegate final : public QStyledItemDelegate {
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    bool below = false;   ///< differences stand below the numbers
-    bool inLine = false;  ///< both parts in one line
+    bool below = false;    ///< differences stand below the numbers
+    bool inLine = false;   ///< both parts in one line
+    bool isAmber = false;  ///< what is small
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
@@ -122,7 +123,8 @@ class DifferenceDelegate final : public QStyledItemDelegate {
         painter->drawText(line, side,
                           QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
         painter->setFont(differenceFont());
-        painter->setPen(isSelected ? colour : Theme::instance().mutedText());
+        const Theme& theme = Theme::instance();
+        painter->setPen(isSelected ? colour : isAmber ? theme.warning() : theme.mutedText());
         const QStringList parts = besideOf(index.data(differenceRole), index.data(spreadRole));
         line.moveTop(line.top() + plainRowHeight() - 3);
         line.setHeight(differenceHeight());
@@ -191,9 +193,19 @@ void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
     }
     spreads_ = std::move(spreads);
     spreadTip_ = how;
+    areSpreadsStopped_ = false;
     placedAt_ = -1;
     showSpreads();
     placeBeside();
+}
+
+void ResultTable::stopSpreads(const QString& why) {
+    if (!spreads_.empty() && !areSpreadsStopped_) {
+        areSpreadsStopped_ = true;
+        spreadTip_ += QLatin1Char('\n') + why;
+        placeBeside();
+        viewport()->update();
+    }
 }
 
 QString ResultTable::spreadAt(int row, int column) const {
@@ -377,6 +389,7 @@ void ResultTable::placeBeside() {
     if (auto* delegate = dynamic_cast<DifferenceDelegate*>(itemDelegate())) {
         delegate->below = !inColumns;
         delegate->inLine = place == Place::Line;
+        delegate->isAmber = areSpreadsStopped_;
     }
     if (verticalHeader()->defaultSectionSize() != height) {
         verticalHeader()->setDefaultSectionSize(height);
@@ -410,6 +423,8 @@ void ResultTable::placeBeside() {
             const QTableWidgetItem* of = isSpread ? item(row, spread_.front()) : nullptr;
             const QString fails = of != nullptr ? of->data(failsRole).toString() : QString();
             cell->setToolTip(fails.isEmpty() ? tip : fails);
+            cell->setForeground(isSpread && areSpreadsStopped_ ? QBrush(Theme::instance().warning())
+                                                               : QBrush());
         }
     }
     fitColumns();

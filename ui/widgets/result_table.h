@@ -48,6 +48,10 @@ class ResultTable : public QTableWidget {
     /// Shows them beside the numbers, where differences stand. None removes them.
     /// @param how  they were found: the tip of their heading
     void setSpreads(std::vector<Spread> spreads, const QString& how = {});
+    /// They were not found to the end: they are amber until there are others.
+    /// @param why  behind the tip of their heading
+    void stopSpreads(const QString& why);
+    bool areSpreadsStopped() const { return areSpreadsStopped_; }
     /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown, with a ⚠ where it is
     /// marked; empty where it has none.
     QString spreadAt(int row, int column) const;
@@ -108,6 +112,7 @@ class ResultTable : public QTableWidget {
     QString referenceName_;
     std::vector<Spread> spreads_;
     QString spreadTip_;
+    bool areSpreadsStopped_ = false;
     QList<int> compared_;  ///< columns with differences
     QList<int> spread_;    ///< columns with ±
     Place place_ = Place::Columns;

@@ -207,6 +207,17 @@ TEST_F(Bands, AreThoseOfTheSamplesWhenTheHandRests) {
     EXPECT_FALSE(page->isBusy());
     EXPECT_NEAR(sides().first, sides().second, 1e-6);
     EXPECT_TRUE(curve(moments, 1).hasSpread());
+    // The tables say that they were stopped.
+    int amber = 0;
+    for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+        amber += table->areSpreadsStopped() ? 1 : 0;
+    }
+    EXPECT_GT(amber, 0);
+    // A limit has no band: nothing begins anew.
+    Json study = parse_json(page->model()->study());
+    study["watch"] = {{"/metrics/M_ups/range_Nm", {{"max", 2000.0}}}};
+    page->model()->changeStudy(u"limit"_s, study.dump());
+    EXPECT_FALSE(page->isBusy());
 }
 
 TEST_F(Bands, OfALinearStudyAreMarkedWhereSlopesFail) {

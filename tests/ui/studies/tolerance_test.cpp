@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
+#include <QToolBar>
 #include <QToolButton>
 
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -246,6 +247,72 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     scatter("/crank_radius_mm", u"0.02"_s);
     EXPECT_EQ(study().vary.size(), 1U);
     EXPECT_TRUE(trouble.last().at(0).toString().isEmpty());
+    // Every one that is refused is named, and the answer says that it is without them.
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    const auto ink = [&] { return tolerances->table()->palette().color(QPalette::Text); };
+    EXPECT_EQ(ink(), Theme::instance().text());
+    scatter("/crank_radius_mm", u"abc"_s);
+    scatter("/centre_distance_mm", u"xyz"_s);
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(u"abc"_s));
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(u"xyz"_s));
+    EXPECT_EQ(ink(), Theme::instance().warning());
+    scatter("/centre_distance_mm", u"0.1"_s);
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(u"abc"_s));
+    scatter("/crank_radius_mm", u"0.02"_s);
+    waitForAnswer();
+    EXPECT_EQ(ink(), Theme::instance().text());
+}
+
+TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
+    watch("/metrics/M_ups/range_Nm");
+    const QAbstractItemModel* table = tolerances->watched()->view()->model();
+    const auto text = [&](int column) { return table->index(0, column).data().toString(); };
+    const auto isRed = [&](int column) {
+        return table->index(0, column).data(EditableTable::TroubleRole).toBool();
+    };
+    type(tolerances->watched(), 0, WatchTable::Least, u"abc"_s);
+    EXPECT_EQ(text(WatchTable::Least), u"abc"_s);
+    EXPECT_TRUE(isRed(WatchTable::Least));
+    type(tolerances->watched(), 0, WatchTable::Most, u"100"_s);
+    EXPECT_TRUE(isRed(WatchTable::Least)) << "still no number";
+    type(tolerances->watched(), 0, WatchTable::Least, u"200"_s);
+    EXPECT_TRUE(isRed(WatchTable::Least)) << "above the upper one";
+    EXPECT_FALSE(study().watch[0].min);
+    type(tolerances->watched(), 0, WatchTable::Most, u"300"_s);
+    EXPECT_FALSE(isRed(WatchTable::Least));
+    EXPECT_EQ(study().watch[0].min, 200.0);
+    EXPECT_EQ(study().watch[0].max, 300.0);
+}
+
+TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {
+    const auto speed = [&]() -> const StudyModel::Input& {
+        const auto& inputs = tolerances->model()->inputs();
+        return *std::find_if(inputs.begin(), inputs.end(), [](const StudyModel::Input& each) {
+            return each.pointer == "/angular_speed_rad_s";
+        });
+    };
+    CaseFile file = scene().caseFile();
+    file.input.erase("speed_rpm");
+    file.input["angular_speed_rad_s"] = 120.0 * pi;
+    scene().loadFile(file, scene().context(), false);
+    EXPECT_EQ(StudyModel::nominalText(speed()), u"3600\u00A0min⁻¹"_s);
+    scatter("/angular_speed_rad_s", u"30"_s);
+    ASSERT_EQ(study().vary.size(), 1U);
+    EXPECT_NEAR(study().vary[0].size, pi, 1e-9);
+    EXPECT_EQ(StudyModel::scatterText(speed()), u"30"_s);
+}
+
+TEST_F(Tolerances, StandOverTheWindowOfThePageOnce) {
+    EXPECT_EQ(tolerances->windowFlags() & Qt::WindowType_Mask, Qt::Dialog);
+    EXPECT_EQ(tolerances->parentWidget(), &window);
+    window.activateWindow();
+    QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(window.findChildren<ToleranceWindow*>().size(), 1);
+    const auto actions = window.findChild<QToolBar*>()->actions();
+    EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const QAction* each) {
+        return each->text().remove(u'&') == u"Tolerances…"_s;
+    }));
 }
 
 TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {

@@ -255,11 +255,12 @@ void StudyModel::refresh() {
     readStudy();
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
-        Input input{number.pointer, number.name, number.unit, number.value};
+        Input input{number.pointer, number.name, number.unit, number.value, {}, number.shown};
         if (!number.hasLabel) {  // no form names it
             const ResultName name = resultName(number.pointer);
             input.name = capitalised(name.text);
             input.unit = name.unit;
+            input.shown = shownUnit(name.unit);
         }
         const auto found =
             std::find_if(study_.vary.begin(), study_.vary.end(),
@@ -288,7 +289,7 @@ void StudyModel::addListed() {
         if (input.contains(place) && input.at(place).is_number()) {
             const ResultName name = resultName(varied.pointer);
             inputs_.push_back({varied.pointer, capitalised(name.text), name.unit,
-                               input.at(place).get<double>(), varied});
+                               input.at(place).get<double>(), varied, shownUnit(name.unit)});
         }
     }
 }
@@ -393,29 +394,41 @@ QString StudyModel::reasonText(const Reason& reason) const {
     return name + QStringLiteral(": ") + why;
 }
 
-QString StudyModel::scatterText(const std::optional<Varied>& varied) {
+QString StudyModel::scatterText(const Input& input) {
+    const std::optional<Varied>& varied = input.varied;
     if (!varied) {
         return {};
     }
     const QLocale locale;
+    const double factor = input.shown.factor;
+    const auto written = [&](double value) {
+        constexpr int converted = 6;  // digits
+        return factor == 1.0 ? formNumber(value, locale)
+                             : formNumber(factor * value, locale, converted);
+    };
     switch (varied->spread) {
         case Varied::Spread::plus_minus:
-            return formNumber(varied->size, locale);
+            return written(varied->size);
         case Varied::Spread::plus_minus_percent:
             return formNumber(varied->size, locale) + QStringLiteral(" %");
         case Varied::Spread::normal:
-            return QStringLiteral("σ ") + formNumber(varied->size, locale);
+            return QStringLiteral("σ ") + written(varied->size);
         case Varied::Spread::uniform:
-            return formNumber(varied->from, locale) + QStringLiteral(" … ") +
-                   formNumber(varied->to, locale);
+            return written(varied->from) + QStringLiteral(" … ") + written(varied->to);
         case Varied::Spread::grid:
             break;
     }
     QStringList values;
     for (const double value : varied->values) {
-        values << formNumber(value, locale);
+        values << written(value);
     }
     return values.join(QStringLiteral("; "));
+}
+
+QString StudyModel::nominalText(const Input& input) {
+    constexpr int digits = 8;
+    return withUnit(formNumber(input.shown.factor * input.nominal, QLocale(), digits),
+                    input.shown.name);
 }
 
 QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
@@ -452,7 +465,14 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
                       "deviation; %1 is none.")
                 .arg(text.trimmed());
         }
-        varied.size = *number;
+        const auto input = std::find_if(inputs_.begin(), inputs_.end(),
+                                        [&](const Input& each) { return each.pointer == pointer; });
+        const double factor =
+            varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
+                ? 1.0
+                : input->shown.factor;
+        constexpr int digits = 12;
+        varied.size = factor == 1.0 ? *number : rounded_to(*number / factor, digits);
         (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
     change(tr("Tolerance"), next);

@@ -12,6 +12,7 @@
 
 #include "studies/study.h"
 #include "studies/tally.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -58,6 +59,7 @@ class StudyModel : public QObject {
         QString unit;
         double nominal = 0.0;  ///< in the unit of its key
         std::optional<studies::Varied> varied = {};
+        ShownUnit shown = {};  ///< that of its field
     };
     /// A number of the result.
     struct Value {
@@ -79,8 +81,10 @@ class StudyModel : public QObject {
     /// The same with its name for people.
     QString inputName(const std::string& pointer) const;
 
-    /// "0.02", "1 %", "σ 0.5"; empty where the input does not scatter.
-    static QString scatterText(const std::optional<studies::Varied>& varied);
+    /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
+    static QString scatterText(const Input& input);
+    /// Its value with that unit.
+    static QString nominalText(const Input& input);
     /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
     /// out. All of them are taken, or none.
     /// @return an empty string, or why it cannot be

@@ -1,5 +1,7 @@
 #include "studies/model/study_tables.h"
 
+#include <algorithm>
+
 #include "studies/model/result_words.h"
 #include "text/number_text.h"
 
@@ -8,15 +10,51 @@ namespace ravnoves {
 ScatterTable::ScatterTable(StudyModel* model, QObject* parent)
     : EditableTable(parent), model_(model), rows_(rowCount()) {
     connect(model_, &StudyModel::changed, this, [this] {
+        dropChanged();
         if (rowCount() != rows_) {
             beginResetModel();
             rows_ = rowCount();
-            refused_.clear();
             endResetModel();
         } else if (rows_ > 0) {
             Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
         }
     });
+}
+
+void ScatterTable::dropChanged() {
+    const auto isGone = [this](const auto& each) {
+        const auto& inputs = model_->inputs();
+        const auto input =
+            std::find_if(inputs.begin(), inputs.end(),
+                         [&](const StudyModel::Input& it) { return it.pointer == each.first; });
+        return input == inputs.end() || StudyModel::scatterText(*input) != each.second.before;
+    };
+    if (std::erase_if(refused_, isGone) > 0) {
+        Q_EMIT troubleChanged(trouble());
+    }
+}
+
+QStringList ScatterTable::refusedNames() const {
+    QStringList names;
+    for (const auto& [pointer, refused] : refused_) {
+        names << model_->inputName(pointer);
+    }
+    return names;
+}
+
+QString ScatterTable::trouble() const {
+    if (refused_.size() < 2) {
+        return refused_.empty() ? QString()
+                                : refusedNames().constFirst() + QStringLiteral(": ") +
+                                      refused_.begin()->second.why;
+    }
+    QStringList all;
+    for (const auto& [pointer, refused] : refused_) {
+        all << model_->inputName(pointer) + QStringLiteral(": ") +
+                   StudyModel::tr("“%1”").arg(refused.text);
+    }
+    return tr("No tolerances, which are numbers greater than 0 such as 0.02, 1 % or σ 0.01: %1.")
+        .arg(all.join(QStringLiteral("; ")));
 }
 
 int ScatterTable::rowCount(const QModelIndex& parent) const {
@@ -77,10 +115,10 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
         case Name:
             return input.name;
         case Nominal:
-            return withUnit(formNumber(input.nominal, QLocale(), 8), input.unit);
+            return StudyModel::nominalText(input);
         default:
-            return refused != refused_.end() ? refused->second
-                                             : StudyModel::scatterText(input.varied);
+            return refused != refused_.end() ? refused->second.text
+                                             : StudyModel::scatterText(input);
     }
 }
 
@@ -90,12 +128,12 @@ bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int 
     }
     const std::string pointer = model_->inputs()[static_cast<std::size_t>(index.row())].pointer;
     const QString why = model_->setScatter({{pointer, value.toString()}});
-    if (why.isEmpty()) {
-        refused_.erase(pointer);
-    } else {
-        refused_[pointer] = value.toString();
+    refused_.erase(pointer);
+    if (!why.isEmpty()) {
+        const auto& input = model_->inputs()[static_cast<std::size_t>(index.row())];
+        refused_[pointer] = {value.toString(), why, StudyModel::scatterText(input)};
     }
-    Q_EMIT troubleChanged(why);
+    Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index, index);
     return why.isEmpty();
 }
@@ -121,6 +159,7 @@ QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStr
 WatchTable::WatchTable(StudyModel* model, QObject* parent)
     : EditableTable(parent), model_(model), rows_(rowCount()) {
     connect(model_, &StudyModel::changed, this, [this] {
+        dropUnwatched();
         if (rowCount() != rows_) {
             beginResetModel();
             rows_ = rowCount();
@@ -157,6 +196,9 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
         return {};
     }
     const studies::Watched& watched = model_->study().watch[static_cast<std::size_t>(index.row())];
+    if (role == TroubleRole) {
+        return refused_.contains({watched.pointer, index.column()});
+    }
     if (role == Qt::TextAlignmentRole) {
         return QVariant((index.column() == Name ? Qt::AlignLeft : Qt::AlignRight) |
                         Qt::AlignVCenter);
@@ -170,6 +212,10 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
     if (index.column() == Name) {
         return resultName(watched.pointer).withUnit();
     }
+    const auto refused = refused_.find({watched.pointer, index.column()});
+    if (refused != refused_.end()) {
+        return refused->second.text;
+    }
     const auto& limit = index.column() == Least ? watched.min : watched.max;
     return limit ? formNumber(*limit, QLocale()) : QString();
 }
@@ -178,9 +224,49 @@ bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
         return false;
     }
-    const QString why = pasteBlock(index.row(), index.column(), {{value.toString()}});
-    Q_EMIT troubleChanged(why);
+    const QString why = take(index.row(), index.column(), value.toString());
+    retry(index.row(), index.column() == Least ? Most : Least);
+    Q_EMIT troubleChanged(trouble());
+    Q_EMIT dataChanged(this->index(index.row(), Least), this->index(index.row(), Most));
     return why.isEmpty();
+}
+
+QString WatchTable::take(int row, int column, const QString& text) {
+    const Cell cell(model_->study().watch[static_cast<std::size_t>(row)].pointer, column);
+    refused_.erase(cell);
+    QString why = pasteBlock(row, column, {{text}});
+    if (!why.isEmpty()) {
+        refused_[cell] = {text, why};
+    }
+    return why;
+}
+
+void WatchTable::retry(int row, int column) {
+    const auto there =
+        refused_.find({model_->study().watch[static_cast<std::size_t>(row)].pointer, column});
+    if (there != refused_.end()) {
+        take(row, column, QString(there->second.text));
+    }
+}
+
+void WatchTable::dropUnwatched() {
+    const auto isGone = [this](const auto& each) {
+        const auto& watch = model_->study().watch;
+        return std::none_of(watch.begin(), watch.end(), [&](const studies::Watched& it) {
+            return it.pointer == each.first.first;
+        });
+    };
+    if (std::erase_if(refused_, isGone) > 0) {
+        Q_EMIT troubleChanged(trouble());
+    }
+}
+
+QString WatchTable::trouble() const {
+    QStringList all;
+    for (const auto& [cell, refused] : refused_) {
+        all << resultName(cell.first).text + QStringLiteral(": ") + refused.why;
+    }
+    return all.join(QStringLiteral("; "));
 }
 
 void WatchTable::removeRowRange(int first, int count) {

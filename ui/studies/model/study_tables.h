@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "model/editable_table.h"
 #include "studies/model/study_model.h"
@@ -27,10 +28,24 @@ class ScatterTable final : public EditableTable {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+    /// Inputs whose tolerance is refused: what is found is without it.
+    QStringList refusedNames() const;
+
   private:
+    /// A text that is no tolerance.
+    struct Refused {
+        QString text;
+        QString why;
+        QString before;  ///< what counts in its place
+    };
+    /// Of all that are refused.
+    QString trouble() const;
+    /// Where something else than a new text has changed a tolerance, that counts.
+    void dropChanged();
+
     StudyModel* model_;
     int rows_ = 0;
-    std::map<std::string, QString> refused_;  ///< texts that are no tolerance, by pointer
+    std::map<std::string, Refused> refused_;  ///< by pointer
 };
 
 /// The results that are watched, with their limits.
@@ -54,8 +69,21 @@ class WatchTable final : public EditableTable {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
+    using Cell = std::pair<std::string, int>;  ///< pointer and column
+    struct Refused {
+        QString text;
+        QString why;
+    };
+    /// Takes a text. @return an empty string, or why it cannot be
+    QString take(int row, int column, const QString& text);
+    /// What a limit refused before may stand beside another one now.
+    void retry(int row, int column);
+    void dropUnwatched();
+    QString trouble() const;
+
     StudyModel* model_;
     int rows_ = 0;
+    std::map<Cell, Refused> refused_;
 };
 
 }  // namespace ravnoves
