@@ -403,6 +403,10 @@ void BobMachineSheet::buildRuns() {
                             name, run, plane, isAngle,
                             value ? std::optional(*value * field.unit) : std::nullopt);
                     });
+                doubt(made, [this, run, made] {
+                    return model_->solution().read_with && run == model_->newestRun() &&
+                           made->value();
+                });
                 trouble->watch(made);
                 grid->addWidget(made, at, static_cast<int>(2 * plane) + (isAngle ? 2 : 1));
                 row << made;
@@ -527,9 +531,15 @@ BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobShe
                 });
             });
         made->setObjectName(QStringLiteral("slug_") + made->objectName());
+        return made;
     };
     slug(field::slug_diameter, &Slug::diameter);
-    slug(field::slug_density, &Slug::density);
+    NumberField* density = slug(field::slug_density, &Slug::density);
+    follow([this, density, needed = density->placeholderText()] {
+        const auto& correction = model_->input().correction;
+        const bool hasSlugs = correction && correction->slug && correction->slug->diameter;
+        density->setPlaceholderText(hasSlugs ? needed : QStringLiteral("–"));
+    });
     finish();
 }
 

@@ -173,6 +173,9 @@ void PlaneView::drawVectors(QPainter& painter, double rim) const {
     painter.setPen(Qt::NoPen);
     painter.drawPolygon(QPolygonF({{0.0, -2.0}, {4.5, 8.0}, {-4.5, 8.0}}));
     painter.restore();
+    if (model_->solution().read_with) {
+        return;  // what remains is not known
+    }
     painter.setPen(QPen(theme.panel(), 1.0));
     painter.setBrush(result.within_tolerance == false ? theme.error() : theme.good());
     painter.drawEllipse(onCircle(result.remaining_angle, result.remaining * scale), 4.0, 4.0);

@@ -108,7 +108,7 @@ class Inputs {
 
     ShownUnit unitOf(const std::string& pointer) const {
         const FieldEntry* entry = entryAt(pointer);
-        return entry == nullptr ? ShownUnit{} : shownUnit(entry->field.unit);
+        return entry == nullptr ? ShownUnit{} : shownUnit(entry->field);
     }
 
     QString valueText(const std::string& pointer, const Json& value) const {

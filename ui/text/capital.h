@@ -12,4 +12,12 @@ inline QString capitalised(QString name) {
     return name;
 }
 
+/// The same inside a sentence.
+inline QString inSentence(QString name) {
+    if (name.size() > 1 && name[0].isUpper() && name[1].isLower()) {
+        name[0] = name[0].toLower();
+    }
+    return name;
+}
+
 }  // namespace ravnoves

@@ -78,6 +78,13 @@ const Change* changeOf(const auto& isOwn) {
     return found == changes.end() ? nullptr : &*found;
 }
 
+/// Kilograms that are wanted as they are.
+bool staysInKilograms(const Field& field) {
+    constexpr double leastOfRotors = 0.1;  // kg; parts may weigh next to nothing
+    return field.unit.name == units::kg.name && field.range.min >= leastOfRotors &&
+           Preferences::instance().units(Preferences::Mass) == System::Gram;
+}
+
 ShownUnit shown(const Change& change) {
     return {unitText(change.shown.name), change.own.to_si / change.shown.to_si, change.decimals};
 }
@@ -87,6 +94,10 @@ ShownUnit shown(const Change& change) {
 ShownUnit shownUnit(const Unit& unit) {
     const Change* change = changeOf([&](const Unit& own) { return own.name == unit.name; });
     return change != nullptr ? shown(*change) : ShownUnit{unitText(unit.name)};
+}
+
+ShownUnit shownUnit(const Field& field) {
+    return staysInKilograms(field) ? ShownUnit{unitText(field.unit.name)} : shownUnit(field.unit);
 }
 
 ShownUnit shownUnit(const QString& name) {
@@ -100,6 +111,10 @@ Unit shownAs(const Unit& unit) {
     return change != nullptr
                ? Unit{change->shown.name, unit.to_si * (change->shown.to_si / change->own.to_si)}
                : unit;
+}
+
+Unit shownAs(const Field& field) {
+    return staysInKilograms(field) ? field.unit : shownAs(field.unit);
 }
 
 QString unitOfTitle(const QString& title) {

@@ -3,6 +3,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "case-file/field.h"
 #include "numerics/units.h"
 
 namespace ravnoves {
@@ -17,11 +18,15 @@ struct ShownUnit {
 
 /// The one place for it: how a unit of core is shown now.
 ShownUnit shownUnit(const Unit& unit);
+/// That of a field: what always weighs a lot, as a rotor does, stays in kilograms beside parts in
+/// grams.
+ShownUnit shownUnit(const Field& field);
 /// The same for a unit by its name in the language of the program; other words as they are.
 ShownUnit shownUnit(const QString& name);
 
 /// The unit itself, for texts in another language than the program's.
 Unit shownAs(const Unit& unit);
+Unit shownAs(const Field& field);
 
 /// A heading or the title of an axis that ends in a unit ("l, mm", "N·m"), with the one shown in
 /// its place.

@@ -1,9 +1,9 @@
 #include "v8-plugs/answer_view.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/model/v8_plugs_model.h"
@@ -31,7 +31,7 @@ QLabel* namedLabel(QWidget* parent, const char* name, int pixelSize, bool bold =
 
 /// Shows a text, or nothing at all where there is none.
 void say(QLabel* label, const QString& text) {
-    label->setText(text);
+    label->setText(unbroken(text));
     label->setVisible(!text.isEmpty());
 }
 
@@ -71,20 +71,18 @@ QWidget* AnswerView::buildAdvice() {
     hang_ = namedLabel(panel, "hang", Theme::titleSize, true);
     plugs_ = namedLabel(panel, "plugs_while_hung", Theme::baseSize);
     excess_ = namedLabel(panel, "excess", Theme::baseSize);
-    excess_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
     options_ = new ResultTable(panel);
     options_->setAccessibleName(tr("The options"));
     options_->setColumns(model_->optionColumns());
     options_->setTips(V8PlugsModel::optionTips());
-    auto* numbers = new QHBoxLayout;
-    numbers->addWidget(hang_, 3);
-    numbers->addWidget(excess_, 2);
+    // Each over the whole width.
     column->addWidget(advice_);
     column->addWidget(refused_);
     column->addWidget(boring_);
-    column->addLayout(numbers);
+    column->addWidget(hang_);
     column->addWidget(plugs_);
+    column->addWidget(excess_);
     column->addWidget(troubles_);
     column->addWidget(options_);
     return panel;
@@ -192,10 +190,11 @@ void AnswerView::showAdvice() {
 void AnswerView::showBobWeights() {
     const auto weights = model_->bobWeightRows();
     bobWeights_->setRows(weights);
-    bobWeights_->setVisible(!weights.isEmpty());
+    bobWeights_->parentWidget()->setVisible(!weights.isEmpty());
     QStringList said{model_->checkText(), model_->rodFactorText()};
     said.removeAll(QString());
-    say(check_, weights.isEmpty() ? model_->missingText() : said.join(QLatin1Char('\n')));
+    // What is missing stands above.
+    say(check_, weights.isEmpty() ? QString() : said.join(QLatin1Char('\n')));
     const bool doubtful = model_->solution().shift_that_matters() != nullptr;
     const Theme& theme = Theme::instance();
     colourText(check_, doubtful ? theme.warning() : theme.mutedText());

@@ -7,6 +7,7 @@
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
 #include "workshop/model/verdict.h"
+#include "workshop/tolerance.h"
 
 namespace ravnoves {
 
@@ -160,7 +161,7 @@ void CardPainter::machine(double y) {
         const BalancingCheck check = input_.balancing->check().value();
         limits = words_.translate("JobCard", "ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.")
                      .arg(words_.plain(check.grade / units::mm_per_s, 2),
-                          words_.plainWithUnit(check.rotor_mass, units::kg, 2),
+                          words_.plainWithUnit(check.rotor_mass, workshop::field::rotor_mass, 2),
                           words_.plainWithUnit(check.service_speed, units::rpm, 0),
                           v8_text::gramMillimetres(words_, solution_.balancing->permissible));
     } else {

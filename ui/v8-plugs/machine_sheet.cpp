@@ -12,8 +12,11 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     number("/balancing/service_speed_rpm");
     number("/balancing/front_share");
     section(tr("What the machine reads"));
-    number("/balancing/front_reading_g_mm");
-    number("/balancing/rear_reading_g_mm");
+    for (const char* reading : {"/balancing/front_reading_g_mm", "/balancing/rear_reading_g_mm"}) {
+        NumberField* field = number(reading);
+        doubt(field,
+              [this, field] { return model_->solution().read_with.has_value() && field->value(); });
+    }
     planes_ = new ResultTable(this);
     planes_->setAccessibleName(tr("Correction planes"));
     planes_->setColumns(model_->planeColumns());

@@ -300,9 +300,7 @@ void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugD
         return shownAs(mm) == mm ? words.plain(length, mm, 2) : words.plainWithUnit(length, mm, 2);
     };
     Labels labels;
-    // A name, in millimetres always: the multiplication sign, and the language's decimal sign.
-    labels.thread = QStringLiteral("M%1×%2").arg(words.plain(plug.thread.diameter / mm, 2),
-                                                 words.plain(plug.thread.pitch / mm, 2));
+    labels.thread = v8_text::thread(words, plug.thread);
     labels.height = shown(plug.height);
     labels.boreDiameter = QStringLiteral("⌀") + shown(plug.bore_diameter);
     labels.boreDepth = shown(plug.bore_depth);

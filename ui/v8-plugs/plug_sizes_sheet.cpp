@@ -3,6 +3,7 @@
 #include "case-file/input_error.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
@@ -21,6 +22,12 @@ std::optional<Thread> readThread(const QString& text) {
 
 QString nameOf(const std::optional<Thread>& thread) {
     return thread ? QString::fromStdString(thread_name(*thread)) : QString();
+}
+
+/// As a drawing has it, in the language of the program.
+QString shownName(const QString& name) {
+    const auto thread = readThread(name);
+    return thread ? v8_text::thread(Words(), *thread) : QString();
 }
 
 }  // namespace
@@ -44,23 +51,24 @@ PlugSizesSheet::PlugSizesSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(m
 }
 
 void PlugSizesSheet::addThread() {
-    checked(field::thread,
-            {[](const QString& typed) { return nameOf(readThread(typed)); },
-             [](const QString& typed) {
-                 return tr("“%1” is no metric thread with its pitch, like M22x1.5.").arg(typed);
-             },
-             [this] {
-                 const auto& sheet = model_->input().plug;
-                 return sheet ? nameOf(sheet->thread) : QString();
-             },
-             [this](const QString& step, const QString& name) {
-                 model_->edit(step, [&](Input& input) {
-                     if (!input.plug) {
-                         input.plug.emplace();
-                     }
-                     input.plug->thread = readThread(name);
-                 });
-             }});
+    checked(field::thread, {[](const QString& typed) { return nameOf(readThread(typed)); },
+                            [](const QString& typed) {
+                                return tr("“%1” is no metric thread with its pitch, like %2.")
+                                    .arg(typed, shownName(QStringLiteral("M22x1.5")));
+                            },
+                            [this] {
+                                const auto& sheet = model_->input().plug;
+                                return sheet ? nameOf(sheet->thread) : QString();
+                            },
+                            [this](const QString& step, const QString& name) {
+                                model_->edit(step, [&](Input& input) {
+                                    if (!input.plug) {
+                                        input.plug.emplace();
+                                    }
+                                    input.plug->thread = readThread(name);
+                                });
+                            },
+                            shownName});
 }
 
 }  // namespace ravnoves

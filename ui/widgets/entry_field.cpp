@@ -54,6 +54,13 @@ void EntryField::setHint(const QString& hint) {
     describe();
 }
 
+void EntryField::setDoubtful(bool isDoubtful) {
+    if (isDoubtful != isDoubtful_) {
+        isDoubtful_ = isDoubtful;
+        update();
+    }
+}
+
 void EntryField::showValue() {
     shown_ = written();
     setText(shown_);
@@ -126,10 +133,11 @@ void EntryField::changeEvent(QEvent* event) {
 
 void EntryField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
-    if (!trouble_.isEmpty()) {
+    if (!trouble_.isEmpty() || isDoubtful_) {
+        const Theme& theme = Theme::instance();
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(Theme::instance().error(), 2.0));
+        painter.setPen(QPen(trouble_.isEmpty() ? theme.warning() : theme.error(), 2.0));
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
     }
 }

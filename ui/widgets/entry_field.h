@@ -29,6 +29,9 @@ class EntryField : public QLineEdit {
     bool isEditing() const { return editing_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
+    /// What stands in it may not hold any more: it has an amber frame, where nothing is wrong.
+    void setDoubtful(bool isDoubtful);
+    bool isDoubtful() const { return isDoubtful_; }
     /// What is passed on in an editing is one step of this model's history, and what the model
     /// refuses is a refused text.
     void setModel(SceneModel* model);
@@ -80,6 +83,7 @@ class EntryField : public QLineEdit {
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
     bool isPassing_ = false;
+    bool isDoubtful_ = false;
 };
 
 /// An EntryField for values of one type.

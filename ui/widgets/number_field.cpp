@@ -16,7 +16,7 @@ NumberField::NumberField(QWidget* parent) : ValueEntry(parent) {
 }
 
 NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(parent) {
-    const ShownUnit unit = shownUnit(field.unit);
+    const ShownUnit unit = shownUnit(field);
     factor_ = unit.factor;
     setRange(field.range, unit.name);
     setHint(shownText(field.hint));

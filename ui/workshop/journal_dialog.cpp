@@ -153,11 +153,15 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
     connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
     for (CheckedField* day : {from_, to_}) {
-        connect(day, &CheckedField::troubleChanged, message_, &QLabel::setText);
+        connect(day, &CheckedField::troubleChanged, this, [this](const QString& trouble) {
+            trouble.isEmpty() ? search() : message_->setText(trouble);
+        });
     }
-    // Enter in the search goes to the list, Enter in the list opens.
+    // Enter in the search opens the one job that is found, or goes to the list, where it opens.
     connect(text_, &QLineEdit::returnPressed, this, [this] {
-        if (table_->rowCount() > 0) {
+        if (table_->rowCount() == 1) {
+            choose(Choice::Open);
+        } else if (table_->rowCount() > 0) {
             table_->setFocus();
         }
     });

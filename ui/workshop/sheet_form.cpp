@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 #include "workshop/checked_field.h"
@@ -76,7 +77,10 @@ void SheetForm::checked(const Field& description, CheckedText text) {
         },
         current()));
     field->setObjectName(QString::fromStdString(std::string(description.key)));
-    field->setPlaceholderText(shownText(description.placeholder));
+    const QString example = text.normal(shownText(description.placeholder));
+    field->setPlaceholderText(text.shown && !example.isEmpty()
+                                  ? text.shown(example)
+                                  : shownText(description.placeholder));
     enlarge(field);
     field->setHint(shownText(description.hint));
     field->setModel(model_);
@@ -98,7 +102,7 @@ QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
     QLabel* label = wrapped(current(), pixelSize);
     current()->addWide(label);
     follow([label, text = std::move(text)] {
-        label->setText(text());
+        label->setText(unbroken(text()));
         label->setVisible(!label->text().isEmpty());
     });
     return label;
@@ -111,6 +115,7 @@ void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void(
     button->setMinimumHeight(Theme::withText(fieldHeight));
     current()->addWide(button);
     connect(button, &QPushButton::clicked, this, std::move(hold));
+    isDoubted_ = isAsked;
     QLabel* why = findChild<QLabel*>(QStringLiteral("other_bob_weight"));
     follow([button, why, isAsked = std::move(isAsked)] {
         button->setVisible(isAsked());
@@ -118,6 +123,10 @@ void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void(
             colourText(why, Theme::instance().warning());
         }
     });
+}
+
+void SheetForm::doubt(EntryField* field, std::function<bool()> isDoubtful) {
+    follow([field, isDoubtful = std::move(isDoubtful)] { field->setDoubtful(isDoubtful()); });
 }
 
 void SheetForm::finish() {

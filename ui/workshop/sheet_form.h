@@ -24,6 +24,9 @@ class SheetForm : public Form {
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
 
+    /// Its readings are of another bob weight: its tab is amber, and so are their fields.
+    bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
+
     /// What the answer says of entries that are refused; empty where none is.
     static QString refusedNote(const QStringList& refused);
     /// A wrapping label whose text can be copied.
@@ -60,6 +63,8 @@ class SheetForm : public Form {
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A button, seen while `isAsked`, that says that readings hold for the bob weight of now.
     void addHoldButton(std::function<bool()> isAsked, std::function<void()> hold);
+    /// A field is amber while it holds a reading of another bob weight.
+    void doubt(EntryField* field, std::function<bool()> isDoubtful);
     /// Takes a field into the order.
     template <typename Widget>
     Widget* ordered(Widget* field) {
@@ -78,6 +83,7 @@ class SheetForm : public Form {
 
     SceneModel* model_;
     QList<QWidget*> order_;
+    std::function<bool()> isDoubted_;
 };
 
 }  // namespace ravnoves

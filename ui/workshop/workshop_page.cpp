@@ -29,6 +29,7 @@
 #include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/placing_search.h"
+#include "workshop/model/verdict.h"
 #include "workshop/sheet_form.h"
 #include "workshop/shop_dialog.h"
 
@@ -55,8 +56,17 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
                         this),
         1);
     buildActions();
+    constexpr int lookAgainMs = 200;
+    wait_.setInterval(lookAgainMs);
     connect(desk(), &JobDesk::journalWaits, this, [this] {
         Q_EMIT status(tr("Another program is writing to the journal; waiting for it…"));
+        wait_.start();
+    });
+    connect(&wait_, &QTimer::timeout, this, [this] {
+        if (!desk()->isBusy()) {
+            wait_.stop();
+            Q_EMIT status({});
+        }
     });
     connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
 }
@@ -70,18 +80,29 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     const int tab = sheets_->count() - 1;
     for (QWidget* field : order) {
         field->installEventFilter(this);
-        // A tab that hides a refused entry says so.
-        const auto mark = [this, form, tab] {
-            sheets_->tabBar()->setTabTextColor(
-                tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
-            showRefused(refusedEntries(this));
-        };
         if (auto* entry = qobject_cast<EntryField*>(field)) {
-            connect(entry, &EntryField::troubleChanged, this, mark);
+            connect(entry, &EntryField::troubleChanged, this, [this, tab] {
+                markTab(tab);
+                showRefused(refusedEntries(this));
+            });
         }
     }
+    connect(model(), &SceneModel::changed, this, [this, tab] { markTab(tab); });
+    connect(&Theme::instance(), &Theme::changed, this, [this, tab] { markTab(tab); });
     for (qsizetype i = 1; i < order.size(); ++i) {
         QWidget::setTabOrder(order.at(i - 1), order.at(i));
+    }
+}
+
+void WorkshopPage::markTab(int tab) {
+    // A tab that hides a refused entry says so, or readings that may not hold.
+    const SheetForm* form = forms_.at(tab);
+    const Theme& theme = Theme::instance();
+    const QColor colour = !form->refused().isEmpty() ? theme.error()
+                          : form->isDoubtful()       ? theme.warning()
+                                                     : QColor();
+    if (colour != sheets_->tabBar()->tabTextColor(tab)) {
+        sheets_->tabBar()->setTabTextColor(tab, colour);
     }
 }
 
@@ -354,24 +375,31 @@ void WorkshopPage::saveJob(bool isFinished) {
         if (page == nullptr) {
             return;
         }
-        if (saved) {
-            Q_EMIT page->status(text);
-        } else {
+        page->wait_.stop();
+        Q_EMIT page->status(saved ? text : QString());
+        if (!saved) {
             QMessageBox::warning(page, tr("Journal"), text);
         }
     });
 }
 
 bool WorkshopPage::isJobKnown() {
-    const QString there = desk()->otherEngine();
-    if (there.isEmpty()) {
+    const QString here = desk()->engineOnSheet();
+    QString text;
+    if (const QString there = desk()->otherEngine(); !there.isEmpty()) {
+        text = there == here
+                   ? tr("The job of %1 in the journal is for another engine than the sheet.")
+                         .arg(there)
+                   : tr("The job in the journal is that of %1, the sheet that of %2.")
+                         .arg(there, here);
+    } else if (const QString verdict = desk()->verdictToLose(); !verdict.isEmpty()) {
+        const Words words;
+        text = tr("The job of %1 in the journal is finished, its verdict: %2. On the sheet the bob "
+                  "weight is another than that of the readings; saved so, the verdict is: %3.")
+                   .arg(here, verdictText(words, verdict), verdictText(words, otherBobWeight));
+    } else {
         return true;
     }
-    const QString here = desk()->engineOnSheet();
-    const QString text =
-        there == here
-            ? tr("The job of %1 in the journal is for another engine than the sheet.").arg(there)
-            : tr("The job in the journal is that of %1, the sheet that of %2.").arg(there, here);
     QMessageBox box(QMessageBox::Question, tr("Journal"), text, QMessageBox::NoButton, this);
     const auto* asNew = box.addButton(tr("Save as a &new job"), QMessageBox::AcceptRole);
     const auto* change = box.addButton(tr("&Change that job"), QMessageBox::DestructiveRole);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <memory>
 
 #include "shell/scene_page.h"
@@ -66,6 +67,7 @@ class WorkshopPage : public ScenePage {
 
   private:
     void addSheet(SheetForm* form, const QString& title);
+    void markTab(int tab);
     void buildActions();
     void buildCardLanguages();
     void goOn(QWidget* from);
@@ -75,7 +77,8 @@ class WorkshopPage : public ScenePage {
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     void saveJob(bool isFinished);
-    /// Where F2 would overwrite the job of another engine: asks. @return false to stay
+    /// Where F2 would overwrite the job of another engine, or a verdict by readings that may not
+    /// hold any more: asks. @return false to stay
     bool isJobKnown();
     void backUp();
     void restore();
@@ -90,6 +93,7 @@ class WorkshopPage : public ScenePage {
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
     QList<SheetForm*> forms_;  // in the order of the tabs
+    QTimer wait_;              ///< while another program holds the journal
     bool journalTried_ = false;
     QList<QAction*> actions_;
 };

@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -168,7 +169,7 @@ class BobPageTest : public ::testing::Test {
 };
 
 TEST_F(BobPageTest, ShopCardByKeys) {
-    EXPECT_EQ(label("headline"), u"Still needed: Piston, Big end"_s);
+    EXPECT_EQ(label("headline"), u"Still needed: piston, big end"_s);
     EXPECT_EQ(rowsOf("Bob weight, line by line"), 0);
     typeShopCard();
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
@@ -196,9 +197,10 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     model->history()->undo();
     EXPECT_EQ(model->input().engine.type, EngineType::v);
     EXPECT_EQ(model->input().engine.rods_per_pin, 2);
-    // A rule between two fields is named on the page, not refused.
+    // Of an odd number of cylinders there is no V.
     type("cylinders", u"7"_s);
-    EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
+    EXPECT_TRUE(find<NumberField>("cylinders")->trouble().contains(u"7 is odd"_s));
+    EXPECT_EQ(model->input().engine.cylinders, 6);
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
@@ -432,6 +434,10 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_FALSE(model->isDone());
     EXPECT_TRUE(model->holeRows().isEmpty()) << "nothing is to be drilled";
     EXPECT_TRUE(model->planeRows().last().contains(u"another bob weight"_s));
+    EXPECT_EQ(model->planeRows().at(3).at(1), u"–"_s) << "nothing is known to remain";
+    EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_FALSE(find<NumberField>("position_1")->isDoubtful());
+    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(3), Theme::instance().warning());
     EXPECT_TRUE(card().contains(why.left(55)));
     EXPECT_FALSE(card().contains(u"passes"_s));
     EXPECT_NEAR(model->resultJson()["correction"]["read_with_bobweight_g"].get<double>(), 1505.2,
@@ -444,6 +450,17 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     // The mass comes from the weigh-in sheet, too; and back with it all holds.
     type("piston", u"583.9"_s);
     EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
+    EXPECT_FALSE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(3).isValid());
+    // A verdict is not lost without a word.
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("piston", u"590"_s);
+    const auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"another bob weight"_s)) << qPrintable(*asked);
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("piston", u"583.9"_s);
     type("cylinders", u"2"_s);
     type("mass_piston_1", u"590"_s);
     type("mass_piston_2", u"592"_s);
@@ -579,7 +596,9 @@ TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
     type("cylinders", QString());
     EXPECT_FALSE(find<NumberField>("cylinders")->trouble().isEmpty()) << "it is needed";
     EXPECT_EQ(model->input().engine.cylinders, 8);
-    type("cylinders", u"7"_s);
+    Json odd = model->inputJson();
+    odd["engine"]["cylinders"] = 7;
+    model->loadInput(odd, {});
     EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
     EXPECT_FALSE(model->solution().bob_weight);
     // The journal keeps the sheet, not an answer that it does not have.
@@ -612,8 +631,8 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     QString said = label("troubles");
     EXPECT_TRUE(said.contains(u"Piston: 0.584 g looks like kilograms"_s)) << qPrintable(said);
     EXPECT_TRUE(
-        said.contains(u"Not given, counted as 0 g: Rings, Pin, Locks, Small end, Shells of "
-                      "one rod, Oil of one crankpin."_s))
+        said.contains(u"Not given, counted as 0 g: rings, pin, locks, small end, shells of "
+                      "one rod, oil of one crankpin."_s))
         << qPrintable(said);
     EXPECT_TRUE(isAmber("headline"));
     EXPECT_TRUE(card().contains(u"looks like kilograms"_s));
@@ -621,7 +640,7 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     EXPECT_EQ(label("troubles"), QString());
     EXPECT_FALSE(isAmber("headline"));
     type("locks", QString());
-    EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: Locks."_s)) << qPrintable(card());
+    EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: locks."_s)) << qPrintable(card());
     type("locks", u"0"_s);
     EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
     // Both readings at one end: by how much their errors grow.
@@ -776,6 +795,34 @@ TEST_F(BobPageTest, AnotherEngineIsAJobOfItsOwn) {
     asked = answer(u"Change that job"_s);
     save();
     EXPECT_EQ(jobs().size(), 2);
+}
+
+TEST_F(BobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Gram);
+    const BobWeightsPage again(QString(), nullptr);
+    const QString mass = test::named<NumberField>(again, "rotor_mass_kg")->unit();
+    typeShopCard();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.grade = 6.3 * units::mm_per_s;
+        it.rotor_mass = 32.0;
+        it.service_speed = 6000 * units::rpm;
+    });
+    model->edit(u"split"_s, [](Input& input) {
+        input.engine.cylinders = 6;
+        input.engine.pin_split = 30.0 * degree;
+    });
+    const QString printed = card();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_EQ(mass, u"kg"_s);
+    EXPECT_TRUE(printed.contains(u", 32 kg at"_s)) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(u"split by 30°"_s)) << qPrintable(printed);
+}
+
+TEST_F(BobPageTest, DensityIsNeededWithSlugsAlone) {
+    EXPECT_EQ(find<NumberField>("slug_density_kg_m3")->placeholderText(), u"–"_s);
+    type("slug_diameter_mm", u"20"_s);
+    EXPECT_EQ(find<NumberField>("slug_density_kg_m3")->placeholderText(), u"needed"_s);
 }
 
 TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {

@@ -278,7 +278,7 @@ TEST_F(V8PageTest, ImpossibleEntriesAreRefusedInWords) {
     EXPECT_TRUE(date->trouble().contains(u"no date"_s));
     auto* thread = find<CheckedField>("thread");
     type(thread, u"22"_s);
-    EXPECT_TRUE(thread->trouble().contains(u"M22x1.5"_s));
+    EXPECT_TRUE(thread->trouble().contains(u"M22×1.5"_s));
     // What was valid on the way ("1" of "1e300") is undone.
     while (model->history()->canUndo()) {
         model->history()->undo();
@@ -334,7 +334,7 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     page.sheets()->setCurrentIndex(0);
     EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(1).isValid());
     const auto* stale = test::named<QLabel>(page, "refused");
-    EXPECT_TRUE(stale->text().contains(u"Steel plug mₚ"_s)) << qPrintable(stale->text());
+    EXPECT_TRUE(stale->text().contains(u"Steel plug\u00A0mₚ"_s)) << qPrintable(stale->text());
     EXPECT_FALSE(test::named<QLabel>(page, "advice")->font().bold());
     QString asked;
     const auto reply = [&](QMessageBox::StandardButton button) {
@@ -618,8 +618,9 @@ TEST_F(V8PageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {
     type("rotating_mass_g", u"650"_s);
     EXPECT_TRUE(
         label("troubles")
-            .contains(u"Reciprocating mass mⱼ: 1000.00\u00A0g typed, but the nominal parts give "
-                      u"1022.00\u00A0g."_s))
+            .contains(
+                u"Reciprocating mass\u00A0mⱼ: 1000.00\u00A0g typed, but the nominal parts give "
+                u"1022.00\u00A0g."_s))
         << qPrintable(label("troubles"));
     EXPECT_FALSE(label("troubles").contains(u"Rotating mass"_s));
     EXPECT_EQ(find<QLabel>("troubles")->palette().color(QPalette::WindowText),
@@ -753,6 +754,8 @@ TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
     type("reciprocating_mass_g", u"1010"_s);
     ASSERT_GT(std::abs(*model->solution().hung() - then), 0.1 * gram);
     EXPECT_EQ(model->planeRows().at(0).constLast(), u"another bob weight"_s);
+    EXPECT_TRUE(field("front_reading_g_mm")->isDoubtful());
+    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
     const QString why = u"The readings were taken with another bob weight: "_s;
     EXPECT_TRUE(label("troubles").contains(why)) << qPrintable(label("troubles"));
     type("engine_number", u"1"_s);
@@ -1176,7 +1179,7 @@ TEST_F(V8PageTest, EngineChoiceAndFlags) {
     EXPECT_TRUE(model->solution().advice);
     EXPECT_FALSE(model->solution().option(OptionId::new_steel_to_steel));
     QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
-    EXPECT_TRUE(model->adviceText().startsWith(u"Still needed: New plug radius"_s));
+    EXPECT_TRUE(model->adviceText().startsWith(u"Still needed: new plug radius"_s));
 }
 
 TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
@@ -1401,6 +1404,24 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
     QTest::mouseClick(dialog.findChild<QPushButton*>(u"journal_remove"_s), Qt::LeftButton);
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     // Days.
+    auto* from = dialog.findChild<CheckedField*>(u"journal_from"_s);
+    const auto says = [&](const QString& text) {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* each) { return each->text().contains(text); });
+    };
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->clear();
+    QTest::keyClicks(from, u"31.02.2024"_s);
+    EXPECT_TRUE(says(u"is no date"_s));
+    from->selectAll();
+    QTest::keyClick(from, Qt::Key_Delete);
+    EXPECT_FALSE(says(u"is no date"_s));
+    EXPECT_TRUE(says(u"Jobs found: 1"_s)) << "the list is said again";
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1);
+    // Enter opens the one that is found.
+    QTest::keyClick(dialog.findChild<QLineEdit*>(u"journal_search"_s), Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_GT(dialog.chosenId(), 0);
     EXPECT_EQ(readDay(u"2024-05-31"_s), QDate(2024, 5, 31));
     EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));
     EXPECT_EQ(readDay(u"31.05.2024"_s), QDate(2024, 5, 31));

@@ -3,8 +3,10 @@
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
+#include "text/capital.h"
 #include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
+#include "workshop/tolerance.h"
 
 namespace ravnoves::bob_text {
 
@@ -27,10 +29,11 @@ QString limitOrigin(const Words& words, const Tolerance& tolerance) {
     if (!tolerance.by_grade) {
         return words.translate("BobWeights", "A limit of the shop’s own for each plane, no grade.");
     }
-    const QString grade = words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
-                              .arg(words.plain(*tolerance.grade / units::mm_per_s, 2),
-                                   words.plainWithUnit(*tolerance.rotor_mass, units::kg, 2),
-                                   words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
+    const QString grade =
+        words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
+            .arg(words.plain(*tolerance.grade / units::mm_per_s, 2),
+                 words.plainWithUnit(*tolerance.rotor_mass, workshop::field::rotor_mass, 2),
+                 words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
     const QString share =
         tolerance.front_bearing && tolerance.rear_bearing
             ? words.translate("BobWeights", "Shared by the distances of the end bearings.")
@@ -64,7 +67,7 @@ QString headline(const Words& words, const Input& input, const Result& result) {
     }
     QStringList missing;
     for (const Field* field : missing_for_bob_weight(input)) {
-        missing << words.name(*field);
+        missing << inSentence(words.name(*field));
     }
     return words.translate("BobWeights", "Still needed: %1")
         .arg(missing.join(QStringLiteral(", ")));
@@ -75,8 +78,8 @@ QString hang(const Words& words, const Engine& engine) {
     if (engine.pin_split != 0.0 && engine.rods_per_pin == 2) {
         return words
             .translate("BobWeights",
-                       "For each of the %1 pairs of split crankpins, half of it on either.")
-            .arg(count);
+                       "For each of the %1 pairs of crankpins split by %2, half of it on either.")
+            .arg(QString::number(count), words.plainWithUnit(engine.pin_split, units::degree, 1));
     }
     return words.translate("BobWeights", "On each of the %1 crankpins.").arg(count);
 }
@@ -159,7 +162,7 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
     if (result.bob_weight && !result.not_given.empty()) {
         QStringList names;
         for (const PartField* part : result.not_given) {
-            names << words.name(part->field);
+            names << inSentence(words.name(part->field));
         }
         list << words
                     .translate("BobWeights",
@@ -220,7 +223,8 @@ QString planeName(const Words& words, std::size_t plane) {
 
 QStringList shortfalls(const Words& words, const Result& result) {
     QStringList list;
-    if (result.correction) {
+    // Nothing is said of a correction by readings that may not hold.
+    if (result.correction && !result.read_with) {
         for (std::size_t i = 0; i < 2; ++i) {
             const PlaneResult& plane = (*result.correction)[i];
             if (!plane.reason.empty()) {
@@ -335,11 +339,11 @@ QVector<QStringList> planes(const Words& words, const Result& result) {
         const QString verdict = verdictText(
             words, result.read_with ? ravnoves::otherBobWeight
                                     : verdictWord(plane.measured_within, plane.within_tolerance));
-        rows << QStringList{planeName(words, i),
-                            unbalanceOf(words, plane.unbalance),
+        rows << QStringList{planeName(words, i), unbalanceOf(words, plane.unbalance),
                             degreesOf(words, plane.angle),
                             words.number(plane.grams_at_radius, units::gram, 2),
-                            unbalanceOf(words, plane.remaining),
+                            // Of readings that may not hold nothing is known to remain.
+                            result.read_with ? noNumber : unbalanceOf(words, plane.remaining),
                             verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;

@@ -123,8 +123,22 @@ void BobWeightsModel::taken() {
     }
 }
 
+QString BobWeightsModel::oddBanks(const Engine& engine) {
+    return engine.type == EngineType::v && engine.cylinders % 2 != 0
+               ? tr("A V has as many cylinders in one bank as in the other: %1 is odd.")
+                     .arg(engine.cylinders)
+               : QString();
+}
+
 QString BobWeightsModel::edit(const QString& name, const std::function<void(Input&)>& mutate,
                               const QString& title) {
+    // A case that came so stays as it came, until its engine changes.
+    Input next = input();
+    mutate(next);
+    if (QString why = oddBanks(next.engine); !why.isEmpty() && next.engine != input().engine) {
+        sayRefused(why);
+        return why;
+    }
     return CaseModel::edit(
         name,
         [&](Input& input) {
@@ -525,7 +539,7 @@ QStringList BobWeightsModel::troubles() const {
             list << shownError(error);
         }
     }
-    list << otherBobWeightText();
+    list << oddBanks(input().engine) << otherBobWeightText();
     list.removeAll(QString());
     return list + doubts() + bob_text::warnings(Words(), input(), solution()) +
            bob_text::shortfalls(Words(), solution());

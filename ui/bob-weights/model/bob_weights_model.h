@@ -155,6 +155,8 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     void taken() override;
     QString shownError(const InputError& error) const;
     QString missingText(const std::string& where) const;
+    /// Why no V has so many cylinders; empty where one may.
+    static QString oddBanks(const bob_weights::Engine& engine);
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     bool hasNumbers() const;

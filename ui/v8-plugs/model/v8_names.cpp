@@ -2,6 +2,7 @@
 
 #include <QStringList>
 
+#include "text/capital.h"
 #include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_text {
@@ -62,16 +63,20 @@ QString materialName(const Words& words, PlugMaterial material) {
                                            : words.translate("V8", "Aluminium");
 }
 
-QString missingNames(const Words& words, const Input& input, bool withBobWeight) {
+QStringList missing(const Words& words, const Input& input, bool withBobWeight) {
     QStringList names;
     for (const EngineField* each : missing_fields(input.engine, withBobWeight)) {
-        names << words.name(each->field);
+        names << inSentence(words.name(each->field));
     }
     if (!input.changes_known()) {
         names << words.translate("V8",
                                  "changes of mass (sheet 1) or weights of the parts (sheet 3)");
     }
-    return names.join(QStringLiteral(", "));
+    return names;
+}
+
+QString missingNames(const Words& words, const Input& input, bool withBobWeight) {
+    return missing(words, input, withBobWeight).join(QStringLiteral(", "));
 }
 
 }  // namespace ravnoves::v8_text

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <string>
 
 #include "v8-plugs/input.h"
@@ -20,7 +21,9 @@ QString shortLine(const Words& words, const v8_plugs::BobWeightLine& line);
 /// An option in the fewest words, for legends.
 QString shortOption(const Words& words, v8_plugs::OptionId option);
 QString materialName(const Words& words, v8_plugs::PlugMaterial material);
-/// The names of the values that the answer lacks: "Oil in a crankpin mₘ, Oil coefficient kₘ".
+/// The names of the values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
+QStringList missing(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
+/// The same one after the other.
 QString missingNames(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
 
 }  // namespace ravnoves::v8_text

@@ -84,8 +84,14 @@ QString V8PlugsModel::hangText() const {
 }
 
 QString V8PlugsModel::missingText() const {
-    const QString names = v8_text::missingNames(words_, input(), true);
-    return names.isEmpty() ? QString() : tr("The bob weight still needs: %1.").arg(names);
+    QStringList names = v8_text::missing(words_, input(), true);
+    if (!solution().advice) {  // which names its own
+        const QStringList said = v8_text::missing(words_, input(), false);
+        names.removeIf([&](const QString& name) { return said.contains(name); });
+    }
+    return names.isEmpty()
+               ? QString()
+               : tr("The bob weight still needs: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 QString V8PlugsModel::isoText() const {

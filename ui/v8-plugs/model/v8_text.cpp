@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "text/capital.h"
 #include "text/number_text.h"
 #include "v8-plugs/model/v8_names.h"
 #include "workshop/model/verdict.h"
@@ -16,6 +17,11 @@ QString grams(const Words& words, double mass, int decimals) {
 
 QString gramMillimetres(const Words& words, double unbalance, int decimals) {
     return words.number(unbalance, units::gram_mm, decimals);
+}
+
+QString thread(const Words& words, const Thread& thread) {
+    return QStringLiteral("M%1×%2").arg(words.plain(thread.diameter / units::mm, 2),
+                                        words.plain(thread.pitch / units::mm, 2));
 }
 
 QString advice(const Words& words, const Input& input, const Result& solution) {
@@ -61,7 +67,7 @@ QStringList typedBesideWeights(const Words& words, const Input& input) {
         const double typed = input.typed_changes.*each.member;
         if (typed != 0.0 && !(each.repair_only && input.process == Process::manufacture)) {
             (input.takes_typed(each.member) ? kept : replaced)
-                << words.name(each.field) + QLatin1Char(' ') + grams(words, typed);
+                << inSentence(words.name(each.field)) + QLatin1Char(' ') + grams(words, typed);
         }
     }
     QStringList list;

@@ -15,6 +15,8 @@ namespace ravnoves::v8_text {
 QString grams(const Words& words, double mass, int decimals = 2);
 QString gramMillimetres(const Words& words, double unbalance, int decimals = 1);
 
+/// "M22×1,5": a name, in millimetres always, with the language's decimal sign.
+QString thread(const Words& words, const v8_plugs::Thread& thread);
 /// What to do, as one or two sentences; empty while it is not known.
 /// That readings were taken with another bob weight; empty where they were not.
 QString otherBobWeight(const Words& words, const v8_plugs::Result& solution);

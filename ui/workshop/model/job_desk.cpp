@@ -11,6 +11,7 @@
 #include "model/case_document.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 
@@ -201,6 +202,15 @@ QString JobDesk::otherEngine() {
                    isOther(there->engine, here.engine)
                ? numbersOf(*there)
                : QString();
+}
+
+QString JobDesk::verdictToLose() {
+    if (jobId_ == 0 || !isOpen() || scene_.entry().verdict != otherBobWeight) {
+        return {};
+    }
+    const auto there = journal_->job(jobId_);
+    return there && there->isFinished && there->verdict != otherBobWeight ? there->verdict
+                                                                          : QString();
 }
 
 void JobDesk::saveJob(bool isFinished, const SaveTold& told) {

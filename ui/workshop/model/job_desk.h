@@ -42,6 +42,8 @@ class JobDesk : public QObject {
     Journal* journal() { return journal_.get(); }
     /// A job is being saved, or a call waits for another program.
     bool isWaiting() const { return saving_ || (journal_ && journal_->isWaiting()); }
+    /// The same, or a draft is being written.
+    bool isBusy() const { return isWaiting() || draftUnderWay_; }
     bool isOpen() const { return journal_ && journal_->isOpen(); }
     /// What is wrong with the journal, or what happened to it; empty where nothing.
     QString journalTrouble() const { return journalTrouble_; }
@@ -58,6 +60,9 @@ class JobDesk : public QObject {
     /// The engine of the job in the journal that saving would overwrite, where the sheet has
     /// another engine's or crankshaft's number or another kind of engine; empty else.
     QString otherEngine();
+    /// The verdict of the job in the journal that saving would put "another bob weight" in the
+    /// place of; empty where it would not.
+    QString verdictToLose();
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }

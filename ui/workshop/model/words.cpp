@@ -99,6 +99,12 @@ QString Words::plain(double si, Unit unit, int decimals) const {
     return plain(shownValue(si, unit), std::max(0, decimals + shownUnit(unit).decimals));
 }
 
+QString Words::plainWithUnit(double si, const Field& field, int decimals) const {
+    const ShownUnit shown = shownUnit(field);
+    return withUnit(plain(si / field.unit * shown.factor, std::max(0, decimals + shown.decimals)),
+                    translate("core", std::string(shownAs(field).name).c_str()));
+}
+
 QString Words::plainWithUnit(double si, Unit unit, int decimals) const {
     return withUnit(plain(si, unit, decimals), this->unit(unit));
 }

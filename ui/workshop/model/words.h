@@ -50,6 +50,8 @@ class Words {
     QString plain(double si, Unit unit, int decimals) const;
     /// The same with its unit.
     QString plainWithUnit(double si, Unit unit, int decimals) const;
+    /// The same in the unit that a field is shown in.
+    QString plainWithUnit(double si, const Field& field, int decimals) const;
 
   private:
     bool own_ = false;  // a language of its own, not the program's
