@@ -68,7 +68,7 @@ PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     axis.degrees = sweep.unit == units::degree && sweep.spacing == methods::Spacing::linear;
     axis.logarithmic = sweep.logarithmic();
     if (axis.logarithmic && sweep.from >= 1e-3 && sweep.to < 1e4) {
-        axis.label = [](double value) { return formNumber(value, QLocale(), 3); };
+        axis.label = [](double value) { return shownFormNumber(value, QLocale(), 3); };
     }
     if (sweep.crowded()) {
         axis.scale = {[sweep](double value) { return sweep.place(value); },

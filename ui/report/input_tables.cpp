@@ -33,8 +33,8 @@ QString firstSentence(QString text) {
 /// mean something.
 QString numberText(double number, const ShownUnit& unit = {}) {
     constexpr int converted = 6;
-    return unit.factor == 1.0 ? formNumber(number, QLocale())
-                              : formNumber(unit.factor * number, QLocale(), converted);
+    return unit.factor == 1.0 ? shownFormNumber(number, QLocale())
+                              : shownFormNumber(unit.factor * number, QLocale(), converted);
 }
 
 bool isRow(const Json& value) {

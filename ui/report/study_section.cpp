@@ -36,8 +36,7 @@ void waitFor(const StudyModel& study) {
 }
 
 QString numberOrDash(const std::optional<double>& value) {
-    return value ? formNumber(*value, QLocale(), 6).replace(QLatin1Char('-'), QChar(0x2212))
-                 : QStringLiteral("–");
+    return value ? shownFormNumber(*value, QLocale(), 6) : QStringLiteral("–");
 }
 
 QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
@@ -70,7 +69,7 @@ Table givenTolerances(const StudyModel& study) {
         if (input.varied) {
             QStringList cells;
             const double value = input.shown.factor * input.nominal;
-            for (const QString& text : {input.name, formNumber(value, QLocale(), 8),
+            for (const QString& text : {input.name, shownFormNumber(value, QLocale(), 8),
                                         StudyModel::scatterText(input), input.shown.name}) {
                 cells << text.toHtmlEscaped();
             }

@@ -87,8 +87,8 @@ void FieldPlot::paintGround(QPainter& painter) {
     const QFontMetricsF metrics(painter.font());
     std::vector<QRectF> taken;
     for (const double level : levels_) {
-        const QString text = formNumber(std::abs(level) < 1e-9 * step_ ? 0.0 : level, locale(), 6)
-                                 .replace(QLatin1Char('-'), QChar(0x2212));
+        const QString text =
+            shownFormNumber(std::abs(level) < 1e-9 * step_ ? 0.0 : level, locale(), 6);
         QPolygonF longest;
         for (const QPolygonF& line :
              contourLines({field_.values, field_.x.size(), field_.y.size()}, level)) {
@@ -152,7 +152,7 @@ QString FieldPlot::sentence() const {
         return PlotView::sentence();
     }
     return tr("%1: from %2 to %3 over %4 and %5.")
-        .arg(title(), formNumber(low_, locale(), 5), formNumber(high_, locale(), 5),
+        .arg(title(), shownFormNumber(low_, locale(), 5), shownFormNumber(high_, locale(), 5),
              data().x.spec.title, data().left.spec.title);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QChar>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QString>
 
 namespace ravnoves {
@@ -23,6 +24,8 @@ struct CsvFormat {
         if (text.size() > 1 && text.front() == QChar(0x2212) && text[1].isDigit()) {
             text[0] = QLatin1Char('-');
         }
+        static const QRegularExpression exponent(QStringLiteral("^(-?[0-9.,]+e)\u2212([0-9]+)$"));
+        text.replace(exponent, QStringLiteral("\\1-\\2"));
         if (text.contains(separator) || text.contains(QLatin1Char('"'))) {
             text.replace(QLatin1Char('"'), QLatin1String("\"\""));
             return QLatin1Char('"') + text + QLatin1Char('"');

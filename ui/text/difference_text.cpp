@@ -72,11 +72,9 @@ std::optional<ShownDifference> difference(const QString& present, const QString&
     if (isAngle) {
         value = std::remainder(value, 360.0);
     }
-    const QString absolute =
-        now->isPlain && was->isPlain
-            ? signedNumber(value, std::max(now->decimals, was->decimals))
-            : withSign(value,
-                       formNumber(value, QLocale(), 3).replace(QLatin1Char('-'), QChar(0x2212)));
+    const QString absolute = now->isPlain && was->isPlain
+                                 ? signedNumber(value, std::max(now->decimals, was->decimals))
+                                 : withSign(value, trueMinus(formNumber(value, QLocale(), 3)));
     const bool isPercent = now->unit == QLatin1String("%");
     return ShownDifference{absolute,
                            isAngle || isPercent ? QString() : signedPercent(value, was->value)};

@@ -32,7 +32,8 @@ struct Shown {
         }
         const Message plain(own);
         QString digits = QString::fromStdString(plain.english());
-        return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()), name);
+        return withUnit(trueMinus(digits.replace(QLatin1Char('.'), QLocale().decimalPoint())),
+                        name);
     }
 };
 

@@ -64,6 +64,15 @@ QString formNumber(double value, const QLocale& locale, int significant) {
     return plain(locale).toString(value, 'g', AllDigits::areWanted() ? allDigits : significant);
 }
 
+QString shownFormNumber(double value, const QLocale& locale, int significant) {
+    const QString number = formNumber(value, locale, significant);
+    return AllDigits::areWanted() ? number : trueMinus(number);
+}
+
+QString trueMinus(QString number) {
+    return number.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
 std::optional<double> readFormNumber(const QString& text) {
     return parse_decimal(text.trimmed().toStdString());
 }
@@ -88,12 +97,12 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     }
     constexpr double longest = 1e9;  // beyond it digits say nothing
     if (std::abs(value) >= longest) {
-        return formNumber(value, locale, 6).replace(QLatin1Char('-'), QChar(0x2212));
+        return trueMinus(formNumber(value, locale, 6));
     }
     // −0.00 is no number that a person wants to see.
     const double scale = std::pow(10.0, decimals);
     const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
-    return plain(locale).toString(shown, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+    return trueMinus(plain(locale).toString(shown, 'f', decimals));
 }
 
 QString rangeText(const Range& range, const QString& unit, const QLocale& /*locale*/) {

@@ -13,6 +13,11 @@ namespace ravnoves {
 /// sign, no thousands separators.
 QString formNumber(double value, const QLocale& locale, int significant = 10);
 
+/// The same to be read, not to be typed over: with a true minus.
+QString shownFormNumber(double value, const QLocale& locale, int significant = 10);
+/// A number with true minus signs in place of hyphens.
+QString trueMinus(QString number);
+
 /// Reads what a person typed: decimal comma or point (core's parse_decimal). Nothing where it is no
 /// number.
 std::optional<double> readFormNumber(const QString& text);

@@ -152,7 +152,7 @@ TEST_F(ErrorText, KeepsPlaceAndValues) {
     EXPECT_EQ(errorText(InputError("/input/crank_radius_mm", Range::greater_than(0.0).message(),
                                    Number{-46.5}))
                   .toStdString(),
-              "/input/crank_radius_mm: должно быть больше 0, получено -46,5");
+              "/input/crank_radius_mm: должно быть больше 0, получено −46,5");
     EXPECT_EQ(errorText(InputError(table_place(4, 2), finite, "\"x.5\"")).toStdString(),
               "строка 4, столбец 2: должно быть конечным числом, получено \"x.5\"");
     try {

@@ -47,7 +47,7 @@ QString significant(double value, int digits = 4) {
     if (size >= std::pow(10.0, digits) && size < 1e8) {
         return number(value, 0);
     }
-    return formNumber(value, QLocale(), digits);
+    return shownFormNumber(value, QLocale(), digits);
 }
 
 /// The same of a quantity, in the unit shown.

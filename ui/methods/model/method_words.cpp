@@ -80,8 +80,9 @@ QString sweepNumber(const methods::SweepInfo& sweep, double value) {
         digits += std::clamp(static_cast<int>(std::ceil(-std::log10(gap))) - 1, 0, 12);
     }
     const ShownUnit unit = shownUnit(sweep.unit);
-    const QString number = sweep.logarithmic() ? powerText(unit.factor * value, QLocale())
-                                               : formNumber(unit.factor * value, QLocale(), digits);
+    const QString number = sweep.logarithmic()
+                               ? powerText(unit.factor * value, QLocale())
+                               : shownFormNumber(unit.factor * value, QLocale(), digits);
     return withUnit(number, unit.name);
 }
 

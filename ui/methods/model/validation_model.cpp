@@ -23,7 +23,7 @@ QString shownNumber(const std::string& text) {
         return powerText(number.section(QLatin1Char(' '), 0, 0).toDouble(), QLocale(), 2) +
                QStringLiteral(" %");  // only differences are so small
     }
-    number.replace(QLatin1Char('-'), QChar(0x2212));
+    number = trueMinus(number);
     return number.replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 

@@ -403,14 +403,14 @@ QString StudyModel::scatterText(const Input& input) {
     const double factor = input.shown.factor;
     const auto written = [&](double value) {
         constexpr int converted = 6;  // digits
-        return factor == 1.0 ? formNumber(value, locale)
-                             : formNumber(factor * value, locale, converted);
+        return factor == 1.0 ? shownFormNumber(value, locale)
+                             : shownFormNumber(factor * value, locale, converted);
     };
     switch (varied->spread) {
         case Varied::Spread::plus_minus:
             return written(varied->size);
         case Varied::Spread::plus_minus_percent:
-            return formNumber(varied->size, locale) + QStringLiteral(" %");
+            return shownFormNumber(varied->size, locale) + QStringLiteral(" %");
         case Varied::Spread::normal:
             return QStringLiteral("σ ") + written(varied->size);
         case Varied::Spread::uniform:
@@ -427,7 +427,7 @@ QString StudyModel::scatterText(const Input& input) {
 
 QString StudyModel::nominalText(const Input& input) {
     constexpr int digits = 8;
-    return withUnit(formNumber(input.shown.factor * input.nominal, QLocale(), digits),
+    return withUnit(shownFormNumber(input.shown.factor * input.nominal, QLocale(), digits),
                     input.shown.name);
 }
 

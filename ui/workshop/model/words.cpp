@@ -51,7 +51,7 @@ QString Words::message(const Message& message) const {
             const int digits = number.digits > 0 ? number.digits : shown.factor == 1.0 ? 10 : 6;
             return withUnit(number.digits < 0
                                 ? words.number(value, std::max(0, shown.decimals - number.digits))
-                                : formNumber(value, words.locale(), digits),
+                                : shownFormNumber(value, words.locale(), digits),
                             number.unit_follows ? QString() : words.unit(number.unit));
         }
     };
