@@ -42,6 +42,7 @@ PlotView* HingePlotTab::addAnglePlot(const QString& title, const QString& y, int
         model_->setCrankAngleDeg(phi);
     });
     anglePlots_ << plot;
+    PlotView::stack(anglePlots_);
     return plot;
 }
 

@@ -59,6 +59,7 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
     for (PlotView* plot : moments_) {
         both->addWidget(plot);
     }
+    PlotView::stack({moments_.begin(), moments_.end()});
     column->addWidget(orders_, 8);
     tabs_->setDocumentMode(true);
     addHodographs();
@@ -257,6 +258,7 @@ void InertiaMomentsCharts::addCourses() {
         column->addWidget(plot, 1);
         courses_[force ? 0 : 1] = plot;
     }
+    PlotView::stack({courses_.begin(), courses_.end()});
     // Two plots: they scroll rather than take the room of what stands above.
     tabs_->setTabToolTip(tabs_->addTab(scrolled(pair, tabs_), tr("Over φ")),
                          tr("Forces and moments of all orders over two turns"));

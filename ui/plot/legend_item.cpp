@@ -14,6 +14,7 @@ constexpr double strokeLength = 18.0;
 constexpr double inset = 5.0;
 
 constexpr double strokeWidth = 2.6;
+constexpr int wrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 /// A stroke whose dashes fill the short sample evenly; Qt's own end in a sliver.
 QPen samplePen(const QColor& colour, Qt::PenStyle style) {
@@ -51,12 +52,35 @@ QSize LegendItem::sizeHint() const {
             static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
 }
 
+int LegendItem::heightForWidth(int width) const {
+    const QSize whole = sizeHint();
+    if (width >= whole.width()) {
+        return whole.height();
+    }
+    const QRectF room(0.0, 0.0, width - 2.0 * inset - strokeLength, 1e4);
+    return static_cast<int>(
+               std::ceil(QFontMetricsF(itemFont()).boundingRect(room, wrapped, text()).height())) +
+           Theme::gap;
+}
+
+bool LegendItem::isElided() const {
+    return height() < heightForWidth(width()) ||
+           (width() < sizeHint().width() &&
+            QFontMetricsF(itemFont())
+                    .boundingRect(QRectF(0.0, 0.0, width() - 2.0 * inset - strokeLength, 1e4),
+                                  wrapped, text())
+                    .width() > width() - 2.0 * inset - strokeLength);
+}
+
 void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     QColor stroke = colour_;
     if (!isChecked()) {
         stroke.setAlphaF(0.35F);
     }
-    const double middle = rect.center().y();
+    // In the first line of several.
+    const double middle = rect.width() < sizeHint().width()
+                              ? rect.top() + 0.5 * (Theme::gap + QFontMetricsF(itemFont()).height())
+                              : rect.center().y();
     painter.setRenderHint(QPainter::Antialiasing);
     if (shape_ == plot::Shape::Points || shape_ == plot::Shape::Rings) {
         const bool hollow = shape_ == plot::Shape::Rings;
@@ -75,10 +99,15 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     painter.setFont(font);
     painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
     const QRectF room = rect.adjusted(2 * inset + strokeLength, 0, 0, 0);
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     isElided() ? painter.fontMetrics().elidedText(text(), Qt::ElideMiddle,
-                                                                   static_cast<int>(room.width()))
-                                : text());
+    if (isElided()) {
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(text(), Qt::ElideMiddle,
+                                                          static_cast<int>(room.width())));
+    } else if (rect.width() < sizeHint().width()) {
+        painter.drawText(room, wrapped, text());
+    } else {
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text());
+    }
 }
 
 void LegendItem::paintEvent(QPaintEvent* /*event*/) {

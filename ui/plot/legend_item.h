@@ -21,8 +21,10 @@ class LegendItem : public QAbstractButton {
     void draw(QPainter& painter, const QRectF& rect) const;
 
     QSize sizeHint() const override;
+    /// The name in as many lines as it takes.
+    int heightForWidth(int width) const override;
     /// True where there is too little room for the name.
-    bool isElided() const { return width() < sizeHint().width(); }
+    bool isElided() const;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

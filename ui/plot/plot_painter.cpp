@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "plot/model/axis_title.h"
 #include "plot/model/disc.h"
+#include "plot/model/label_places.h"
 #include "plot/model/line_brush.h"
 #include "plot/model/ticks.h"
 #include "theme/text_width.h"
@@ -23,6 +25,7 @@ using plot::Side;
 namespace {
 
 constexpr int labelGap = 6;
+constexpr double titleGap = 2.0;  // from a title to the edge, pixels
 // Pixels that a tick label needs, for text of the designed size.
 double columnPerTick() {
     return Theme::withText(56);
@@ -60,13 +63,18 @@ void moveAxis(QValueAxis& axis, double low, double high, double step) {
     axis.setTickInterval(step);
 }
 
-/// A text from its base point on, over whatever is drawn there.
-void drawOnVeil(QPainter& painter, const QPointF& base, const QString& text) {
-    const QFontMetricsF metrics(painter.font());
-    const QRectF box(base.x(), base.y() - metrics.ascent(), metrics.horizontalAdvance(text),
-                     metrics.height());
-    painter.fillRect(box.adjusted(-2, 0, 2, 0), veil(Theme::instance().panel(), 0.7F));
-    painter.drawText(base, text);
+/// The ground of a label, over whatever is drawn there.
+void drawVeil(QPainter& painter, const QRectF& box) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil(Theme::instance().panel(), 0.86F));
+    painter.drawRoundedRect(box, 3, 3);
+}
+
+constexpr double besideLabel = 3.0;  // pixels of a label's ground left and right of it
+
+QSizeF labelSize(const QFont& font, const QString& text) {
+    return {std::ceil(textWidth(font, text)) + 2.0 * besideLabel,
+            QFontMetricsF(font).height() + 1.0};
 }
 
 }  // namespace
@@ -76,7 +84,6 @@ PlotPainter::PlotPainter(PlotData& data)
     scene_->addItem(chart_);
     chart_->setBackgroundVisible(false);
     chart_->legend()->hide();
-    chart_->setLocalizeNumbers(true);
     chart_->setAnimationOptions(QChart::NoAnimation);
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     chart_->setMargins(QMargins());
@@ -84,10 +91,10 @@ PlotPainter::PlotPainter(PlotData& data)
 
 PlotPainter::~PlotPainter() = default;
 
-void PlotPainter::layout(const QSizeF& size, bool& axesStale) {
-    const bool resized = size_ != size;
-    size_ = size;
-    layoutArea();
+void PlotPainter::layout(const QSizeF& size, const Margins& least, bool& axesStale) {
+    const bool resized = laidOut_ != size;
+    laidOut_ = size;
+    layoutArea(size, least);
     const std::array placed{
         data_.area.x(), data_.area.y(), data_.area.width(), data_.area.height(), data_.x.low,
         data_.x.high,   data_.left.low, data_.left.high,    data_.right.low,     data_.right.high};
@@ -102,23 +109,17 @@ void PlotPainter::layout(const QSizeF& size, bool& axesStale) {
     data_.thinCurves();
 }
 
-void PlotPainter::layoutArea() {
+PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
+    size_ = size;
     data_.fitScales();
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
-    const double top = data_.headerHeight + labelGap;
-    const double bottom =
-        std::ceil(metrics.height() * (data_.x.spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
-    const double height = std::max(20.0, size_.height() - top - bottom);
+    const double height = heightOfArea();
     const auto margin = [&](PlotScale& scale) {
-        std::vector<double> ticks{scale.low, scale.high};
-        if (scale.isOwn()) {
-            ticks = scale.ownTicks(height, rowPerTick());
-        }
         // The ticks that the axis will get decide how many decimals the labels have.
         scale.chooseStep(height, chartRowPerTick());
         double widest = 0.0;
-        for (const double tick : ticks) {
+        for (const double tick : scale.ticks(height, rowPerTick())) {
             widest = std::max(widest, textWidth(font, scale.tickText(tick, data_.locale)));
         }
         const double title = scale.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap;
@@ -126,13 +127,40 @@ void PlotPainter::layoutArea() {
     };
     const double left = margin(data_.left);
     const auto lastLabel = [&] {  // stands half beyond the axis
-        data_.x.chooseStep(std::max(20.0, size_.width() - left), columnPerTick());
+        chooseColumns(std::max(20.0, size_.width() - left));
         return textWidth(font, data_.x.tickText(data_.x.high, data_.locale));
     };
-    const double right = data_.sideUsed(Side::Right)
-                             ? margin(data_.right)
-                             : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + 2.0);
-    data_.area = QRectF(left, top, std::max(20.0, size_.width() - left - right), height);
+    return {left, data_.sideUsed(Side::Right)
+                      ? margin(data_.right)
+                      : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + 2.0)};
+}
+
+double PlotPainter::heightOfArea() const {
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
+    const double bottom =
+        std::ceil(metrics.height() * (data_.x.spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
+    return std::max(20.0, size_.height() - data_.headerHeight - labelGap - bottom);
+}
+
+void PlotPainter::chooseColumns(double pixels) {
+    const QFont font = Theme::font(Theme::smallSize);
+    data_.x.chooseStep(
+        pixels, columnPerTick(), [&](const QString& label) { return textWidth(font, label); },
+        data_.locale);
+}
+
+void PlotPainter::layoutArea(const QSizeF& size, const Margins& least) {
+    const Margins own = margins(size);
+    const double left = std::max(own.left, least.left);
+    const double right = std::max(own.right, least.right);
+    data_.area = QRectF(left, data_.headerHeight + labelGap,
+                        std::max(20.0, size_.width() - left - right), heightOfArea());
+    data_.flatRoom = size_.width() - 2.0 * titleGap;
+    // Not down into the row of the other title.
+    const double below = data_.x.spec.title.isEmpty()
+                             ? 0.0
+                             : QFontMetricsF(Theme::font(Theme::smallSize)).height() + labelGap;
+    data_.uprightRoom = size_.height() - data_.headerHeight - below - titleGap;
     if (data_.equalScale) {
         data_.equalise();
     }
@@ -140,11 +168,7 @@ void PlotPainter::layoutArea() {
 
 void PlotPainter::layoutAxes() {
     const Theme& theme = Theme::instance();
-    chart_->resize(size_);
-    scene_->setSceneRect(QRectF(QPointF(), size_));
-    chart_->setPlotArea(data_.area);
-    const auto apply = [&](std::size_t number, PlotScale& scale, Qt::Alignment edge, double pixels,
-                           double pixelsPerTick) {
+    const auto apply = [&](std::size_t number, const PlotScale& scale, Qt::Alignment edge) {
         QValueAxis*& axis = axes_[number];
         if (axis == nullptr) {
             axis = new QValueAxis;
@@ -153,32 +177,35 @@ void PlotPainter::layoutAxes() {
             axis->setTickAnchor(0.0);
             axis->setMinorGridLineVisible(false);
             axis->setGridLineVisible(edge != Qt::AlignRight);
+            // Numbers and title are painted by hand: a true minus, a unit that stays. The chart
+            // would lay out, as rich text, even numbers that it does not show: without a place
+            // for the number in their format they are empty.
+            axis->setLabelFormat(QStringLiteral(" "));
+            axis->setLabelsVisible(false);
+            axis->setTitleVisible(false);
         }
         axis->setVisible(!scale.isOwn());
-        axis->setLabelsFont(Theme::font(Theme::smallSize));
-        axis->setTitleFont(Theme::font(Theme::smallSize));
-        axis->setLabelsBrush(theme.mutedText());
-        axis->setTitleBrush(theme.mutedText());
         axis->setLinePen(QPen(theme.border(), 1));
         // Over a picture the grid gives way.
         axis->setGridLinePen(
             QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
-        axis->setTitleText(scale.spec.title);
-        scale.chooseStep(pixels, pixelsPerTick);
         if (!scale.isOwn()) {
-            const double low = scale.number(scale.low);
-            const double high = scale.number(scale.high);
-            const TickFormat format = tickFormat(low, high, scale.step);
-            axis->setLabelFormat(
-                QStringLiteral("%.%1%2").arg(format.digits).arg(QLatin1Char(format.letter)));
-            moveAxis(*axis, low, high, scale.step);
+            moveAxis(*axis, scale.number(scale.low), scale.number(scale.high), scale.step);
         }
     };
-    apply(0, data_.x, Qt::AlignBottom, data_.area.width(), columnPerTick());
-    apply(1, data_.left, Qt::AlignLeft, data_.area.height(), chartRowPerTick());
+    chooseColumns(data_.area.width());
+    data_.left.chooseStep(data_.area.height(), chartRowPerTick());
+    data_.right.chooseStep(data_.area.height(), chartRowPerTick());
+    apply(0, data_.x, Qt::AlignBottom);
+    apply(1, data_.left, Qt::AlignLeft);
     if (data_.sideUsed(Side::Right)) {
-        apply(2, data_.right, Qt::AlignRight, data_.area.height(), chartRowPerTick());
+        apply(2, data_.right, Qt::AlignRight);
     }
+    // A new plot area alone does not lay out anything; in this order it is done once.
+    scene_->setSceneRect(QRectF(QPointF(), size_));
+    chart_->layout()->invalidate();
+    chart_->setPlotArea(data_.area);
+    chart_->resize(size_);
     chart_->layout()->activate();
 }
 
@@ -205,13 +232,13 @@ void PlotPainter::paintAxes(QPainter& painter) {
     for (const plot::Band& band : data_.bands) {
         paintBand(painter, band);
     }
-    paintOwnAxis(painter, data_.x, Qt::BottomEdge);
-    paintOwnAxis(painter, data_.left, Qt::LeftEdge);
-    if (data_.sideUsed(Side::Right)) {
-        paintOwnAxis(painter, data_.right, Qt::RightEdge);
-    }
     const QRectF whole(QPointF(), size_);
     scene_->render(&painter, whole, whole);
+    paintAxis(painter, data_.x, Qt::BottomEdge);
+    paintAxis(painter, data_.left, Qt::LeftEdge);
+    if (data_.sideUsed(Side::Right)) {
+        paintAxis(painter, data_.right, Qt::RightEdge);
+    }
     paintGhosts(painter);
 }
 
@@ -260,54 +287,62 @@ void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
     painter.fillRect(shadeOf(band), band.colour);
 }
 
-QRectF PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band) const {
+void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
+                                 LabelPlaces& places) const {
     const QRectF shade = shadeOf(band);
-    painter.setFont(Theme::font(Theme::smallSize));
+    const QFont font = Theme::font(Theme::smallSize);
+    painter.setFont(font);
     double widest = 0.0;
     for (const QString& word : band.text.split(QLatin1Char(' '))) {
-        widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(word));
+        widest = std::max(widest, textWidth(font, word));
     }
     if (widest == 0.0 || shade.width() <= widest + 8.0) {
-        return {};
-    }
-    const int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
-    const QRectF room = shade.adjusted(4, 2, -4, -2);
-    const QRectF used = painter.boundingRect(room, flags, band.text).adjusted(-2, 0, 2, 0);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(veil(Theme::instance().panel(), 0.7F));
-    painter.drawRoundedRect(used, 3, 3);
-    painter.setPen(Theme::instance().mutedText());
-    painter.drawText(room, flags, band.text);
-    return used;
-}
-
-void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
-    if (!scale.isOwn()) {
         return;
     }
+    constexpr int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
+    const QRectF room = shade.adjusted(4, 2, -4, -2);
+    const QRectF used =
+        painter.boundingRect(room, flags, band.text).adjusted(-besideLabel, 0, besideLabel, 0);
+    // At the top, or where fewer curves pass.
+    constexpr int heights = 8;
+    std::array<QRectF, heights + 1> candidates;
+    for (int i = 0; i <= heights; ++i) {
+        const double free = std::max(0.0, room.height() - used.height());
+        candidates[static_cast<std::size_t>(i)] = used.translated(0.0, free * i / heights);
+    }
+    const QRectF box = places.place(candidates);
+    drawVeil(painter, box);
+    painter.setPen(Theme::instance().mutedText());
+    painter.drawText(box.adjusted(1, 0, -1, 0), flags, band.text);
+}
+
+void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
+    const bool own = scale.isOwn();  // of others grid and line are the chart's
     const bool flat = edge == Qt::BottomEdge;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
     const double side = edge == Qt::RightEdge ? area.right() : area.left();
     painter.setFont(font);
     const std::vector<double> ticks =
-        scale.ownTicks(flat ? area.width() : area.height(), flat ? columnPerTick() : rowPerTick());
+        scale.ticks(flat ? area.width() : area.height(), flat ? columnPerTick() : rowPerTick());
     std::vector<QRectF> taken;
     for (const double tick : ticks) {
         const QString text = scale.tickText(tick, data_.locale);
-        const double wide = metrics.horizontalAdvance(text) + 2.0;
+        const double wide = textWidth(font, text) + 2.0;
         QRectF box(0, 0, wide, metrics.height());
         painter.setPen(QPen(theme.grid(), 1));
         if (flat) {
             const double x = area.left() + scale.fraction(tick) * area.width();
-            painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+            if (own) {
+                painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+            }
             box.moveTop(area.bottom() + labelGap);
             box.moveLeft(std::min(x - wide / 2.0, size_.width() - wide));
         } else {
             const double y = area.bottom() - scale.fraction(tick) * area.height();
-            if (edge == Qt::LeftEdge) {
+            if (own && edge == Qt::LeftEdge) {
                 painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
             }
             box.moveTop(y - metrics.height() / 2.0);
@@ -324,29 +359,33 @@ void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Ed
         painter.drawText(box, Qt::AlignCenter, text);
     }
     painter.setPen(QPen(theme.border(), 1));
-    if (flat) {
+    if (own && flat) {
         painter.drawLine(area.bottomLeft(), area.bottomRight());
-    } else {
+    } else if (own) {
         painter.drawLine(QPointF(side, area.top()), QPointF(side, area.bottom()));
     }
     if (scale.spec.title.isEmpty()) {
         return;
     }
     painter.setPen(theme.mutedText());
+    // In the middle of the chart, but beyond its ends rather than cut.
+    const double room = flat ? data_.flatRoom : data_.uprightRoom;
+    const double from = flat ? titleGap : data_.headerHeight;
+    const QString title = fittedAxisTitle(scale.spec.title, font, room);
+    const double half = 0.5 * textWidth(font, title) + 1.0;
+    const double middle = std::max(
+        from + half, std::min(flat ? area.center().x() : area.center().y(), from + room - half));
+    const QRectF box(-half, 0.0, 2.0 * half, metrics.height());
     if (flat) {
-        painter.drawText(QRectF(area.left(), area.bottom() + 1.5 * labelGap + metrics.height(),
-                                area.width(), metrics.height()),
-                         Qt::AlignCenter | Qt::TextDontClip,
-                         metrics.elidedText(scale.spec.title, Qt::ElideRight, area.width()));
+        painter.drawText(box.translated(middle, area.bottom() + 1.5 * labelGap + metrics.height()),
+                         Qt::AlignCenter | Qt::TextDontClip, title);
         return;
     }
     painter.save();
     painter.translate(edge == Qt::LeftEdge ? labelGap : size_.width() - labelGap - metrics.height(),
-                      area.center().y());
+                      middle);
     painter.rotate(-90.0);
-    painter.drawText(QRectF(-area.height() / 2.0, 0.0, area.height(), metrics.height()),
-                     Qt::AlignCenter,
-                     metrics.elidedText(scale.spec.title, Qt::ElideRight, area.height()));
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, title);
     painter.restore();
 }
 
@@ -388,8 +427,9 @@ void PlotPainter::paintCurves(QImage& picture) const {
                        curve.style.width * ratio, curve.style.pen);
         }
     }
-    if (any([](const PlotCurve& curve) {
-            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty());
+    if (any([this](const PlotCurve& curve) {
+            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
+                                   shrunkTo(curve).has_value());
         })) {
         QPainter painter(&picture);
         paintPoints(painter);
@@ -434,9 +474,24 @@ void PlotPainter::paintPoints(QPainter& painter) const {
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
                 dot(painter, pixel(curve, i), 3.6, pen, hollow ? theme.panel() : colour);
             }
+        } else if (const auto at = shrunkTo(curve)) {
+            dot(painter, *at, 3.0, Qt::NoPen, colour);
         }
     }
     painter.restore();
+}
+
+std::optional<QPointF> PlotPainter::shrunkTo(const PlotCurve& curve) {
+    constexpr double smallest = 2.0;  // pixels
+    QRectF whole;
+    for (const QPolygonF& stretch : curve.stretches) {
+        // What has neither width nor height is nothing to a union.
+        whole = whole.united(stretch.boundingRect().adjusted(-0.1, -0.1, 0.1, 0.1));
+        if (whole.width() > smallest || whole.height() > smallest) {
+            return std::nullopt;
+        }
+    }
+    return whole.isEmpty() ? std::nullopt : std::optional(whole.center());
 }
 
 void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
@@ -515,10 +570,6 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     }
     painter.save();
     painter.setClipRect(area);
-    std::vector<QRectF> taken;
-    for (const plot::Band& band : data_.bands) {
-        taken.push_back(paintBandWords(painter, band));
-    }
     paintLines(painter);
     if (data_.presentX) {
         const double x = across(*data_.presentX);
@@ -532,8 +583,14 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
             }
         }
     }
+    const bool readsCurves = data_.cursorX && !data_.pointRead;
+    if (readsCurves) {
+        painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DotLine));
+        const double x = across(*data_.cursorX);
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
     painter.restore();
-    paintMarks(painter, std::move(taken));
+    paintLabels(painter);
     if (data_.faded && !data_.fadedText.isEmpty()) {
         painter.setFont(Theme::font(Theme::baseSize));
         painter.setPen(theme.mutedText());
@@ -541,89 +598,246 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     }
     if (data_.pointRead) {
         paintPointReadout(painter);
-    } else if (data_.cursorX) {
+    } else if (readsCurves) {
         paintReadout(painter);
     }
 }
 
 void PlotPainter::paintLines(QPainter& painter) const {
-    const Theme& theme = Theme::instance();
-    const QRectF& area = data_.area;
-    painter.setFont(Theme::font(Theme::smallSize));
-    const auto fitted = [&](const QString& text) {
-        return painter.fontMetrics().elidedText(text, Qt::ElideRight,
-                                                static_cast<int>(area.width() - 2 * labelGap));
-    };
     for (const plot::Line& line : data_.lines) {
         const bool muted = line.colour == plot::Line::muted;
-        painter.setPen(QPen(muted ? theme.mutedText() : theme.curve(line.colour), 1.2,
-                            muted ? Qt::DotLine : Qt::DashLine));
-        if (line.orientation == Qt::Horizontal) {
-            const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
-            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-            drawOnVeil(painter, QPointF(area.left() + labelGap, y - 4), fitted(line.text));
-            continue;
-        }
-        const double x = across(line.at);
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        const double wide = painter.fontMetrics().horizontalAdvance(line.text);
-        const bool fits = x + 4.0 + wide <= area.right();
-        drawOnVeil(
-            painter,
-            QPointF(fits ? x + 4.0 : x - 4.0 - wide, area.top() + painter.fontMetrics().height()),
-            line.text);
+        painter.setPen(QPen(colourOf(line), 1.2, muted ? Qt::DotLine : Qt::DashLine));
+        painter.drawLine(strokeOf(line));
     }
 }
 
-void PlotPainter::paintMarks(QPainter& painter, std::vector<QRectF> taken) const {
+QColor PlotPainter::colourOf(const plot::Line& line) {
     const Theme& theme = Theme::instance();
+    return line.colour == plot::Line::muted ? theme.mutedText() : theme.curve(line.colour);
+}
+
+QLineF PlotPainter::strokeOf(const plot::Line& line) const {
     const QRectF& area = data_.area;
-    const QFont font = Theme::font(Theme::smallSize);
-    const QFontMetricsF metrics(font);
-    painter.setFont(font);
-    for (const plot::Mark& mark : data_.marks) {
-        const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
-        if (!area.adjusted(-1, -1, 1, 1).contains(at)) {
+    if (line.orientation == Qt::Horizontal) {
+        const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
+        return {area.left(), y, area.right(), y};
+    }
+    const double x = across(line.at);
+    return {x, area.top(), x, area.bottom()};
+}
+
+LabelPlaces PlotPainter::drawnPlaces() const {
+    LabelPlaces places(data_.area);
+    for (const PlotCurve& curve : data_.curves) {
+        if (!curve.shown) {
             continue;
         }
-        const QColor colour = theme.curve(mark.colour);
-        const double radius = mark.ring ? 7.0 : 3.6;
-        dot(painter, at, radius, QPen(mark.ring ? colour : theme.panel(), mark.ring ? 2.0 : 1.2),
-            mark.ring ? QBrush() : QBrush(colour));
-        if (mark.text.isEmpty()) {
-            continue;
+        for (const QPolygonF& stretch : curve.stretches) {
+            places.addLine(stretch);
         }
-        // The label goes where it fits: right, left, above, below, and clear of earlier labels.
-        const QSizeF size(metrics.horizontalAdvance(mark.text) + 6, metrics.height() + 1);
-        const double away = radius + 3.0;
-        const std::array<QPointF, 6> corners{at + QPointF(away, -size.height() / 2),
-                                             at + QPointF(-away - size.width(), -size.height() / 2),
-                                             at + QPointF(-size.width() / 2, -away - size.height()),
-                                             at + QPointF(-size.width() / 2, away),
-                                             at + QPointF(away, -away - size.height()),
-                                             at + QPointF(away, away)};
-        QRectF box(corners[0], size);
-        for (const QPointF& corner : corners) {
-            const QRectF candidate(corner, size);
-            const bool free = std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) {
-                return other.intersects(candidate);
-            });
-            if (area.contains(candidate) && free) {
-                box = candidate;
-                break;
+        const auto add = [&](double lowX, double lowY, double highX, double highY, double room) {
+            places.addShape(QRectF(data_.toPixel(lowX, lowY, curve.style.side),
+                                   data_.toPixel(highX, highY, curve.style.side))
+                                .normalized()
+                                .adjusted(-room, -room, room, room));
+        };
+        constexpr double radius = 4.0;
+        for (std::size_t i = 0; curve.style.shape != Shape::Line && i < curve.x.size(); ++i) {
+            if (curve.style.shape == Shape::Bars) {
+                const double middle = curve.x[i] + curve.style.barShift;
+                const double half = 0.5 * curve.style.barWidth;
+                const double foot = data_.scale(curve.style.side).low;
+                add(middle - half, std::max(0.0, foot), middle + half, curve.y[i], 0.0);
+            } else {
+                add(curve.x[i], curve.y[i], curve.x[i], curve.y[i], radius);
             }
         }
-        box.moveLeft(
-            std::clamp(box.left(), area.left(), std::max(area.left(), area.right() - box.width())));
-        box.moveTop(
-            std::clamp(box.top(), area.top(), std::max(area.top(), area.bottom() - box.height())));
-        taken.push_back(box);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(veil(theme.panel(), 0.82F));
-        painter.drawRoundedRect(box, 3, 3);
-        painter.setPen(colour);
-        painter.drawText(box, Qt::AlignCenter, mark.text);
+        for (std::size_t i = 0; i < std::min(curve.low.size(), curve.x.size()); ++i) {
+            const bool upright = curve.bars == Qt::Vertical;
+            add(upright ? curve.x[i] : curve.low[i], upright ? curve.low[i] : curve.y[i],
+                upright ? curve.x[i] : curve.high[i], upright ? curve.high[i] : curve.y[i], 1.0);
+        }
     }
+    for (const plot::Line& line : data_.lines) {
+        places.addLine(strokeOf(line).p1(), strokeOf(line).p2());
+    }
+    for (const plot::Mark& mark : data_.marks) {
+        const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+        const QPointF corner(radiusOf(mark), radiusOf(mark));
+        places.addShape(QRectF(at - corner, at + corner));
+    }
+    return places;
+}
+
+void PlotPainter::paintLabels(QPainter& painter) const {
+    const auto hasText = [](const auto& each) { return !each.text.isEmpty(); };
+    paintMarks(painter);
+    if (std::none_of(data_.marks.begin(), data_.marks.end(), hasText) &&
+        std::none_of(data_.lines.begin(), data_.lines.end(), hasText) &&
+        std::none_of(data_.bands.begin(), data_.bands.end(), hasText)) {
+        return;
+    }
+    // What belongs to a point chooses first.
+    LabelPlaces places = drawnPlaces();
+    for (const plot::Mark& mark : data_.marks) {
+        labelMark(painter, mark, places);
+    }
+    for (const plot::Line& line : data_.lines) {
+        labelLine(painter, line, places);
+    }
+    for (const plot::Band& band : data_.bands) {
+        paintBandWords(painter, band, places);
+    }
+}
+
+void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const {
+    const QRectF& area = data_.area;
+    const QLineF stroke = strokeOf(line);
+    const QFont font = Theme::font(Theme::smallSize);
+    const bool flat = line.orientation == Qt::Horizontal;
+    if (line.text.isEmpty()) {
+        return;
+    }
+    if (sideBeyond(line) != 0) {
+        if (line.keptAtEdge) {
+            labelBeyond(painter, line, places);
+        }
+        return;
+    }
+    const QString text =
+        QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap);
+    const QSizeF size = labelSize(font, text);
+    constexpr int steps = 6;
+    constexpr double away = 2.0;
+    std::vector<QRectF> candidates;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        if (flat) {
+            const double x =
+                area.left() + away + part * std::max(0.0, area.width() - size.width() - 2.0 * away);
+            candidates.emplace_back(QPointF(x, stroke.y1() - away - size.height()), size);
+            candidates.emplace_back(QPointF(x, stroke.y1() + away), size);
+        } else {
+            const double y = area.top() + away +
+                             part * std::max(0.0, area.height() - size.height() - 2.0 * away);
+            candidates.emplace_back(QPointF(stroke.x1() + away, y), size);
+            candidates.emplace_back(QPointF(stroke.x1() - away - size.width(), y), size);
+        }
+    }
+    const QRectF box = places.place(candidates);
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setPen(colourOf(line));
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+int PlotPainter::sideBeyond(const plot::Line& line) const {
+    const PlotScale& scale = line.orientation == Qt::Horizontal ? data_.scale(line.side) : data_.x;
+    const double at = scale.fraction(line.at);
+    constexpr double rounding = 1e-3;
+    return at < -rounding ? -1 : at > 1.0 + rounding ? 1 : 0;
+}
+
+void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
+                              LabelPlaces& places) const {
+    const bool flat = line.orientation == Qt::Horizontal;
+    const PlotScale& scale = flat ? data_.scale(line.side) : data_.x;
+    const QRectF& area = data_.area;
+    const QFont font = Theme::font(Theme::smallSize);
+    constexpr double arrow = 8.0;  // pixels
+    const QString text = QFontMetricsF(font).elidedText(
+        line.text + QLatin1Char(' ') + scale.readout(line.at, data_.locale), Qt::ElideRight,
+        area.width() - arrow - 2.0 * labelGap);
+    const QSizeF size = labelSize(font, text);
+    // At the edge that it lies beyond, the arrow's point on that.
+    const double sign = sideBeyond(line);
+    constexpr int steps = 6;
+    std::vector<QRectF> candidates;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        const double along =
+            flat ? area.left() + labelGap + part * (area.width() - size.width() - 2.0 * labelGap)
+                 : area.top() + labelGap + part * (area.height() - size.height() - 2.0 * labelGap);
+        const double away = arrow + 2.0;
+        candidates.emplace_back(
+            flat ? QPointF(along,
+                           sign > 0.0 ? area.top() + away : area.bottom() - away - size.height())
+                 : QPointF(sign > 0.0 ? area.right() - away - size.width() : area.left() + away,
+                           along),
+            size);
+    }
+    const QRectF box = places.place(candidates);
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setBrush(colourOf(line));
+    const QPointF ahead = flat ? QPointF(0.0, -sign) : QPointF(sign, 0.0);
+    const QPointF across(ahead.y(), ahead.x());
+    const QPointF tip = flat ? QPointF(box.center().x(), sign > 0.0 ? area.top() : area.bottom())
+                             : QPointF(sign > 0.0 ? area.right() : area.left(), box.center().y());
+    painter.drawPolygon(QPolygonF{tip, tip - arrow * ahead + 0.5 * arrow * across,
+                                  tip - arrow * ahead - 0.5 * arrow * across});
+    painter.setPen(colourOf(line));
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+double PlotPainter::radiusOf(const plot::Mark& mark) {
+    return mark.ring ? 7.0 : 3.6;
+}
+
+bool PlotPainter::isSeen(const plot::Mark& mark) const {
+    return data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y, mark.side));
+}
+
+void PlotPainter::paintMarks(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    for (const plot::Mark& mark : data_.marks) {
+        if (isSeen(mark)) {
+            const QColor colour = theme.curve(mark.colour);
+            dot(painter, data_.toPixel(mark.x, mark.y, mark.side), radiusOf(mark),
+                QPen(mark.ring ? colour : theme.panel(), mark.ring ? 2.0 : 1.2),
+                mark.ring ? QBrush() : QBrush(colour));
+        }
+    }
+}
+
+void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const {
+    if (mark.text.isEmpty() || !isSeen(mark)) {
+        return;
+    }
+    const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+    const QFont font = Theme::font(Theme::smallSize);
+    const QSizeF size = labelSize(font, mark.text);
+    // Right, left, above, below and between, and farther off where something is near.
+    std::vector<QRectF> candidates;
+    for (const double farther : {0.0, 0.8, 1.8, 3.0}) {
+        const double away = radiusOf(mark) + 3.0 + farther * size.height();
+        const double left = -away - size.width();
+        const double above = -away - size.height();
+        const double slant = 0.7 * away;
+        for (const QPointF& corner :
+             {QPointF(away, -size.height() / 2), QPointF(left, -size.height() / 2),
+              QPointF(-size.width() / 2, above), QPointF(-size.width() / 2, away),
+              QPointF(slant, -slant - size.height()), QPointF(slant, slant),
+              QPointF(-slant - size.width(), -slant - size.height()),
+              QPointF(-slant - size.width(), slant)}) {
+            candidates.emplace_back(at + corner, size);
+        }
+    }
+    const QRectF box = places.place(candidates);
+    const QColor colour = Theme::instance().curve(mark.colour);
+    // A line to the point that it is far from.
+    const QPointF edge(std::clamp(at.x(), box.left(), box.right()),
+                       std::clamp(at.y(), box.top(), box.bottom()));
+    const QLineF leader(at, edge);
+    constexpr double close = 8.0;
+    if (leader.length() > radiusOf(mark) + close) {
+        painter.setPen(QPen(veil(colour, 0.6F), 1.0));
+        painter.drawLine(leader.pointAt(radiusOf(mark) / leader.length()), edge);
+    }
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setPen(colour);
+    painter.drawText(box, Qt::AlignCenter, mark.text);
 }
 
 void PlotPainter::paintReadout(QPainter& painter) const {
@@ -634,8 +848,6 @@ void PlotPainter::paintReadout(QPainter& painter) const {
     if (x < area.left() - 0.5 || x > area.right() + 0.5) {
         return;
     }
-    painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DotLine));
-    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     const QString equals = QStringLiteral(" = ");
     const QString name = data_.x.spec.title.section(QLatin1Char(','), 0, 0);
     std::vector<Row> rows{

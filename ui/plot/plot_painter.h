@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLineF>
 #include <array>
 #include <memory>
 #include <span>
@@ -16,6 +17,8 @@ class QValueAxis;
 
 namespace ravnoves {
 
+class LabelPlaces;
+
 /// Paints what a plot shows onto any device: grid and linear axes by Qt Charts, all else by hand.
 /// What rests (axes), what moves (curves) and what goes on top are painted apart.
 class PlotPainter {
@@ -23,9 +26,20 @@ class PlotPainter {
     explicit PlotPainter(PlotData& data);
     ~PlotPainter();
 
+    /// What axes need beside the chart, pixels.
+    struct Margins {
+        double left = 0.0;
+        double right = 0.0;
+
+        bool operator==(const Margins&) const = default;
+    };
+
+    /// What the axes need in a picture of this size.
+    Margins margins(const QSizeF& size);
     /// Places everything in a picture of this size below the header: scales, margins, ticks, lines.
+    /// @param least  the chart leaves as much room
     /// @param axesStale  the axes have changed; set where this moves them
-    void layout(const QSizeF& size, bool& axesStale);
+    void layout(const QSizeF& size, const Margins& least, bool& axesStale);
     /// Title, image, bands, grid, axes, the reference's curves.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
@@ -40,25 +54,42 @@ class PlotPainter {
         QColor colour;
     };
 
-    void layoutArea();
+    void layoutArea(const QSizeF& size, const Margins& least);
+    double heightOfArea() const;
+    /// The step of x in so many pixels.
+    void chooseColumns(double pixels);
     void layoutAxes();
-    /// @param words  its text instead of its shade
     void paintBand(QPainter& painter, const plot::Band& band) const;
-    /// @return where they stand; empty where there is no room for them
-    QRectF paintBandWords(QPainter& painter, const plot::Band& band) const;
+    /// Where there is room for them.
+    void paintBandWords(QPainter& painter, const plot::Band& band, LabelPlaces& places) const;
     QRectF shadeOf(const plot::Band& band) const;
-    void paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
+    /// Numbers and title; of an own axis grid and line too.
+    void paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
     void paintGhosts(QPainter& painter) const;
     void paintShades(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
+    /// Where a line lies that is no longer than a point.
+    static std::optional<QPointF> shrunkTo(const PlotCurve& curve);
     void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                    const QBrush& brush) const;
     /// What is no line has its spread as bars with caps.
     void paintSpreads(QPainter& painter, const PlotCurve& curve) const;
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
-    /// @param taken  where their labels must not stand
-    void paintMarks(QPainter& painter, std::vector<QRectF> taken) const;
+    void paintMarks(QPainter& painter) const;
+    /// What stands at marks, lines and bands, over all that is drawn, where it covers least.
+    void paintLabels(QPainter& painter) const;
+    LabelPlaces drawnPlaces() const;
+    void labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;
+    void labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
+    /// -1 where a line lies below the scale that is shown, 1 above it, 0 within.
+    int sideBeyond(const plot::Line& line) const;
+    /// A line that is not seen, as an arrow at the edge with its value.
+    void labelBeyond(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
+    bool isSeen(const plot::Mark& mark) const;
+    static double radiusOf(const plot::Mark& mark);
+    static QColor colourOf(const plot::Line& line);
+    QLineF strokeOf(const plot::Line& line) const;
     void paintReadout(QPainter& painter) const;
     void paintPointReadout(QPainter& painter) const;
     void paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,
@@ -70,6 +101,7 @@ class PlotPainter {
 
     PlotData& data_;
     QSizeF size_;
+    QSizeF laidOut_;
     std::array<double, 10> placed_{};  ///< area and scales of the lines made last
     std::unique_ptr<QGraphicsScene> scene_;
     QChart* chart_;  // owned by the scene

@@ -46,6 +46,17 @@ PlotView::~PlotView() {
     if (reference_ != nullptr) {
         reference_->referenceOf_ = nullptr;
     }
+    for (PlotView* other : stack_) {
+        other->stack_.removeOne(this);
+    }
+}
+
+void PlotView::stack(const QList<PlotView*>& plots) {
+    for (PlotView* plot : plots) {
+        plot->stack_ = plots;
+        plot->stack_.removeOne(plot);
+        plot->chartChanged();
+    }
 }
 
 void PlotView::setReference(PlotView* plot, const QString& name) {
@@ -168,13 +179,31 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
     curve.stale = true;
     if (LegendItem* item = legend_[static_cast<std::size_t>(number)]) {
         item->setText(style.name);
-        item->setVisible(!style.name.isEmpty());
         item->setAccessibleName(tr("Show %1").arg(style.name));
         item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
                                                  : style.toolTip);
         item->setSwatch(Theme::instance().curve(style.colour), style.pen, style.shape);
     }
+    showLegend();
     chartChanged();
+}
+
+void PlotView::showLegend() {
+    const auto isThere = [this](std::size_t curve) {
+        return !data_.curves[curve].x.empty() ||
+               (data_.reference != nullptr && curve < data_.reference->curves.size() &&
+                !data_.reference->curves[curve].x.empty());
+    };
+    // A name without a curve says nothing, but a plot that waits for its data keeps its frame.
+    bool any = false;
+    for (std::size_t curve = 0; curve < legend_.size(); ++curve) {
+        any = any || (legend_[curve] != nullptr && isThere(curve));
+    }
+    for (std::size_t curve = 0; curve < legend_.size(); ++curve) {
+        if (LegendItem* item = legend_[curve]) {
+            item->setVisible(!item->text().isEmpty() && (!any || isThere(curve)));
+        }
+    }
 }
 
 void PlotView::setCurveName(int number, const QString& name) {
@@ -187,9 +216,14 @@ void PlotView::setCurveName(int number, const QString& name) {
 
 void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y) {
     PlotCurve& curve = data_.curve(number);
+    const bool wasEmpty = curve.x.empty();
     if (curve.set(std::move(x), std::move(y), data_.x, data_.scale(curve.style.side))) {
         data_.pointRead.reset();
         curvesChanged();
+        if (wasEmpty != curve.x.empty()) {
+            showLegend();
+            chartChanged();
+        }
     }
 }
 
@@ -361,8 +395,9 @@ void PlotView::layoutHeader() {
     const double row = std::ceil(metrics.height()) + Theme::gap;
     const double titleWidth = metrics.horizontalAdvance(data_.title) + 2 * Theme::margin;
     double legendWidth = 0.0;
-    if (referenceItem_ != nullptr) {
+    if (referenceItem_ != nullptr && referenceItem_->isHidden() == data_.hasGhosts()) {
         referenceItem_->setVisible(data_.hasGhosts());
+        showLegend();
     }
     const QList<LegendItem*> items = shownLegend();
     for (const LegendItem* item : items) {
@@ -371,22 +406,22 @@ void PlotView::layoutHeader() {
     const double right = width() - Theme::space;
     const bool oneRow = titleWidth + legendWidth <= right;
     const double x0 = Theme::margin - Theme::gap;
-    double x = oneRow ? right - legendWidth : Theme::margin - Theme::gap;
+    double x = oneRow ? right - legendWidth : x0;
     double y = Theme::gap + (oneRow ? 0.0 : row);
-    data_.headerHeight = y + row;
+    double below = y + row;  // the row
     for (LegendItem* item : items) {
-        // Long names share a row, elided, rather than take a row each.
-        // As soon as they do not fit, so that a wider plot never needs more rows.
-        const int most = static_cast<int>(right - x0) / (legendWidth > right - x0 ? 2 : 1);
-        const int itemWidth = std::min(item->sizeHint().width(), most);
+        const int itemWidth = std::min(item->sizeHint().width(), static_cast<int>(right - x0));
         if (!oneRow && x + itemWidth > right && x > Theme::margin) {
-            x = Theme::margin - Theme::gap;
-            y += row;
-            data_.headerHeight = y + row;
+            x = x0;
+            y = below;
         }
-        item->setGeometry(QRectF(x, y, itemWidth, row).toAlignedRect());
+        // A name that is longer than a row takes as many as it needs.
+        const double itemHeight = std::max<double>(row, item->heightForWidth(itemWidth));
+        item->setGeometry(QRectF(x, y, itemWidth, itemHeight).toAlignedRect());
         x += itemWidth;
+        below = std::max(below, y + itemHeight);
     }
+    data_.headerHeight = below;
     if (legendWidth == 0.0 && data_.title.isEmpty()) {
         data_.headerHeight = Theme::gap;
     }
@@ -400,7 +435,22 @@ void PlotView::layoutHeader() {
 void PlotView::layoutChart() {
     layoutHeader();
     data_.locale = locale();
-    painter_->layout(size(), axesStale_);
+    PlotPainter::Margins most;
+    for (PlotView* other : stack_) {
+        if (!other->isHidden() && other->width() == width()) {
+            other->data_.locale = other->locale();
+            const PlotPainter::Margins theirs = other->painter_->margins(other->size());
+            most = {std::max(most.left, theirs.left), std::max(most.right, theirs.right)};
+        }
+    }
+    painter_->layout(size(), most, axesStale_);
+    // What stands over or under this one follows.
+    for (PlotView* other : stack_) {
+        if (other->width() == width() && (other->data_.area.left() != data_.area.left() ||
+                                          other->data_.area.width() != data_.area.width())) {
+            other->chartChanged();
+        }
+    }
 }
 
 void PlotView::paintEvent(QPaintEvent* /*event*/) {

@@ -100,6 +100,9 @@ class PlotView : public QWidget {
     bool isFaded() const { return data_.faded; }
     /// The cursor at x, as if the mouse were there; nothing removes it.
     void setCursorX(std::optional<double> x) { overlay(data_.cursorX, x, data_.cursorX != x); }
+    /// The charts of plots that stand over one another begin and end at the same pixels, because
+    /// they share x.
+    static void stack(const QList<PlotView*>& plots);
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
     /// Text of a readout value: decimals after the point. Default: three significant digits more
@@ -167,6 +170,8 @@ class PlotView : public QWidget {
     virtual void paintTop(QPainter& /*painter*/) {}
     /// What the ground paints is new.
     void groundChanged() { chartChanged(); }
+    /// What lies under the pointer is read out as the hand moves.
+    virtual bool readsUnderPointer() const { return true; }
     /// Height of a key of its own between title and chart, pixels.
     virtual double keyHeight() const { return 0.0; }
     double keyTop() const { return data_.headerHeight - keyHeight(); }
@@ -193,6 +198,8 @@ class PlotView : public QWidget {
         }
     }
     QList<LegendItem*> shownLegend() const;
+    /// Entries for curves that are there.
+    void showLegend();
     /// Paints anew what stands below title and legend.
     void updateChart();
     void curvesChanged();
@@ -215,6 +222,7 @@ class PlotView : public QWidget {
     LegendItem* spreadItem_ = nullptr;
     PlotView* reference_ = nullptr;
     PlotView* referenceOf_ = nullptr;  ///< the plot that shows this one's curves
+    QList<PlotView*> stack_;           ///< those whose charts are aligned with this one
     int number_;
     bool pickable_ = false;
     bool picking_ = false;

@@ -31,12 +31,15 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
     if (picking_) {
         pick(event->position());
+        moveCursor(event->position());  // what is read goes with the hand
         return;
     }
     if (panFrom_) {
         const QPointF moved = event->position() - *panFrom_;
         if (data_.zoomed || moved.manhattanLength() > QApplication::startDragDistance()) {
             data_.pan(moved);
+            readPoint(std::nullopt);
+            leaveCursor();
             chartChanged();
             panFrom_ = event->position();
         }
@@ -45,9 +48,10 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     moveCursor(event->position());
 }
 
-void PlotView::mouseReleaseEvent(QMouseEvent* /*event*/) {
+void PlotView::mouseReleaseEvent(QMouseEvent* event) {
     picking_ = false;
     panFrom_.reset();
+    moveCursor(event->position());
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -69,6 +73,9 @@ void PlotView::readPoint(const std::optional<PlotData::Point>& point) {
 }
 
 void PlotView::moveCursor(const QPointF& position) {
+    if (!readsUnderPointer()) {
+        return;
+    }
     if (data_.readsPoints()) {
         readPoint(data_.nearestPoint(position));
     } else if (plotArea().contains(position)) {

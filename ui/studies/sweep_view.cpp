@@ -185,7 +185,7 @@ void SweepView::showLine() {
     std::vector<PlotView::Mark> marks;
     if (sweep.nominal) {
         marks.push_back(
-            {sweep.x.nominal, *sweep.nominal, formNumber(*sweep.nominal, QLocale(), 5), 0});
+            {sweep.x.nominal, *sweep.nominal, shownFormNumber(*sweep.nominal, QLocale(), 5), 0});
     }
     line_->setMarks(std::move(marks));
     std::vector<PlotView::Line> lines;
@@ -194,7 +194,10 @@ void SweepView::showLine() {
             for (const auto& [limit, text] :
                  {std::pair(watched.min, tr("at least")), std::pair(watched.max, tr("at most"))}) {
                 if (limit) {
-                    lines.push_back({*limit, Qt::Horizontal, plot::Line::muted, text});
+                    lines.push_back({.at = *limit,
+                                     .colour = plot::Line::muted,
+                                     .text = text,
+                                     .keptAtEdge = true});
                 }
             }
         }
@@ -210,8 +213,9 @@ void SweepView::showMap() {
     map_->setYAxis(PlotView::Side::Left, {axisTitle(*study_, sweep.y->pointer)});
     map_->setYRange(PlotView::Side::Left, sweep.y->values.front(), sweep.y->values.back());
     map_->setField({sweep.x.values, sweep.y->values, sweep.found});
-    map_->setMarks({{sweep.x.nominal, sweep.y->nominal,
-                     sweep.nominal ? formNumber(*sweep.nominal, QLocale(), 5) : QString(), 0}});
+    map_->setMarks(
+        {{sweep.x.nominal, sweep.y->nominal,
+          sweep.nominal ? shownFormNumber(*sweep.nominal, QLocale(), 5) : QString(), 0}});
 }
 
 void SweepView::showEvent(QShowEvent* event) {

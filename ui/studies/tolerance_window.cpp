@@ -50,7 +50,7 @@ namespace ravnoves {
 namespace {
 
 QString orDash(const std::optional<double>& value) {
-    return value ? formNumber(*value, QLocale(), 7) : QStringLiteral("–");
+    return value ? shownFormNumber(*value, QLocale(), 7) : QStringLiteral("–");
 }
 
 /// A number that is but what rounding leaves of others is 0.
@@ -481,7 +481,11 @@ void ToleranceWindow::showChosen() {
     std::vector<PlotView::Line> lines;
     const auto line = [&](const std::optional<double>& at, const QString& text) {
         if (at) {
-            lines.push_back({*at, Qt::Vertical, plot::Line::muted, text});
+            lines.push_back({.at = *at,
+                             .orientation = Qt::Vertical,
+                             .colour = plot::Line::muted,
+                             .text = text,
+                             .keptAtEdge = true});
         }
     };
     line(value.nominal, tr("nominal"));

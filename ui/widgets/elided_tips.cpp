@@ -67,12 +67,12 @@ QString elidedAxis(const PlotView& plot, const QPoint& at) {
     const QFont font = Theme::font(Theme::smallSize);
     const auto shown = [&](const PlotScale& scale, double room) {
         const QString& title = scale.spec.title;
-        return isElided(title, font, static_cast<int>(room) - 2) ? title : QString();
+        return isElided(title, font, static_cast<int>(room)) ? title : QString();
     };
-    return at.y() > area.bottom() ? shown(data.x, area.width())
-           : at.x() < area.left() ? shown(data.left, area.height())
+    return at.y() > area.bottom() ? shown(data.x, data.flatRoom)
+           : at.x() < area.left() ? shown(data.left, data.uprightRoom)
            : at.x() > area.right() && data.sideUsed(plot::Side::Right)
-               ? shown(data.right, area.height())
+               ? shown(data.right, data.uprightRoom)
                : QString();
 }
 

@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
+#include "plot/model/axis_title.h"
+#include "plot/model/label_places.h"
 #include "plot/model/thin_polyline.h"
+#include "theme/text_width.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 namespace {
@@ -53,9 +58,60 @@ TEST(PlotScale, HasFewTicksWhateverTheData) {
             PlotScale scale;
             scale.spec.logarithmic = true;
             scale.fit(std::max(least, subnormal), most);
-            EXPECT_LE(scale.ownTicks(600.0, 40.0).size(), 50U) << least << " " << most;
+            EXPECT_LE(scale.ticks(600.0, 40.0).size(), 50U) << least << " " << most;
         }
     }
+}
+
+TEST(PlotScale, LabelsBesideOneAnotherHaveRoom) {
+    PlotScale scale;
+    scale.low = -5e5;
+    scale.high = 5e5;
+    const auto width = [](const QString& label) { return 8.0 * static_cast<double>(label.size()); };
+    for (const double pixels : {150.0, 300.0, 900.0}) {
+        scale.chooseStep(pixels, 30.0, width, QLocale::c());
+        EXPECT_GE(pixels * scale.step / 1e6, width(QStringLiteral("-500000"))) << pixels;
+        EXPECT_GE(scale.ticks(pixels, 30.0).size(), 2U) << pixels;
+    }
+    EXPECT_EQ(scale.tickText(-5e5, QLocale::c()), QStringLiteral("\u2212500000"));
+}
+
+TEST(AxisTitle, LosesWordsBeforeItsSymbolAndNeverItsUnit) {
+    const QFont font = Theme::font(Theme::smallSize);
+    const auto fitted = [&](const QString& title, const QString& room) {
+        return fittedAxisTitle(title, font, textWidth(font, room) + 0.5);
+    };
+    const QString mean = QStringLiteral("mean Mₛ, N·m");
+    EXPECT_EQ(fitted(mean, mean), mean);
+    EXPECT_EQ(fitted(mean, QStringLiteral("Mₛ, N·m")), QStringLiteral("Mₛ, N·m"));
+    EXPECT_EQ(fitted(mean, QStringLiteral("N")), QStringLiteral("N·m"));
+    const QString relief = QStringLiteral("ρ − ρ(0), µm");
+    EXPECT_EQ(fitted(relief, QStringLiteral("ρ − ρ(0)")), QStringLiteral("µm"));
+    const QString words = QStringLiteral("сила первого порядка, Н");
+    const QString cut = fitted(words, QStringLiteral("сила перво…, Н"));
+    EXPECT_TRUE(cut.startsWith(QStringLiteral("сила пер"))) << cut.toStdString();
+    EXPECT_TRUE(cut.endsWith(QStringLiteral("…, Н"))) << cut.toStdString();
+    EXPECT_EQ(fitted(QStringLiteral("share of α, %"), QStringLiteral("sh α, %")),
+              QStringLiteral("α, %"));
+}
+
+TEST(LabelPlaces, ChoosesWhereLeastIsDrawn) {
+    LabelPlaces places(QRectF(10, 10, 200, 100));
+    places.addLine({10, 60}, {210, 60});
+    places.addLine({-1e9, 20}, {1e9, 20});  // far beyond it
+    const QSizeF size(40, 12);
+    const QRectF over({50, 54}, size);
+    const QRectF below({50, 70}, size);
+    EXPECT_GT(places.covered(over), 0.0);
+    EXPECT_EQ(places.covered(below), 0.0);
+    EXPECT_EQ(places.place(std::array{over, below}), below);
+    // The next one keeps off the first even where a curve passes.
+    EXPECT_EQ(places.place(std::array{below, over}), over);
+    // All of it within the area.
+    EXPECT_EQ(places.place(std::array{QRectF({190, 90}, size)}), QRectF({170, 90}, size));
+    places.addShape(QRectF(0, 0, 400, 400));
+    EXPECT_GT(places.covered(QRectF({100, 85}, size)), 0.0);
+    places.addShape(QRectF(500, 500, 4, 4));  // elsewhere
 }
 
 TEST(PlotScale, RestsWhileTheDataFit) {

@@ -5,11 +5,14 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
 #include "events.h"
+#include "painted.h"
 #include "plot/legend_item.h"
 #include "plot/model/ticks.h"
 #include "plot/picture_file.h"
@@ -181,7 +184,7 @@ TEST_F(PlotViewTest, ACurveWithoutANameHasNoLegendEntry) {
 TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegend) {
     for (const char* name : {"of the reciprocating parts alone", "left", "with counterweights",
                              "two-term", "with counterweights and both shafts"}) {
-        plot.addCurve({.name = QString::fromLatin1(name)});
+        plot.setCurve(plot.addCurve({.name = QString::fromLatin1(name)}), {0, 720}, {0, 1});
     }
     double above = 1e9;
     for (int width = 220; width < 1400; width += 3) {
@@ -191,6 +194,182 @@ TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegend) {
         EXPECT_LE(top, above) << width;
         above = top;
     }
+}
+
+TEST_F(PlotViewTest, NoNameOfALegendIsCut) {
+    for (const char* name : {"of the reciprocating parts alone", "with counterweights",
+                             "with counterweights and both shafts, which is longer than a row"}) {
+        plot.setCurve(plot.addCurve({.name = QString::fromLatin1(name)}), {0, 720}, {0, 1});
+    }
+    for (const int width : {260, 330, 420, 800}) {
+        plot.resize(width, 400);
+        plot.grab();
+        for (const LegendItem* item : plot.findChildren<LegendItem*>()) {
+            EXPECT_FALSE(item->isElided()) << width << ' ' << item->text().toStdString();
+            EXPECT_LE(item->geometry().right(), width);
+            EXPECT_LT(item->geometry().bottom(), plot.plotArea().top() + 1.0);
+        }
+    }
+}
+
+TEST_F(PlotViewTest, TheLegendNamesOnlyCurvesThatAreThere) {
+    const int left = plot.addCurve({.name = QStringLiteral("left")});
+    const auto entries = plot.findChildren<LegendItem*>();
+    EXPECT_TRUE(entries.last()->isHidden());
+    plot.setCurve(left, {0, 720}, {1, 1});
+    EXPECT_FALSE(entries.last()->isHidden());
+    plot.setCurve(left, {}, {});
+    EXPECT_TRUE(entries.last()->isHidden());
+    // With no data at all it is the frame of what is to come.
+    plot.setCurve(curve, {}, {});
+    EXPECT_FALSE(entries.first()->isHidden());
+    EXPECT_FALSE(entries.last()->isHidden());
+}
+
+QStringList textsOf(PlotView& plot) {
+    QStringList texts;
+    for (const test::PaintedText& each : test::painted(plot).texts) {
+        texts << each.text;
+    }
+    return texts;
+}
+
+TEST_F(PlotViewTest, NumbersHaveATrueMinus) {
+    plot.setCursorX(270.0);
+    const QString all = textsOf(plot).join(QLatin1Char('|'));
+    EXPECT_TRUE(all.contains(QStringLiteral("\u2212100"))) << all.toStdString();
+    EXPECT_FALSE(all.contains(QLatin1Char('-'))) << all.toStdString();
+    EXPECT_TRUE(plot.dataAsCsv().contains(QStringLiteral(",-"))) << "data keep what programs read";
+}
+
+TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
+    plot.setYAxis(PlotView::Side::Left, {QStringLiteral("first-order force of the rod, N·m")});
+    for (const int height : {400, 180, 90}) {
+        plot.resize(600, height);
+        plot.grab();
+        EXPECT_TRUE(std::ranges::any_of(textsOf(plot), [](const QString& text) {
+            return text.endsWith(QStringLiteral("N·m"));
+        })) << height;
+    }
+}
+
+TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
+    plot.setMarks({{90, 100, QStringLiteral("greatest"), 1}, {180, 0, QStringLiteral("none"), 1}});
+    plot.setLines({{.at = 40.0, .text = QStringLiteral("limit")}});
+    plot.grab();
+    int found = 0;
+    for (const test::PaintedText& each : test::painted(plot).texts) {
+        if (each.text != QStringLiteral("greatest") && each.text != QStringLiteral("none") &&
+            each.text != QStringLiteral("limit")) {
+            continue;
+        }
+        ++found;
+        for (double x = 0.0; x <= 720.0; x += 1.0) {
+            EXPECT_FALSE(each.ink.contains(plot.toPixel(x, *plot.valueAt(curve, x))))
+                << each.text.toStdString() << " at " << x;
+        }
+    }
+    EXPECT_EQ(found, 3);
+}
+
+TEST_F(PlotViewTest, AWordStandsOverTheLineOfThePresentValue) {
+    plot.setBands({{300.0, 420.0, QColor(200, 0, 0, 40), QStringLiteral("forbidden")}});
+    plot.setPresentX(360.0);
+    QRectF ink;
+    for (const test::PaintedText& each : test::painted(plot).texts) {
+        ink = each.text == QStringLiteral("forbidden") ? each.ink : ink;
+    }
+    ASSERT_FALSE(ink.isEmpty());
+    const QImage picture = plot.grab().toImage();
+    const double x = plot.toPixel(360.0, 0.0).x();
+    ASSERT_LT(ink.left(), x);
+    ASSERT_GT(ink.right(), x);
+    // Just above the letters there is their ground and not the line.
+    const auto at = [&](double y) { return picture.pixelColor(QPointF(x, y).toPoint()); };
+    EXPECT_GT(at(ink.top() - 1.0).lightness(), at(ink.bottom() + 12.0).lightness() + 40);
+}
+
+TEST_F(PlotViewTest, ALimitOutOfSightIsToldAtTheEdge) {
+    plot.setLines({{.at = 900.0,
+                    .orientation = Qt::Vertical,
+                    .text = QStringLiteral("at most"),
+                    .keptAtEdge = true},
+                   {.at = -500.0, .text = QStringLiteral("at least"), .keptAtEdge = true},
+                   {.at = 2000.0, .text = QStringLiteral("not told")}});
+    const QStringList texts = textsOf(plot);
+    const auto has = [&](const QString& start) {
+        return std::ranges::any_of(texts,
+                                   [&](const QString& text) { return text.startsWith(start); });
+    };
+    EXPECT_TRUE(has(QStringLiteral("at most 900")));
+    EXPECT_TRUE(has(QStringLiteral("at least \u2212500")));
+    EXPECT_FALSE(has(QStringLiteral("not told")));
+}
+
+TEST_F(PlotViewTest, WhatIsReadGoesWhileTheChartIsDragged) {
+    const auto move = [&](const QPoint& to, Qt::MouseButtons buttons) {
+        QMouseEvent event(QEvent::MouseMove, to, plot.mapToGlobal(to), Qt::NoButton, buttons,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&plot, &event);
+    };
+    const QPoint from = plot.plotArea().center().toPoint();
+    move(from, Qt::NoButton);
+    EXPECT_TRUE(plot.data().cursorX.has_value());
+    QTest::mousePress(&plot, Qt::LeftButton, {}, from);
+    move(from + QPoint(60, 0), Qt::LeftButton);
+    EXPECT_FALSE(plot.data().cursorX.has_value());
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, from + QPoint(60, 0));
+    EXPECT_TRUE(plot.data().cursorX.has_value());
+}
+
+TEST_F(PlotViewTest, WhatStandsOverOneAnotherBeginsAtOnePixel) {
+    QWidget page;
+    page.resize(500, 500);
+    std::vector<std::unique_ptr<PlotView>> plots;
+    for (const double amplitude : {1.0, 123456.0}) {
+        plots.push_back(std::make_unique<PlotView>(QStringLiteral("One"), &page));
+        plots.back()->setGeometry(0, 250 * static_cast<int>(plots.size() - 1), 500, 250);
+        plots.back()->setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
+        plots.back()->setYAxis(PlotView::Side::Left, {QStringLiteral("N·m")});
+        plots.back()->addCurve({.name = QStringLiteral("M")});
+        plots.back()->setCurve(0, ramp(721, 720.0), sine(ramp(721, 720.0), amplitude));
+    }
+    test::showAt(page, {500, 500});
+    EXPECT_NE(plots[0]->plotArea().left(), plots[1]->plotArea().left());
+    PlotView::stack({plots[0].get(), plots[1].get()});
+    QApplication::processEvents();
+    EXPECT_EQ(plots[0]->plotArea().left(), plots[1]->plotArea().left());
+    EXPECT_EQ(plots[0]->plotArea().right(), plots[1]->plotArea().right());
+    // One that grows takes the other with it, and one that goes leaves nothing behind.
+    plots[0]->setCurve(0, ramp(721, 720.0), sine(ramp(721, 720.0), 123456789.0));
+    QApplication::processEvents();
+    QApplication::processEvents();
+    EXPECT_EQ(plots[0]->plotArea().left(), plots[1]->plotArea().left());
+    plots.pop_back();
+    plots[0]->setCurve(0, {0, 1}, {0, 1});
+    plots[0]->grab();
+}
+
+TEST_F(PlotViewTest, TheGridStandsWhereTheValuesAre) {
+    for (const QSize& size : {QSize(600, 400), QSize(600, 330), QSize(480, 350)}) {
+        plot.resize(size);
+        const QImage picture = plot.grab().toImage();
+        const double y = plot.toPixel(0.0, -50.0).y();
+        const double x = plot.plotArea().left() + 3.0;
+        int darkest = 255;
+        for (const double by : {-1.0, 0.0, 1.0}) {
+            darkest =
+                std::min(darkest, picture.pixelColor(QPointF(x, y + by).toPoint()).lightness());
+        }
+        EXPECT_LT(darkest, 245) << size.height();
+    }
+}
+
+TEST_F(PlotViewTest, ACurveThatIsAPointIsSeen) {
+    plot.setCurve(curve, {360, 360, 360}, {0, 0, 0});
+    plot.grab();
+    const QPoint middle = at(360, 0);
+    EXPECT_LT(plot.grab().toImage().pixelColor(middle).lightness(), 180);
 }
 
 TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {

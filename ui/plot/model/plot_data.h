@@ -69,6 +69,7 @@ struct Line {
     int colour = 0;
     QString text = {};
     Side side = Side::Left;
+    bool keptAtEdge = false;  ///< beyond what is shown: an arrow at the edge, with its value
 };
 
 /// Curves of one quantity for several variants.
@@ -129,6 +130,8 @@ struct PlotData {
     PlotScale right = {};
     QRectF area = {};           ///< the chart's inner rectangle, pixels
     double headerHeight = 0.0;  ///< title and legend
+    double flatRoom = 0.0;      ///< pixels for the title of the x axis
+    double uprightRoom = 0.0;   ///< the same of y axes
     bool equalScale = false;    ///< one unit is the same length on both axes
     bool zoomed = false;        ///< the scales are the user's
 

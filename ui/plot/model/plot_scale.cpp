@@ -98,6 +98,43 @@ void PlotScale::chooseStep(double pixels, double pixelsPerTick) {
         readableStep(number(low), number(high), ticksThatFit(pixels, pixelsPerTick), spec.degrees);
 }
 
+void PlotScale::chooseStep(double pixels, double pixelsPerTick,
+                           const std::function<double(const QString&)>& width,
+                           const QLocale& locale) {
+    constexpr int attempts = 4;
+    constexpr double apart = 8.0;  // pixels between labels
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        chooseStep(pixels, pixelsPerTick);
+        if (isOwn()) {
+            return;  // what has no room is left out
+        }
+        double widest = 0.0;
+        for (const double end : {low, high}) {
+            widest = std::max(widest, width(tickText(end, locale)));
+        }
+        const double spacing = pixels * step / (number(high) - number(low));
+        if (!(spacing < widest + apart)) {
+            return;
+        }
+        pixelsPerTick = std::max(1.3 * pixelsPerTick, widest + apart);
+    }
+}
+
+std::vector<double> PlotScale::ticks(double pixels, double pixelsPerTick) const {
+    if (isOwn()) {
+        return ownTicks(pixels, pixelsPerTick);
+    }
+    constexpr double rounding = 1e-9;
+    constexpr double many = 200.0;
+    const double first = std::ceil(number(low) / step - rounding);
+    const double last = std::floor(number(high) / step + rounding);
+    std::vector<double> ticks;
+    for (double tick = first; tick <= std::min(last, first + many); tick += 1.0) {
+        ticks.push_back(tick * step / spec.factor);
+    }
+    return ticks;
+}
+
 std::vector<double> PlotScale::ownTicks(double pixels, double pixelsPerTick) const {
     if (spec.logarithmic) {
         std::vector<double> ticks =
@@ -127,7 +164,9 @@ QString PlotScale::tickText(double value, const QLocale& locale) const {
         return spec.label ? spec.label(number(value)) : powerText(number(value), locale);
     }
     const TickFormat format = tickFormat(number(low), number(high), step);
-    return locale.toString(number(value), format.letter, format.digits);
+    // What is far less than a step is the rounding of 0.
+    const double shown = std::abs(number(value)) < 1e-6 * step ? 0.0 : number(value);
+    return trueMinus(locale.toString(shown, format.letter, format.digits));
 }
 
 QString PlotScale::readout(double value, const QLocale& locale, int decimals) const {
@@ -135,7 +174,7 @@ QString PlotScale::readout(double value, const QLocale& locale, int decimals) co
         return tickText(value, locale);
     }
     if (!(high > low)) {
-        return locale.toString(number(value), 'g', 3);
+        return trueMinus(locale.toString(number(value), 'g', 3));
     }
     const double fine = std::ceil(3.0 - std::log10(spec.factor * (high - low)));
     return fixedNumber(

@@ -96,11 +96,18 @@ struct PlotScale {
 
     /// Chooses `step` for an axis so many pixels long, and its decimals with it.
     void chooseStep(double pixels, double pixelsPerTick);
-    /// Ticks of an own axis.
-    std::vector<double> ownTicks(double pixels, double pixelsPerTick) const;
+    /// The same for labels beside one another, of which the widest takes so many pixels.
+    void chooseStep(double pixels, double pixelsPerTick,
+                    const std::function<double(const QString& label)>& width,
+                    const QLocale& locale);
+    /// Values that get a tick: multiples of `step`, or what an own axis chooses.
+    std::vector<double> ticks(double pixels, double pixelsPerTick) const;
     QString tickText(double value, const QLocale& locale) const;
     /// A value of the data: three digits finer than the interval, or so many decimals.
     QString readout(double value, const QLocale& locale, int decimals = -1) const;
+
+  private:
+    std::vector<double> ownTicks(double pixels, double pixelsPerTick) const;
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,143 @@
+#include "plot/model/label_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double cell = 4.0;  // pixels
+constexpr int mostCells = 2000;
+
+int cellsOf(double pixels) {
+    return std::clamp(static_cast<int>(std::ceil(pixels / cell)), 1, mostCells);
+}
+
+/// The part of a line within a rectangle; false where there is none.
+bool clip(QPointF& from, QPointF& to, const QRectF& area) {
+    const QPointF along = to - from;
+    double first = 0.0;
+    double last = 1.0;
+    const auto cut = [&](double step, double room) {
+        if (step == 0.0) {
+            return room >= 0.0;
+        }
+        const double at = room / step;
+        (step < 0.0 ? first : last) = step < 0.0 ? std::max(first, at) : std::min(last, at);
+        return first <= last;
+    };
+    if (!cut(-along.x(), from.x() - area.left()) || !cut(along.x(), area.right() - from.x()) ||
+        !cut(-along.y(), from.y() - area.top()) || !cut(along.y(), area.bottom() - from.y())) {
+        return false;
+    }
+    to = from + last * along;
+    from += first * along;
+    return true;
+}
+
+}  // namespace
+
+LabelPlaces::LabelPlaces(const QRectF& area)
+    : area_(area),
+      columns_(cellsOf(area.width())),
+      rows_(cellsOf(area.height())),
+      taken_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+void LabelPlaces::take(const QPointF& at) {
+    const int column =
+        std::clamp(static_cast<int>((at.x() - area_.left()) / cell), 0, columns_ - 1);
+    const int row = std::clamp(static_cast<int>((at.y() - area_.top()) / cell), 0, rows_ - 1);
+    taken_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column)] = 1;
+}
+
+void LabelPlaces::addLine(const QPolygonF& line) {
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        addLine(line[i - 1], line[i]);
+    }
+}
+
+void LabelPlaces::addLine(const QPointF& from, const QPointF& to) {
+    QPointF start = from;
+    QPointF end = to;
+    if (!clip(start, end, area_)) {
+        return;
+    }
+    const QPointF along = end - start;
+    const int steps =
+        1 + static_cast<int>(std::max(std::abs(along.x()), std::abs(along.y())) / cell);
+    for (int i = 0; i <= steps; ++i) {
+        take(start + along * i / steps);
+    }
+}
+
+void LabelPlaces::addShape(const QRectF& shape) {
+    if (!shape.intersects(area_)) {
+        return;
+    }
+    const QRectF inside = shape.intersected(area_);
+    for (double y = inside.top(); y < inside.bottom() + cell; y += cell) {
+        for (double x = inside.left(); x < inside.right() + cell; x += cell) {
+            take({std::min(x, inside.right()), std::min(y, inside.bottom())});
+        }
+    }
+}
+
+void LabelPlaces::addLabel(const QRectF& label) {
+    if (!label.isEmpty()) {
+        labels_.push_back(label);
+    }
+}
+
+double LabelPlaces::covered(const QRectF& label) const {
+    const auto index = [](double pixels, int most) {
+        return std::clamp(static_cast<int>(std::floor(pixels / cell)), 0, most - 1);
+    };
+    const int left = index(label.left() - area_.left(), columns_);
+    const int right = index(label.right() - area_.left(), columns_);
+    const int top = index(label.top() - area_.top(), rows_);
+    const int bottom = index(label.bottom() - area_.top(), rows_);
+    int sum = 0;
+    for (int row = top; row <= bottom; ++row) {
+        const auto* line = taken_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
+        for (int column = left; column <= right; ++column) {
+            sum += line[column];
+        }
+    }
+    constexpr double perLabel = 1000.0;
+    const auto over = std::count_if(labels_.begin(), labels_.end(),
+                                    [&](const QRectF& other) { return other.intersects(label); });
+    return sum + perLabel * static_cast<double>(over);
+}
+
+QRectF LabelPlaces::moved(QRectF label) const {
+    label.moveLeft(std::max(area_.left(), std::min(label.left(), area_.right() - label.width())));
+    label.moveTop(std::max(area_.top(), std::min(label.top(), area_.bottom() - label.height())));
+    return label;
+}
+
+QRectF LabelPlaces::place(std::span<const QRectF> places) {
+    QRectF best;
+    double least = std::numeric_limits<double>::infinity();
+    // A place farther down the list must be better by something, so that labels stay where they
+    // are wanted and rest while curves move a little.
+    constexpr double wish = 0.15;
+    double wished = 0.0;
+    for (const QRectF& each : places) {
+        if (least <= wished) {
+            break;
+        }
+        const QRectF label = moved(each);
+        if (const double costs = covered(label) + wished; costs < least) {
+            least = costs;
+            best = label;
+        }
+        wished += wish;
+    }
+    addLabel(best);
+    return best;
+}
+
+}  // namespace ravnoves
