@@ -234,8 +234,16 @@ void ShaftMapPlot::showImage() {
 
 // The key.
 
+bool ShaftMapPlot::isLow() const {
+    constexpr int enough = 330;  // pixels for the key beside the map
+    return height() < Theme::withText(enough);
+}
+
 std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
     std::vector<KeyEntry> entries;
+    if (isLow()) {
+        return entries;  // the map needs the room: its tip says it
+    }
     const Theme& theme = Theme::instance();
     if (!map_->levels().empty()) {
         entries.push_back(
@@ -301,7 +309,27 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
 
 double ShaftMapPlot::keyHeight() const {
     const std::vector<KeyEntry> entries = keyEntries();
-    return entries.empty() ? 0.0 : entries.back().rect.bottom() + 2.0;
+    const double bar =
+        map_->levels().empty()
+            ? 0.0
+            : colourBarHeight + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
+    return entries.empty() ? bar : entries.back().rect.bottom() + 2.0;
+}
+
+QString ShaftMapPlot::signsInWords() const {
+    QStringList signs;
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        const QString name =
+            (marker.worst                                          ? QStringLiteral("■ ")
+             : marker.criterion == ShaftMapModel::Criterion::Range ? QStringLiteral("◆ ")
+             : marker.criterion == ShaftMapModel::Criterion::Rms   ? QStringLiteral("● ")
+                                                                   : QStringLiteral("▲ ")) +
+            marker.name;
+        if (marker.isBuildable && !signs.contains(name)) {
+            signs << name;
+        }
+    }
+    return signs.join(QStringLiteral(", "));
 }
 
 void ShaftMapPlot::paintKey(QPainter& painter) const {
@@ -337,7 +365,7 @@ void ShaftMapPlot::paintKey(QPainter& painter) const {
             painter.drawLine(QPointF(x, zero ? top - 1.0 : bar.bottom() - 3.0),
                              QPointF(x, bar.bottom() + (zero ? 2.0 : 1.0)));
             const QString text = percentText(levels[i]);
-            const double wide = metrics.horizontalAdvance(text) + 6.0;
+            const double wide = metrics.horizontalAdvance(text) + metrics.averageCharWidth() + 6.0;
             const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
             if (std::none_of(taken.begin(), taken.end(),
                              [&](const QRectF& other) { return other.intersects(box); })) {
@@ -509,7 +537,19 @@ void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
     const QPointF centre = best != nullptr ? pixelOf(best->position) : plotArea().center();
     constexpr std::array turns{90.0, 110.0, 70.0, 130.0, 150.0, 180.0,
                                50.0, 20.0,  0.0,  220.0, 320.0, 270.0};
+    // In a small map every second or third line has its number, that of no change in any case.
+    const double room =
+        plotArea().width() * plotArea().height() / (Theme::withText(120) * Theme::withText(80));
+    const auto most = static_cast<std::size_t>(std::max(3.0, room));
+    const std::size_t each = std::max<std::size_t>(1, (contours.size() + most - 1) / most);
+    const auto zero = static_cast<std::size_t>(
+        std::find_if(contours.begin(), contours.end(),
+                     [](const auto& contour) { return contour.level == 0.0; }) -
+        contours.begin());
     for (std::size_t i = 0; i < contours.size(); ++i) {
+        if (i % each != zero % each) {
+            continue;
+        }
         const QString text = percentText(contours[i].level) + QStringLiteral(" %");
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
         static_cast<void>(std::any_of(turns.begin(), turns.end(), [&](double turn) {
@@ -817,6 +857,11 @@ bool ShaftMapPlot::event(QEvent* event) {
             QToolTip::showText(help->globalPos(), map_->reason(placeAt(at)), this);
             return true;
         }
+    }
+    if (event->type() == QEvent::ToolTip && isLow()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           toolTip() + QLatin1Char('\n') + signsInWords(), this);
+        return true;
     }
     return PlotView::event(event);
 }

@@ -45,6 +45,7 @@ class ShaftMapPlot : public PlotView {
     void paintGround(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
     double keyHeight() const override;
+    bool readsUnderPointer() const override { return false; }  // in words beside the map
     bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -69,6 +70,9 @@ class ShaftMapPlot : public PlotView {
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
     std::vector<KeyEntry> keyEntries() const;
     void paintKey(QPainter& painter) const;
+    /// Too low for the key's signs.
+    bool isLow() const;
+    QString signsInWords() const;
     void paintBlocked(QPainter& painter) const;
     void paintContours(QPainter& painter);
     void labelMarkers();

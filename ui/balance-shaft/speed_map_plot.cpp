@@ -6,6 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "balance-shaft/change_colours.h"
 #include "plot/model/contour_lines.h"
@@ -120,13 +121,31 @@ void SpeedMapPlot::paintBar(QPainter& painter) const {
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = QFontMetricsF(painter.font()).height() + 1.0;
     const QStringList texts = barTexts();
-    for (std::size_t i = 0; i < marks.size(); ++i) {
+    const QFontMetricsF metrics(painter.font());
+    // What is no change first, then the ends: what has no room beside them is left out.
+    std::vector<std::size_t> order(marks.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t i) {
+            const double part = std::abs(marks[i].part);
+            return part == 0.0 ? 0 : part == 1.0 ? 1 : 2;
+        };
+        return rank(a) < rank(b);
+    });
+    std::vector<QRectF> taken;
+    for (const std::size_t i : order) {
         const bool isOne = marks[i].part == 0.0;
         painter.setPen(QPen(theme.text(), isOne ? 2.4 : 1.0));
         painter.drawLine(QPointF(x(marks[i].part), isOne ? top - 1.0 : bar.bottom() - 3.0),
                          QPointF(x(marks[i].part), bar.bottom() + 2.0));
-        painter.drawText(QRectF(x(marks[i].part) - 40.0, bar.bottom() + 2.0, 80.0, row),
-                         Qt::AlignCenter, texts[static_cast<qsizetype>(i)]);
+        const QString& text = texts[static_cast<qsizetype>(i)];
+        const double wide = metrics.horizontalAdvance(text) + metrics.averageCharWidth() + 4.0;
+        const QRectF box(x(marks[i].part) - wide / 2.0, bar.bottom() + 2.0, wide, row);
+        if (std::none_of(taken.begin(), taken.end(),
+                         [&](const QRectF& other) { return other.intersects(box); })) {
+            taken.push_back(box);
+            painter.drawText(box, Qt::AlignCenter, text);
+        }
     }
 }
 

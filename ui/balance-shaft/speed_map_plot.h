@@ -29,6 +29,7 @@ class SpeedMapPlot : public PlotView {
 
   protected:
     void paintGround(QPainter& painter) override;
+    bool readsUnderPointer() const override { return false; }  // in words beside the map
     double keyHeight() const override;
     bool event(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
