@@ -114,12 +114,21 @@ void InertiaMomentsCharts::foldMoments(bool folded) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     if (folded) {
         column->removeWidget(orders_);
-        tabs_->setTabToolTip(tabs_->addTab(orders_, tr("Orders 1, 2")),
-                             tr("Moments of orders 1 and 2 over two turns"));
+        tabs_->addTab(orders_, tr("Orders 1, 2"));
+        tellOrders();
     } else {
         tabs_->removeTab(place);
         column->insertWidget(0, orders_, 8);
         orders_->show();
+    }
+}
+
+void InertiaMomentsCharts::tellOrders() {
+    const int place = tabs_->indexOf(orders_);
+    if (place >= 0) {
+        tabs_->setTabToolTip(
+            place, isForce_ ? moment(1)->title() + QStringLiteral("; ") + moment(2)->title()
+                            : tr("Moments of orders 1 and 2 over two turns"));
     }
 }
 
@@ -301,6 +310,7 @@ void InertiaMomentsCharts::nameMoments(bool force) {
         plot->setCurveName(verticalLeft, force ? tr("Fy left") : tr("My left"));
         plot->setCurveName(horizontalLeft, force ? tr("Fx left") : tr("Mx left"));
     }
+    tellOrders();
 }
 
 void InertiaMomentsCharts::showMoments() {

@@ -43,6 +43,8 @@ class InertiaMomentsCharts : public QWidget {
 
     /// Where the window is too low for both, the orders' moments are one more tab.
     void foldMoments(bool folded);
+    /// What the folded plots show.
+    void tellOrders();
     int heightOfBoth() const;
     void addMoments();
     void addHodographs();
