@@ -18,8 +18,24 @@ namespace ravnoves {
 
 namespace {
 
-/// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, and
-/// with marks and handles that go with the text.
+/// How much wider than Fusion's a part is that goes with the text.
+int beyondFusion(int pixels) {
+    return std::max(0, Theme::withText(pixels) - pixels);
+}
+
+/// With the outline of fields, which Fusion derives from the window's colour: on a dark window it
+/// would be darker still.
+template <typename Option>
+Option outlined(Option option) {
+    constexpr int darkening = 140;  // percent, Fusion's
+    const QColor outline =
+        Theme::instance().fieldBorder(option.state.testFlag(QStyle::State_Enabled));
+    option.palette.setColor(QPalette::Window, outline.lighter(darkening));
+    return option;
+}
+
+/// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, with
+/// outlines that are seen, and with marks, arrows and handles that go with the text.
 class DenseTabs : public QProxyStyle {
   public:
     DenseTabs() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -36,6 +52,13 @@ class DenseTabs : public QProxyStyle {
             case PM_ExclusiveIndicatorHeight:
             case PM_ScrollBarExtent:
                 return std::max(Theme::withText(14),
+                                QProxyStyle::pixelMetric(metric, option, widget));
+            case PM_MenuButtonIndicator:
+                return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(12);
+            case PM_SliderLength:
+            case PM_SliderThickness:
+            case PM_SliderControlThickness:
+                return std::max(Theme::withText(15),
                                 QProxyStyle::pixelMetric(metric, option, widget));
             default:
                 return QProxyStyle::pixelMetric(metric, option, widget);
@@ -61,15 +84,41 @@ class DenseTabs : public QProxyStyle {
         return element == SE_TabBarTabText ? rect.adjusted(-2, 0, 2, 0) : rect;
     }
 
-    /// A choice among the cells of a table leaves its few letters the room that its arrow can
-    /// spare.
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        if (type == CT_SpinBox && hasButtons(option)) {
+            size.rwidth() += beyondFusion(spinArrow);
+        } else if (type == CT_ComboBox) {
+            size.rwidth() += beyondFusion(comboArrow) + 2;
+        }
+        return size;
+    }
+
+    /// Arrows go with the text. A choice among the cells of a table leaves its few letters the room
+    /// that its arrow can spare.
     QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
                          const QWidget* widget) const override {
         const QRect rect = QProxyStyle::subControlRect(control, option, part, widget);
-        if (control != CC_ComboBox || widget == nullptr || !widget->property("isCell").toBool()) {
+        const QRect whole = option->rect;
+        const auto leftBy = [&](int more, bool isArrow) {
+            return visualRect(option->direction, whole,
+                              visualRect(option->direction, whole, rect)
+                                  .adjusted(isArrow ? -more : 0, 0, isArrow ? 0 : -more, 0));
+        };
+        if (control == CC_SpinBox && hasButtons(option)) {
+            return part == SC_SpinBoxFrame
+                       ? rect
+                       : leftBy(beyondFusion(spinArrow), part != SC_SpinBoxEditField);
+        }
+        if (control != CC_ComboBox) {
             return rect;
         }
-        const QRect whole = option->rect;
+        if (widget == nullptr || !widget->property("isCell").toBool()) {
+            return part == SC_ComboBoxArrow || part == SC_ComboBoxEditField
+                       ? leftBy(beyondFusion(comboArrow), part == SC_ComboBoxArrow)
+                       : rect;
+        }
         const int arrow = Theme::withText(11);
         switch (part) {
             case SC_ComboBoxArrow:
@@ -110,7 +159,19 @@ class DenseTabs : public QProxyStyle {
     /// Fusion's mark of the focus is hardly seen on a dark window.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
-        if (element != PE_FrameFocusRect) {
+        const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+        const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        if (element == PE_FrameLineEdit && frame != nullptr) {
+            const auto seen = outlined(*frame);
+            QProxyStyle::drawPrimitive(element, &seen, painter, widget);
+        } else if ((element == PE_IndicatorCheckBox || element == PE_IndicatorRadioButton) &&
+                   button != nullptr) {
+            const auto seen = outlined(*button);
+            QProxyStyle::drawPrimitive(element, &seen, painter, widget);
+        } else if (element == PE_IndicatorArrowDown && beyondFusion(comboArrow) > 0) {
+            drawTriangle(painter, option->rect, *option, Down,
+                         option->state.testFlag(State_Enabled));
+        } else if (element != PE_FrameFocusRect) {
             QProxyStyle::drawPrimitive(element, option, painter, widget);
         } else if (option->state.testFlag(State_KeyboardFocusChange)) {
             drawFocusFrame(painter, option);
@@ -120,13 +181,93 @@ class DenseTabs : public QProxyStyle {
     /// Fusion shows the focus of a choice only after Tab, and faintly.
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override {
-        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
+            const auto seen = outlined(*box);
+            QProxyStyle::drawComplexControl(control, &seen, painter, widget);
+            drawArrow(painter, *box, SC_ComboBoxArrow, widget);
+        } else if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option)) {
+            const auto seen = outlined(*spin);
+            QProxyStyle::drawComplexControl(control, &seen, painter, widget);
+            if (hasButtons(spin)) {
+                drawArrow(painter, *spin, SC_SpinBoxUp, widget);
+                drawArrow(painter, *spin, SC_SpinBoxDown, widget);
+            }
+        } else if (const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+                   slider != nullptr && control == CC_Slider) {
+            const auto seen = outlined(*slider);
+            QProxyStyle::drawComplexControl(control, &seen, painter, widget);
+        } else if (slider != nullptr && control == CC_ScrollBar && beyondFusion(comboArrow) > 0) {
+            QProxyStyle::drawComplexControl(control, option, painter, widget);
+            drawScrollArrows(painter, *slider, widget);
+        } else {
+            QProxyStyle::drawComplexControl(control, option, painter, widget);
+        }
         if (control == CC_ComboBox && option->state.testFlag(State_HasFocus)) {
             drawFocusFrame(painter, option);
         }
     }
 
   private:
+    // Widths of Fusion's arrows with the rim at their sides, pixels.
+    static constexpr int comboArrow = 19;
+    static constexpr int spinArrow = 14;
+
+    static bool hasButtons(const QStyleOption* option) {
+        const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        return spin != nullptr && spin->buttonSymbols != QAbstractSpinBox::NoButtons;
+    }
+
+    /// Fusion's arrow has one size: with larger text a larger one covers it.
+    void drawArrow(QPainter* painter, const QStyleOptionComplex& option, SubControl part,
+                   const QWidget* widget) const {
+        if (beyondFusion(comboArrow) == 0) {
+            return;
+        }
+        const auto control =
+            part == SC_ComboBoxArrow ? ComplexControl(CC_ComboBox) : ComplexControl(CC_SpinBox);
+        const QRectF room = subControlRect(control, &option, part, widget);
+        const bool isOn = option.state.testFlag(State_Enabled) && canStep(option, part);
+        drawTriangle(painter, room, option, part == SC_SpinBoxUp ? Up : Down, isOn);
+    }
+
+    void drawScrollArrows(QPainter* painter, const QStyleOptionSlider& option,
+                          const QWidget* widget) const {
+        const bool isFlat = option.orientation == Qt::Horizontal;
+        const bool isTurned = isFlat && option.direction == Qt::RightToLeft;
+        for (const auto part : {SC_ScrollBarSubLine, SC_ScrollBarAddLine}) {
+            const QRectF room = subControlRect(CC_ScrollBar, &option, part, widget);
+            const bool isBack = (part == SC_ScrollBarSubLine) != isTurned;
+            drawTriangle(painter, room, option,
+                         isFlat ? (isBack ? Left : Right) : (isBack ? Up : Down),
+                         option.state.testFlag(State_Enabled));
+        }
+    }
+
+    /// Where an arrow points: degrees from downwards, clockwise.
+    enum Direction { Down = 0, Left = 90, Up = 180, Right = 270 };
+
+    static void drawTriangle(QPainter* painter, const QRectF& room, const QStyleOption& option,
+                             Direction direction, bool isOn) {
+        const double half = std::min(Theme::withText(8) / 2.0, 0.4 * room.width());
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(option.palette.color(isOn ? QPalette::Active : QPalette::Disabled,
+                                               QPalette::ButtonText));
+        painter->translate(room.center());
+        painter->rotate(direction);
+        painter->drawPolygon(QPolygonF{QPointF(-half, -half / 2.0), QPointF(half, -half / 2.0),
+                                       QPointF(0.0, half / 2.0)});
+        painter->restore();
+    }
+
+    static bool canStep(const QStyleOptionComplex& option, SubControl part) {
+        const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(&option);
+        return spin == nullptr ||
+               spin->stepEnabled.testFlag(part == SC_SpinBoxUp ? QAbstractSpinBox::StepUpEnabled
+                                                               : QAbstractSpinBox::StepDownEnabled);
+    }
+
     static void drawFocusFrame(QPainter* painter, const QStyleOption* option) {
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
@@ -227,6 +368,10 @@ QColor Theme::panel() const {
 QColor Theme::border() const {
     return dark_ ? QColor(0x3a4048) : QColor(0xd3d7dd);
 }
+QColor Theme::fieldBorder(bool isEnabled) const {
+    return dark_ ? QColor(isEnabled ? 0x7d8793 : 0x5c646e)
+                 : QColor(isEnabled ? 0x757e88 : 0xa0a7af);
+}
 QColor Theme::text() const {
     return dark_ ? QColor(0xe6e8eb) : QColor(0x1d2126);
 }
@@ -278,7 +423,7 @@ void Theme::apply() {
     set(QPalette::ToolTipText, text());
     set(QPalette::PlaceholderText, mutedText());
     set(QPalette::Highlight, accent());
-    set(QPalette::HighlightedText, QColor(Qt::white));
+    set(QPalette::HighlightedText, dark_ ? QColor(0x0d1116) : QColor(Qt::white));
     set(QPalette::Link, accent());
     set(QPalette::LinkVisited, accent());
     set(QPalette::Light, dark_ ? QColor(0x3a4048) : QColor(0xffffff));

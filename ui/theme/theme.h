@@ -30,6 +30,8 @@ class Theme : public QObject {
     QColor window() const;  ///< behind panels
     QColor panel() const;   ///< forms, plots, pictures
     QColor border() const;  ///< hairlines between panels
+    /// Of what one types in, ticks or pulls: seen against panels and window by itself.
+    QColor fieldBorder(bool isEnabled = true) const;
     QColor text() const;
     QColor mutedText() const;  ///< units, captions
     QColor grid() const;       ///< grid lines of plots

@@ -1,0 +1,112 @@
+// What is drawn by the style: outlines that are seen on light and dark panels, and arrows, handles
+// and marks that go with the text.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QStyleOptionComboBox>
+#include <QStyleOptionSlider>
+#include <QStyleOptionSpinBox>
+#include <cmath>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+double luminance(const QColor& colour) {
+    const auto linear = [](double part) {
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+/// As WCAG 2.1 defines it.
+double contrast(const QColor& a, const QColor& b) {
+    const double brighter = std::max(luminance(a), luminance(b));
+    const double darker = std::min(luminance(a), luminance(b));
+    return (brighter + 0.05) / (darker + 0.05);
+}
+
+class Style : public ::testing::Test {
+  protected:
+    ~Style() override {
+        Theme::instance().setMode(Theme::Mode::Light);
+        Theme::instance().setTextScale(1.0);
+    }
+};
+
+TEST_F(Style, OutlinesAndSelectedTextAreSeen) {
+    Theme& theme = Theme::instance();
+    for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
+        theme.setMode(mode);
+        for (const QColor& ground : {theme.panel(), theme.window()}) {
+            EXPECT_GE(contrast(theme.fieldBorder(), ground), 3.0);
+            EXPECT_GE(contrast(theme.fieldBorder(false), ground), 2.0);
+        }
+        const QPalette palette = QApplication::palette();
+        EXPECT_GE(
+            contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
+            4.5);
+        // As they are drawn: the edge of the box is of that contrast.
+        QCheckBox box;
+        box.resize(20, 20);
+        const QImage drawn = box.grab().toImage();
+        double most = 1.0;
+        for (int x = 0; x < drawn.width(); ++x) {
+            most =
+                std::max(most, contrast(drawn.pixelColor(x, drawn.height() / 2), theme.window()));
+        }
+        EXPECT_GE(most, 2.7);
+    }
+}
+
+TEST_F(Style, ArrowsAndHandlesGoWithTheText) {
+    QDoubleSpinBox spin;
+    QComboBox combo;
+    QSlider slider(Qt::Horizontal);
+    const auto widths = [&] {
+        const auto width = [](const QWidget& of, auto option, QStyle::ComplexControl control,
+                              QStyle::SubControl part) {
+            option.initFrom(&of);
+            option.rect = QRect(0, 0, 200, 40);
+            return of.style()->subControlRect(control, &option, part, &of).width();
+        };
+        return QList<int>{
+            width(spin, QStyleOptionSpinBox(), QStyle::CC_SpinBox, QStyle::SC_SpinBoxUp),
+            width(combo, QStyleOptionComboBox(), QStyle::CC_ComboBox, QStyle::SC_ComboBoxArrow),
+            slider.style()->pixelMetric(QStyle::PM_SliderLength, nullptr, &slider),
+            slider.style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &slider)};
+    };
+    const QList<int> normal = widths();
+    Theme::instance().setTextScale(2.0);
+    const QList<int> large = widths();
+    for (qsizetype i = 0; i < normal.size(); ++i) {
+        EXPECT_GE(large[i], 1.8 * normal[i]) << i;
+    }
+}
+
+TEST_F(Style, AChoiceHasRoomForItsEntryAtEveryTextSize) {
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        Theme::instance().setTextScale(scale);
+        QComboBox combo;
+        combo.addItem(u"keeps the energy"_s);
+        combo.resize(combo.sizeHint());
+        QStyleOptionComboBox option;
+        option.initFrom(&combo);
+        const QRect room = combo.style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                         QStyle::SC_ComboBoxEditField, &combo);
+        EXPECT_GE(room.width() - 2, combo.fontMetrics().horizontalAdvance(combo.itemText(0)))
+            << scale;
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves
