@@ -8,6 +8,7 @@
 #include "elastic-hinge/model/guide_picture.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -84,14 +85,21 @@ GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
 }
 
 void GuideTab::buildBar() {
-    QHBoxLayout* row = addBar();
+    auto* bar = new FoldingRow(0, this);
+    addBar()->addWidget(bar);
+    const auto addPart = [bar](int share) {
+        auto* part = new QWidget(bar);
+        auto* row = new QHBoxLayout(part);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(Theme::space);
+        bar->add(part, share);
+        return row;
+    };
+    QHBoxLayout* row = addPart(0);
     hingeChoice_ = new QComboBox(this);
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
     hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
                             HingePlots::tr("rod, for M₁₂")});
-    constexpr int letters = 6;  // the slider beside it needs its length
-    hingeChoice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    hingeChoice_->setMinimumContentsLength(letters);
     hingeChoice_->setAccessibleName(HingePlots::tr("Which guide is shown"));
     hingeChoice_->setToolTip(HingePlots::tr(
         "The hinge between frame and crank alone (M), the same beside the rod's hinge (M₁), or "
@@ -102,6 +110,7 @@ void GuideTab::buildBar() {
     label->setBuddy(hingeChoice_);
     row->addWidget(label);
     row->addWidget(hingeChoice_, 1);
+    row = addPart(1);
     exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), 1.0, 1e5, 1.0, 10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
@@ -109,7 +118,7 @@ void GuideTab::buildBar() {
         HingePlots::tr("The pictures enlarge the guide's relief by this factor; 1 is to scale"));
     connect(exaggeration_, &ValueSlider::valueEdited, this,
             [this](double factor) { model_->setExaggeration(factor); });
-    row->addWidget(exaggeration_, 3);
+    row->addWidget(exaggeration_, 1);
     automatic_ = new QCheckBox(HingePlots::tr("a&uto"), this);
     automatic_->setObjectName(QStringLiteral("exaggeration_auto"));
     automatic_->setToolTip(HingePlots::tr("Choose the factor by the relief"));

@@ -179,7 +179,7 @@ void HingeInputs::addFamilies() {
         connect(list, &NumberListField::valuesEdited, model_, write);
         follow([this, list, read] { list->setValue((model_->*read)()); });
     };
-    add("compare_speeds", tr("Speeds ω, %1&;").arg(shownUnit(units::rad_per_s).name),
+    add("compare_speeds", tr("Speeds ω, %1").arg(shownUnit(units::rad_per_s).name),
         field::angular_speed.range, units::rad_per_s,
         tr("Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s."),
         &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);

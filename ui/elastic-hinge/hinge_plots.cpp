@@ -59,6 +59,8 @@ void HingePlotTab::showAngle() {
 }
 
 HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent) : QTabWidget(parent) {
+    constexpr int least = 300;  // designed pixels in which titles and texts can be read
+    setMinimumWidth(Theme::withText(least));
     setDocumentMode(true);
     append(makeGuideTab(model, this), QStringLiteral("guides"), tr("&Guides"));
     append(makeRodHingeTab(model, this), QStringLiteral("rod-hinge"), tr("R&od hinge"));

@@ -6,12 +6,19 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 
 NumberListField::NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent)
     : ValueEntry(parent), range_(range), unit_(unit), longest_(longest) {
     describe();
+}
+
+QSize NumberListField::sizeHint() const {
+    const QString numbers = QStringLiteral("0.35; ").repeated(longest_);
+    return {fontMetrics().horizontalAdvance(numbers) + 2 * Theme::gap,
+            ValueEntry::sizeHint().height()};
 }
 
 NumberListField::Reading NumberListField::read(const QString& typed) const {

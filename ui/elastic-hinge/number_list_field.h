@@ -15,6 +15,9 @@ class NumberListField : public ValueEntry<std::vector<double>> {
   public:
     NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent = nullptr);
 
+    /// Room for as many numbers of three digits as it takes.
+    QSize sizeHint() const override;
+
   Q_SIGNALS:
     void valuesEdited(const std::vector<double>& values);
 

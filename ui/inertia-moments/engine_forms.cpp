@@ -31,6 +31,13 @@ class FiringOrderField final : public ValueEntry<std::vector<int>> {
     FiringOrderField(InertiaMomentsModel* model, QWidget* parent)
         : ValueEntry(parent), model_(model) {}
 
+    /// Room for twelve cylinders.
+    QSize sizeHint() const override {
+        const QString longest = QStringLiteral("1-12-5-8-3-10-6-7-2-11-4-9");
+        return {fontMetrics().horizontalAdvance(longest) + 2 * Theme::space,
+                ValueEntry::sizeHint().height()};
+    }
+
   protected:
     Reading read(const QString& typed) const override {
         const auto order = InertiaMomentsModel::readOrder(typed);

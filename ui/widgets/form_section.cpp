@@ -1,8 +1,10 @@
 #include "widgets/form_section.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QPainter>
 #include <QScrollBar>
+#include <QStyleOptionComboBox>
 #include <algorithm>
 
 #include "text/message_text.h"
@@ -119,7 +121,117 @@ QString withoutMnemonic(QString label) {
     return label.remove(QLatin1Char('&'));
 }
 
+constexpr int numberColumn = 84;  ///< designed pixels
+constexpr int unitColumn = 40;    ///< the widest unit, so that all sections line up
+
+/// A name with a choice or a text beside it, which is as wide as what it may show; below it where
+/// there is no room for both.
+class NamedRow final : public QWidget {
+  public:
+    NamedRow(QLabel* name, QWidget* field, QWidget* parent)
+        : QWidget(parent), grid_(new QGridLayout(this)), name_(name), field_(field) {
+        grid_->setContentsMargins(0, 0, 0, 0);
+        grid_->setHorizontalSpacing(Theme::space);
+        grid_->setVerticalSpacing(Theme::gap / 2);
+        grid_->setColumnStretch(0, 1);
+        grid_->addWidget(name_, 0, 0);
+        grid_->addWidget(field_, 0, 1);
+        arrange();
+    }
+
+    QSize minimumSizeHint() const override {
+        return {std::max(widestWord(), field_->minimumSizeHint().width()),
+                QWidget::minimumSizeHint().height()};
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QWidget::resizeEvent(event);
+        arrange();
+        // Once the other rows have their widths.
+        QMetaObject::invokeMethod(this, [this] { arrange(); }, Qt::QueuedConnection);
+    }
+    bool event(QEvent* event) override {
+        const bool done = QWidget::event(event);
+        if (event->type() == QEvent::LayoutRequest) {  // choices were added
+            arrange();
+        }
+        return done;
+    }
+
+  private:
+    int textWidth() const {
+        return name_->fontMetrics().horizontalAdvance(withoutMnemonic(name_->text())) + 2;
+    }
+    int widestWord() const {
+        int widest = 0;
+        for (const QString& word : withoutMnemonic(name_->text()).split(QLatin1Char(' '))) {
+            widest = std::max(widest, name_->fontMetrics().horizontalAdvance(word));
+        }
+        return widest + 2;
+    }
+
+    bool isChoice() const { return qobject_cast<const QComboBox*>(field_) != nullptr; }
+    int wanted() const {
+        const int line = Theme::withText(numberColumn) + Theme::space + Theme::withText(unitColumn);
+        return std::max(widthFor(field_), line);
+    }
+    /// The choices of a form are as wide as one another, where their names leave them the room.
+    int widthOfAll() const {
+        int widest = 0;
+        const QWidget* section = parentWidget();
+        const QWidget* form = section->isWindow() ? section : section->parentWidget();
+        for (const QWidget* each : form->findChildren<QWidget*>()) {
+            const auto* row = dynamic_cast<const NamedRow*>(each);
+            if (row != nullptr && row->isChoice() && row->isVisibleTo(form)) {
+                const int own = row->wanted();
+                const bool fits = row->textWidth() + Theme::space + own <= row->width();
+                widest = std::max(widest, fits ? own : 0);
+            }
+        }
+        return widest;
+    }
+
+    void arrange() {
+        const int own = wanted();
+        const int all = isChoice() ? widthOfAll() : 0;
+        const int wanted = all > own && textWidth() + Theme::space + all <= width() ? all : own;
+        // The name of a choice may take two lines.
+        const int beside = isChoice() ? widestWord() : textWidth();
+        const bool folded = width() < beside + Theme::space + wanted;
+        if (folded != folded_) {
+            folded_ = folded;
+            grid_->removeWidget(field_);
+            grid_->addWidget(field_, folded ? 1 : 0, folded ? 0 : 1);
+            updateGeometry();
+        }
+        if (const int least = folded ? 0 : wanted; grid_->columnMinimumWidth(1) != least) {
+            grid_->setColumnMinimumWidth(1, least);
+        }
+    }
+
+    QGridLayout* grid_;
+    QLabel* name_;
+    QWidget* field_;
+    bool folded_ = false;
+};
+
 }  // namespace
+
+int widthFor(const QWidget* field) {
+    const auto* box = qobject_cast<const QComboBox*>(field);
+    if (box == nullptr) {
+        return field->sizeHint().width();
+    }
+    const QFontMetrics metrics = box->fontMetrics();
+    QSize longest(0, metrics.height());
+    for (int i = 0; i < box->count(); ++i) {
+        longest.setWidth(std::max(longest.width(), metrics.horizontalAdvance(box->itemText(i))));
+    }
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    return box->style()->sizeFromContents(QStyle::CT_ComboBox, &option, longest, box).width();
+}
 
 QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -178,9 +290,8 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     grid_->setHorizontalSpacing(Theme::space);
     grid_->setVerticalSpacing(Theme::gap);
     grid_->setColumnStretch(0, 1);
-    grid_->setColumnMinimumWidth(1, Theme::withText(84));
-    grid_->setColumnMinimumWidth(
-        2, Theme::withText(40));  // the widest unit, so that all sections line up
+    grid_->setColumnMinimumWidth(1, Theme::withText(numberColumn));
+    grid_->setColumnMinimumWidth(2, Theme::withText(unitColumn));
     column->addLayout(grid_);
 }
 
@@ -205,10 +316,14 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         spoken += QStringLiteral(", ") + unit;
     }
     field->setAccessibleName(spoken);
-    grid_->addWidget(name, row_, 0);
-    if (unit.isEmpty()) {
+    const bool isNumber = qobject_cast<NumberField*>(field) != nullptr;
+    if (unit.isEmpty() && !isNumber) {
+        grid_->addWidget(new NamedRow(name, field, this), row_, 0, 1, 3);
+    } else if (unit.isEmpty()) {
+        grid_->addWidget(name, row_, 0);
         grid_->addWidget(field, row_, 1, 1, 2);
     } else {
+        grid_->addWidget(name, row_, 0);
         // A field narrower than its column stands at its unit, under the fields of other sections.
         const bool narrow = field->maximumWidth() < QWIDGETSIZE_MAX;
         grid_->addWidget(field, row_, 1, narrow ? Qt::AlignRight : Qt::Alignment());

@@ -26,6 +26,9 @@ class TroubleLine : public QLabel {
     QList<EntryField*> fields_;
 };
 
+/// The width in which a choice shows the longest of its entries; of other fields what they hint.
+int widthFor(const QWidget* field);
+
 /// A cell of a grid or of a list: lines and columns name it, not a label of its own.
 void makeCell(QWidget* field);
 

@@ -24,6 +24,10 @@ int leastWidth(const QWidget* widget) {
                              : 0;
 }
 
+int leastHeight(const QWidget* widget) {
+    return std::max(widget->minimumHeight(), widget->minimumSizeHint().height());
+}
+
 }  // namespace
 
 PageColumns::PageColumns(const Parts& parts, QWidget* parent)
@@ -157,9 +161,20 @@ bool FoldingRow::isFolded() const {
     return row_->direction() == QBoxLayout::TopToBottom;
 }
 
+int FoldingRow::neededUnfolded() const {
+    if (unfoldedFrom_ > 0) {
+        return Theme::withText(unfoldedFrom_);
+    }
+    int width = (row_->count() - 1) * row_->spacing();
+    for (int i = 0; i < row_->count(); ++i) {
+        width += row_->itemAt(i)->sizeHint().width();
+    }
+    return width;
+}
+
 void FoldingRow::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool folded = event->size().width() < Theme::withText(unfoldedFrom_);
+    const bool folded = event->size().width() < neededUnfolded();
     if (folded != isFolded()) {
         row_->setDirection(folded ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     }
@@ -171,6 +186,36 @@ QSize FoldingRow::minimumSizeHint() const {
         width = std::max(width, row_->itemAt(i)->minimumSize().width());
     }
     return {width, row_->minimumSize().height()};
+}
+
+FittedTabs::FittedTabs(QWidget* parent) : QTabWidget(parent) {
+    connect(this, &QTabWidget::currentChanged, this, &QWidget::updateGeometry);
+}
+
+int FittedTabs::barHeight() const {
+    int highest = 0;
+    for (int i = 0; i < count(); ++i) {
+        highest = std::max(highest, leastHeight(widget(i)));
+    }
+    return QTabWidget::minimumSizeHint().height() - highest;
+}
+
+QSize FittedTabs::minimumSizeHint() const {
+    const QSize all = QTabWidget::minimumSizeHint();
+    return count() == 0 ? all : QSize(all.width(), barHeight() + leastHeight(currentWidget()));
+}
+
+bool FittedTabs::hasHeightForWidth() const {
+    const QLayout* front = count() == 0 ? nullptr : currentWidget()->layout();
+    return front != nullptr && front->hasHeightForWidth();
+}
+
+int FittedTabs::heightForWidth(int width) const {
+    if (!hasHeightForWidth()) {
+        return -1;
+    }
+    const int room = std::min(width, currentWidget()->maximumWidth());
+    return barHeight() + currentWidget()->layout()->minimumHeightForWidth(room);
 }
 
 void FittedTabs::resizeEvent(QResizeEvent* event) {

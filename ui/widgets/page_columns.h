@@ -63,7 +63,9 @@ class FoldingRow : public QWidget {
     Q_OBJECT
 
   public:
-    /// @param unfoldedFrom  the width that all need beside each other, designed pixels
+    /// @param unfoldedFrom  the width that all need beside each other, designed pixels; 0: what
+    /// they
+    ///                      hint
     explicit FoldingRow(int unfoldedFrom, QWidget* parent = nullptr);
 
     void add(QWidget* widget, int share = 1);
@@ -74,16 +76,24 @@ class FoldingRow : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    int neededUnfolded() const;
+
     QBoxLayout* row_;
     int unfoldedFrom_;
 };
 
-/// Tabs of a page whose titles get smaller where they have no room, before they are shortened.
+/// Tabs of a page whose titles get smaller where they have no room, before they are shortened. They
+/// need the height of what is in front: another tab may scroll with the page around them, rather
+/// than by itself in it.
 class FittedTabs : public QTabWidget {
     Q_OBJECT
 
   public:
-    using QTabWidget::QTabWidget;
+    explicit FittedTabs(QWidget* parent = nullptr);
+
+    QSize minimumSizeHint() const override;
+    bool hasHeightForWidth() const override;
+    int heightForWidth(int width) const override;
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -91,6 +101,8 @@ class FittedTabs : public QTabWidget {
 
   private:
     void fit();
+    /// Of the tabs without what is in them.
+    int barHeight() const;
 };
 
 /// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the

@@ -118,6 +118,10 @@ int ValueSlider::widthInOneRow() const {
     return wide(label_) + Theme::withText(leastSlider) + wide(box_) + 2 * Theme::space;
 }
 
+QSize ValueSlider::sizeHint() const {
+    return {widthInOneRow(), grid_->sizeHint().height()};
+}
+
 QSize ValueSlider::minimumSizeHint() const {
     const int inTwo =
         std::max(label_->minimumSizeHint().width() + Theme::space + box_->minimumSizeHint().width(),

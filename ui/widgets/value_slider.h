@@ -42,6 +42,7 @@ class ValueSlider : public QWidget {
     void setModel(SceneModel* model);
     /// Gives the label this width, so that the sliders of a column stand in line.
     void setLabelWidth(int width);
+    QSize sizeHint() const override;  ///< in one row
     QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
