@@ -59,7 +59,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
 
     auto* bar = new Panel(this);
     auto* barColumn = new QVBoxLayout(bar);
-    barColumn->setContentsMargins(Theme::margin, 0, 0, 0);
+    barColumn->setContentsMargins(0, 0, 0, 0);
     auto* barRow = new FoldingRow(pairWidth, bar);
     barRow->add(buildSliders());
     barRow->add(buildForm());
@@ -90,6 +90,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     charts_ = charts;
 
     auto* panel = new Panel(this);
+    words_ = panel;
     auto* row = new QHBoxLayout(panel);
     row->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     answer_ = new QLabel(panel);
@@ -127,7 +128,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
 QWidget* SpeedView::buildSliders() {
     auto* sliders = new QWidget(this);
     auto* column = new QVBoxLayout(sliders);
-    column->setContentsMargins(0, Theme::margin, 0, Theme::margin);
+    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     column->setSpacing(Theme::gap);
     speed_ = new ValueSlider(tr("Speed &n"), 300.0, 9000.0, 10.0, 100.0, 0, tr("min⁻¹"), sliders);
     speed_->setHint(tr("Speed of the engine; the inertia torque of a computed torque follows it."));
@@ -209,6 +210,7 @@ void SpeedView::showStudy() {
     goLeastBad_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRefused());
+    showWordsFirst(study_->isRefused());
     if (!study_->isSolved()) {
         for (const int curve : {rangeAngle_, rmsAngle_}) {
             angles_->setCurve(curve, {}, {});
@@ -241,6 +243,14 @@ void SpeedView::showStudy() {
     const Broken& line = criterion_->currentIndex() == 0 ? range : rms;
     map_->setCurve(bestLine_, line.angle, line.speed);
     showMap();
+}
+
+void SpeedView::showWordsFirst(bool first) {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    if (const int place = first ? 0 : 2; column->indexOf(words_) != place) {
+        column->removeWidget(words_);
+        column->insertWidget(place, words_);
+    }
 }
 
 void SpeedView::showMap() {

@@ -37,6 +37,8 @@ class SpeedView : public QWidget {
     void showInput();
     void showStudy();
     void showMap();
+    /// Why there is nothing to show stands over what it would be set by.
+    void showWordsFirst(bool first);
 
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
@@ -47,6 +49,7 @@ class SpeedView : public QWidget {
     QString mapTitle_;  ///< of an empty map
     QPushButton* goLeastBad_;
     QLabel* answer_;
+    QWidget* words_;
     QWidget* charts_;
     PlotView* angles_;
     SpeedMapPlot* map_;
