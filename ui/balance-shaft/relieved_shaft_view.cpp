@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
-#include <QScrollArea>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -211,7 +210,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
     column->addWidget(upper, 3);
-    upper->add(buildForm(model), 2);
+    upper->add(buildForm(model), 1);
 
     auto* answerPanel = new Panel(this);
     auto* answerColumn = new QVBoxLayout(answerPanel);
@@ -225,9 +224,11 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     table_->setTips(RelievedShaftModel::tips());
     table_->setShownRows(9);
     answerColumn->addWidget(table_, 1);
-    upper->add(answerPanel, 3);
+    upper->add(answerPanel, 1);
 
     drawing_ = new RelievedShaftDrawing(this);
+    constexpr int leastDrawing = 150;
+    drawing_->setMinimumHeight(Theme::withText(leastDrawing));
     column->addWidget(drawing_, 1);
 
     connect(model, &SceneModel::changed, this, &RelievedShaftView::refresh);
@@ -279,9 +280,7 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
         form->number((std::string("/relieved_shaft/") + limit).c_str());
     }
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
-    QScrollArea* area = scrolled(form, panel);
-    area->setMinimumHeight(120);
-    column->addWidget(area, 1);
+    column->addWidget(form, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
     export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
     connect(export_, &QPushButton::clicked, this, &RelievedShaftView::chooseFile);

@@ -23,6 +23,7 @@
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -65,7 +66,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
 
     auto* body = new QHBoxLayout;
     body->setSpacing(Theme::space);
-    tabs_ = new QTabWidget(this);
+    tabs_ = new FittedTabs(this);
     tabs_->setDocumentMode(true);
     auto* front = new QWidget(tabs_);
     front->setObjectName(QStringLiteral("front"));
@@ -163,7 +164,7 @@ QWidget* ShaftMapView::buildBar() {
 }
 
 QWidget* ShaftMapView::buildLimits() {
-    auto* form = new Form(model_);
+    auto* form = new Form(model_, tabs_);
     FormSection* section = form->section(tr("Limits on the shaft's axis"));
     for (const char* place :
          {"/place_limits/centre_distance_min_mm", "/place_limits/centre_distance_max_mm",
@@ -179,9 +180,8 @@ QWidget* ShaftMapView::buildLimits() {
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
     constexpr int enough = 340;  // no field stands far from its name
     form->setMaximumWidth(Theme::withText(enough));
-    QScrollArea* limits = scrolled(form, tabs_);
-    limits->setObjectName(QStringLiteral("limits"));
-    return limits;
+    form->setObjectName(QStringLiteral("limits"));
+    return form;
 }
 
 void ShaftMapView::buildCharts() {

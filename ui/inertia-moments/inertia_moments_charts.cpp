@@ -15,7 +15,6 @@
 #include "inertia-moments/shaft_view.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -84,7 +83,15 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
 }
 
 int InertiaMomentsCharts::heightOfBoth() const {
-    return orders_->minimumSizeHint().height() + Theme::space + tabs_->minimumSizeHint().height();
+    // Whichever tab is in front: no other one takes the orders away.
+    int highest = 0;
+    for (int i = 0; i < tabs_->count(); ++i) {
+        if (tabs_->widget(i) != orders_) {
+            highest = std::max(highest, tabs_->widget(i)->minimumSizeHint().height());
+        }
+    }
+    return orders_->minimumSizeHint().height() + Theme::space +
+           tabs_->tabBar()->sizeHint().height() + highest;
 }
 
 QSize InertiaMomentsCharts::minimumSizeHint() const {
@@ -235,13 +242,11 @@ void InertiaMomentsCharts::addRoll() {
 }
 
 void InertiaMomentsCharts::addCourses() {
-    auto* pair = new QWidget(tabs_);
-    auto* column = new QVBoxLayout(pair);
-    column->setContentsMargins(0, Theme::gap, 0, 0);
-    column->setSpacing(Theme::space);
+    auto* pair = new FoldingRow(hodographPair, tabs_);
+    pair->setContentsMargins(0, Theme::gap, 0, 0);
     for (const bool force : {true, false}) {
         auto* plot = new PlotView(force ? tr("Forces over φ") : tr("Moments over φ"), pair);
-        plot->setXAxis({force ? QString() : tr("φ, °"), 0.0, cycleDegrees, true});
+        plot->setXAxis({tr("φ, °"), 0.0, cycleDegrees, true});
         plot->setYAxis(PlotView::Side::Left, {force ? tr("F, N") : tr("M, N·m")});
         const auto add = [plot](const QString& name, int colour, double width,
                                 const QString& toolTip) {
@@ -264,12 +269,10 @@ void InertiaMomentsCharts::addCourses() {
             add(tr("Mz left"), 7, 2.2, left);
         }
         connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
-        column->addWidget(plot, 1);
+        pair->add(plot);
         courses_[force ? 0 : 1] = plot;
     }
-    PlotView::stack({courses_.begin(), courses_.end()});
-    // Two plots: they scroll rather than take the room of what stands above.
-    tabs_->setTabToolTip(tabs_->addTab(scrolled(pair, tabs_), tr("Over φ")),
+    tabs_->setTabToolTip(tabs_->addTab(pair, tr("Over φ")),
                          tr("Forces and moments of all orders over two turns"));
 }
 
