@@ -19,13 +19,19 @@ struct CsvFormat {
         return QString::number(value, 'g', 17).replace(QLatin1Char('.'), point);
     }
 
-    /// Text or a number as it is shown: the true minus becomes the one that spreadsheets know.
-    QString field(QString text) const {
+    /// The true minus of a number becomes the one that spreadsheets know.
+    static QString plainMinus(QString text) {
         if (text.size() > 1 && text.front() == QChar(0x2212) && text[1].isDigit()) {
             text[0] = QLatin1Char('-');
         }
         static const QRegularExpression exponent(QStringLiteral("^(-?[0-9.,]+e)\u2212([0-9]+)$"));
         text.replace(exponent, QStringLiteral("\\1-\\2"));
+        return text;
+    }
+
+    /// Text or a number as it is shown.
+    QString field(const QString& shown) const {
+        QString text = plainMinus(shown);
         if (text.contains(separator) || text.contains(QLatin1Char('"'))) {
             text.replace(QLatin1Char('"'), QLatin1String("\"\""));
             return QLatin1Char('"') + text + QLatin1Char('"');

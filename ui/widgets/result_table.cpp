@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
+#include <QtMath>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "text/number_text.h"
 #include "theme/text_width.h"
 #include "theme/theme.h"
+#include "widgets/wrapped_header.h"
 
 namespace ravnoves {
 
@@ -29,7 +31,8 @@ constexpr int differenceRole = Qt::UserRole + 1;
 constexpr int spreadRole = Qt::UserRole + 2;
 /// Of a cell: why its ± fails, as its tip ends.
 constexpr int failsRole = Qt::UserRole + 3;
-constexpr int cellPadding = 9;
+constexpr int usualPadding = 9;
+constexpr int leastPadding = 7;
 
 int plainRowHeight() {
     return Theme::withText(20);
@@ -56,11 +59,29 @@ QStringList besideOf(const QVariant& difference, const QVariant& spread) {
     return parts;
 }
 
-/// So many digits that two of the larger side say something.
-QString spreadText(const ResultTable::Spread& spread) {
+/// Digits behind the point; many where a power of ten follows.
+int decimalsOf(const QString& number) {
+    if (number.contains(QLatin1Char('e')) || number.contains(QChar(0x00B7))) {
+        return 9;
+    }
+    const qsizetype point = number.indexOf(QLocale().decimalPoint());
+    qsizetype end = point + 1;
+    while (point >= 0 && end < number.size() && number.at(end).isDigit()) {
+        ++end;
+    }
+    return point < 0 ? 0 : static_cast<int>(end - point - 1);
+}
+
+/// So many digits that two of the larger side say something, beside this number.
+QString spreadText(const ResultTable::Spread& spread, const QString& number) {
     const double most = std::max(spread.below, spread.above);
     const double least = std::min(spread.below, spread.above);
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+    const int wanted = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+    const int decimals = std::min(wanted, decimalsOf(number) + 1);
+    if (most < 0.5 * std::pow(10.0, -decimals)) {
+        // Far less than the number's last digit.
+        return QStringLiteral("± 0") + (spread.fails.isEmpty() ? QString() : QStringLiteral("⚠"));
+    }
     const auto shown = [&](double size) {
         return most < 1e-9 || most >= 1e9 ? formNumber(size, QLocale(), 2)
                                           : fixedDecimals(size, decimals, QLocale());
@@ -115,7 +136,7 @@ class DifferenceDelegate final : public QStyledItemDelegate {
             cell.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
         const int side =
             static_cast<int>((cell.displayAlignment & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
-        QRect line = cell.rect.adjusted(4, 0, -4, 0);
+        QRect line = cell.rect.adjusted(3, 0, -3, 0);
         line.setHeight(plainRowHeight());
         painter->save();
         painter->setFont(cell.font);
@@ -138,9 +159,14 @@ class DifferenceDelegate final : public QStyledItemDelegate {
 
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
+ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new WrappedHeader(this)) {
     static int made = 0;
     number_ = ++made;
+    setHorizontalHeader(header_);
+    connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
+    setToolTip(
+        tr("Ctrl+C copies the selected cells, or the whole table if no more than one is "
+           "selected."));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::ContiguousSelection);
     setAlternatingRowColors(true);
@@ -152,8 +178,6 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(plainRowHeight());
     verticalHeader()->setMinimumSectionSize(Theme::withText(18));
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setTextElideMode(Qt::ElideRight);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // until it is needed
@@ -242,7 +266,8 @@ void ResultTable::showSpreads() {
         for (int column = 0; column < columns_; ++column) {
             const Spread* spread =
                 spreads.empty() ? nullptr : spreads[static_cast<std::size_t>(column)];
-            const QString text = spread != nullptr ? spreadText(*spread) : QString();
+            const QString text =
+                spread != nullptr ? spreadText(*spread, item(row, column)->text()) : QString();
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
                 continue;
@@ -314,7 +339,7 @@ int ResultTable::widthOf(int row, int column, Place place) const {
     if (cell == nullptr) {
         return 0;
     }
-    int width = qRound(textWidth(font(), cell->text()));
+    int width = qCeil(textWidth(font(), cell->text()));
     if (place != Place::Columns) {
         const QStringList parts = besideAt(row, column);
         const QFontMetrics small(differenceFont());
@@ -322,18 +347,30 @@ int ResultTable::widthOf(int row, int column, Place place) const {
             width = std::max(width, small.horizontalAdvance(part));
         }
     }
-    return width + cellPadding;
+    return width + padding();
+}
+
+int ResultTable::headingWidth(int column) const {
+    return header_->widthOf(horizontalHeaderItem(column)->text(), wraps_) + padding();
+}
+
+int ResultTable::padding() const {
+    return wraps_ ? leastPadding : usualPadding;
 }
 
 int ResultTable::roomFor(Place place) const {
-    const int differenceColumns =
-        Theme::withText((compared_.isEmpty() ? 0 : 120) + (spread_.isEmpty() ? 0 : 60));
-    int sum = place == Place::Columns ? differenceColumns : 0;
+    int sum = 0;
+    if (place == Place::Columns) {
+        sum = Theme::withText(compared_.isEmpty() ? 0 : 120);
+        int spread = spread_.isEmpty() ? 0 : Theme::withText(40);
+        for (int row = 0; row < rowCount() && !spread_.isEmpty(); ++row) {
+            const QString text = spreadAt(row, spread_.front());
+            spread = std::max(spread, qCeil(textWidth(font(), text)) + padding());
+        }
+        sum += spread;
+    }
     for (int column = 0; column < columns_; ++column) {
-        int width = column > 0 ? QFontMetrics(horizontalHeader()->font())
-                                         .horizontalAdvance(horizontalHeaderItem(column)->text()) +
-                                     cellPadding
-                               : 0;
+        int width = column > 0 ? headingWidth(column) : 0;
         for (int row = 0; row < rowCount(); ++row) {
             width = std::max(width, widthOf(row, column, place));
         }
@@ -475,22 +512,48 @@ int leastOfWords(const QTableWidget& table, int column) {
 
 }  // namespace
 
-void ResultTable::fitColumns() {
-    const QFontMetrics headings(horizontalHeader()->font());
-    QList<std::pair<int, int>> needed;  // column, width
-    int sum = 0;
-    for (int column = 0; column < columnCount(); ++column) {
+QList<std::pair<int, int>> ResultTable::neededWidths() const {
+    QList<std::pair<int, int>> needed;
+    for (int column = 1; column < columnCount(); ++column) {
         if (stretched_.contains(column)) {
-            sum += isOver_ ? leastOfWords(*this, column) : 0;
-        } else if (column > 0) {
-            int width =
-                headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + cellPadding;
-            for (int row = 0; row < rowCount(); ++row) {
-                width = std::max(width, widthOf(row, column, place_));
-            }
-            needed << std::pair(column, width);
-            sum += width;
+            continue;
         }
+        int width = headingWidth(column);
+        for (int row = 0; row < rowCount(); ++row) {
+            width = std::max(width, widthOf(row, column, place_));
+        }
+        needed << std::pair(column, width);
+    }
+    return needed;
+}
+
+void ResultTable::wrapHeadings() {
+    // At one width they only ever get a second line, so that they rest while a slider moves.
+    const int room = viewport()->width();
+    if (std::exchange(wrapsAt_, room) == room && wraps_ && !header_->isHidden()) {
+        return;
+    }
+    const bool was = std::exchange(wraps_, false);
+    int wanted = 0;
+    for (const auto& [column, width] : neededWidths()) {
+        wanted += width;
+    }
+    for (const int column : stretched_) {
+        wanted += column == 0 ? widestText(*this, column, room / 2) : leastOfWords(*this, column);
+    }
+    wraps_ = wanted > room && !header_->isHidden();
+    fitted_ = fitted_ && wraps_ == was;
+}
+
+void ResultTable::fitColumns() {
+    wrapHeadings();
+    const QList<std::pair<int, int>> needed = neededWidths();
+    int sum = 0;
+    for (const int column : stretched_) {
+        sum += isOver_ ? leastOfWords(*this, column) : 0;
+    }
+    for (const auto& [column, width] : needed) {
+        sum += width;
     }
     // Columns only ever grow, so that they rest while a slider moves; but for a value that was too
     // large once, as a slip of the keys makes it, they do not scroll for ever.
@@ -503,6 +566,7 @@ void ResultTable::fitColumns() {
     }
     fitted_ = true;
     fitStretched();
+    header_->fitLines();
 }
 
 void ResultTable::stretchColumn(int column) {
@@ -532,8 +596,19 @@ void ResultTable::fitStretched() {
         updateGeometry();
     }
     if (over && !least.isEmpty()) {
-        // What scrolls anyway has room for names that begin alike.
+        // What scrolls anyway has room for names that begin alike. They take what is left beside
+        // the columns that are seen whole.
         least.first() = std::max(least.first(), widestText(*this, 0, 2 * viewport()->width() / 5));
+        int left = viewport()->width() - least.first();
+        for (int column = 1; column < columnCount(); ++column) {
+            const qsizetype at = stretched_.indexOf(column);
+            const int width = at >= 0 ? least[at] : columnWidth(column);
+            if (width > left) {
+                break;
+            }
+            left -= width;
+        }
+        least.first() += std::max(0, left);
     }
     for (int i = 0; over && i < stretched_.size(); ++i) {
         if (columnWidth(stretched_[i]) != least[i]) {
@@ -547,7 +622,7 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
     if (reference_ != nullptr || !spreads_.empty()) {
         placeBeside();
     } else {
-        fitStretched();
+        fitColumns();
     }
 }
 
@@ -644,7 +719,7 @@ void ResultTable::setCellToolTip(int row, int column, const QString& text) {
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const CsvFormat csv;
     const auto written = [&](const QString& text) {
-        return separator == QLatin1Char('\t') ? text : csv.field(text);
+        return separator == QLatin1Char('\t') ? csv.plainMinus(text) : csv.field(text);
     };
     // In the whole table, what stands below its numbers gets columns behind them.
     const auto isBelow = [&](const QList<int>& columns, int column) {
@@ -695,9 +770,12 @@ QString ResultTable::asCsv() const {
     return joined(CsvFormat().separator, false);
 }
 
+bool ResultTable::hasSelection() const {
+    return selectedItems().size() > 1;  // one is the cell that the last click or arrow went to
+}
+
 void ResultTable::copySelection() {
-    const bool some = !selectedItems().isEmpty();
-    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), some));
+    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), hasSelection()));
 }
 
 void ResultTable::paintEvent(QPaintEvent* event) {
@@ -719,7 +797,8 @@ void ResultTable::keyPressEvent(QKeyEvent* event) {
 
 void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    menu.addAction(tr("Copy selection"), this, &ResultTable::copySelection);
+    menu.addAction(tr("Copy selection"), this, &ResultTable::copySelection)
+        ->setEnabled(hasSelection());
     menu.addAction(tr("Copy table as text"), this,
                    [this] { QApplication::clipboard()->setText(asText()); });
     menu.addAction(tr("Copy table as CSV"), this,

@@ -4,14 +4,18 @@
 #include <QStringList>
 #include <QTableWidget>
 #include <QVector>
+#include <utility>
 #include <vector>
 
 #include "text/result_tips.h"
 
 namespace ravnoves {
 
+class WrappedHeader;
+
 /// A read-only table of results whose selection, or whole, is copied as text (tabs, for a
-/// spreadsheet) or CSV.
+/// spreadsheet) or CSV. Where it has too little room its headings go on a second line, then it
+/// scrolls from one whole column to the next.
 class ResultTable : public QTableWidget {
     Q_OBJECT
 
@@ -82,8 +86,15 @@ class ResultTable : public QTableWidget {
     enum class Place { Columns, Line, Lines };
 
     QString joined(QChar separator, bool selectionOnly) const;
+    bool hasSelection() const;
     void copySelection();
     void fitColumns();
+    /// What the columns of numbers need: column, width.
+    QList<std::pair<int, int>> neededWidths() const;
+    /// Wraps the headings where they do not fit beside the names.
+    void wrapHeadings();
+    int headingWidth(int column) const;
+    int padding() const;
     /// Words never give way to numbers altogether: the table scrolls sideways instead.
     void fitStretched();
     void showDifferences();
@@ -101,6 +112,9 @@ class ResultTable : public QTableWidget {
     void showTips();
     QString tipOf(const QString& name) const;
 
+    WrappedHeader* header_;
+    bool wraps_ = false;  ///< headings, at the width `wrapsAt_`
+    int wrapsAt_ = -1;
     QList<int> stretched_{0};
     bool isOver_ = false;  ///< wider than its room
     int shownRows_ = 0;    ///< 0: all

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
 #include <QHeaderView>
 
 #include "events.h"
@@ -90,6 +91,64 @@ TEST_F(ResultTableTest, EveryCellSaysWhatItIs) {
         EXPECT_TRUE(tip.contains(u"reference A"_s)) << tip.toStdString();
         EXPECT_EQ(table.item(0, column)->toolTip(), tip);
     }
+}
+
+TEST(NarrowResultTable, HeadingsGoOnASecondLineBeforeItScrolls) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"without shaft, N·m"_s, u"with shaft, N·m"_s});
+    table.setRows({{u"Largest moment"_s, u"1208.0"_s, u"1082.4"_s}});
+    test::showAt(table, {600, 120});
+    const int oneLine = table.horizontalHeader()->height();
+    test::showAt(table, {310, 120});
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+    EXPECT_GT(table.horizontalHeader()->height(), oneLine);
+    test::showAt(table, {600, 120});
+    EXPECT_EQ(table.horizontalHeader()->height(), oneLine);
+}
+
+TEST(NarrowResultTable, ScrollsFromWholeColumnsToWholeColumns) {
+    ResultTable table;
+    table.setColumns({u"Order"_s, u"amplitude"_s, u"backwards"_s, u"remaining"_s, u"forwards"_s});
+    table.setRows({{u"1 F"_s, u"1208.00000"_s, u"1082.40000"_s, u"1"_s, u"123456789"_s}});
+    test::showAt(table, {290, 120});
+    ASSERT_GT(table.horizontalHeader()->length(), table.viewport()->width());
+    bool endsAtAColumn = false;
+    for (int column = 0; column < table.columnCount(); ++column) {
+        const int end = table.columnViewportPosition(column) + table.columnWidth(column);
+        endsAtAColumn = endsAtAColumn || end == table.viewport()->width();
+    }
+    EXPECT_TRUE(endsAtAColumn);
+}
+
+TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"Value"_s, u"Unit"_s});
+    table.setRows({{u"Force"_s, u"−1.5"_s, u"N"_s}, {u"Moment"_s, u"2"_s, u"N·m"_s}});
+    test::showAt(table, {400, 120});
+    const auto copied = [&] {
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+        return QApplication::clipboard()->text();
+    };
+    const QString whole = u"Quantity\tValue\tUnit\nForce\t-1.5\tN\nMoment\t2\tN·m\n"_s;
+    EXPECT_EQ(copied(), whole);
+    table.setCurrentCell(0, 1);
+    EXPECT_EQ(copied(), whole);
+    table.setRangeSelected({0, 1, 1, 1}, true);
+    EXPECT_EQ(copied(), u"-1.5\n2\n"_s);
+}
+
+TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"Value"_s});
+    table.setRows({{u"Force"_s, u"0.145"_s}});
+    const auto shown = [&](double half) {
+        table.setSpreads({{0, 1, u"Force"_s, half, half}});
+        return table.spreadAt(0, 1);
+    };
+    EXPECT_EQ(shown(0.0123), u"± 0.012"_s);
+    EXPECT_EQ(shown(0.00123), u"± 0.0012"_s);
+    EXPECT_EQ(shown(0.000123), u"± 0.0001"_s);
+    EXPECT_EQ(shown(0.0000123), u"± 0"_s);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QHeaderView>
+#include <QStringList>
+
+namespace ravnoves {
+
+/// Headings of columns that go on a second line where their column is narrower than they are.
+class WrappedHeader : public QHeaderView {
+    Q_OBJECT
+
+  public:
+    explicit WrappedHeader(QWidget* parent = nullptr);
+
+    /// The width of a heading: of its longest word, or of all of it.
+    int widthOf(const QString& heading, bool wraps) const;
+    /// Takes the height that the headings need now.
+    void fitLines();
+    QSize sizeHint() const override;
+
+  protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override;
+
+  private:
+    QStringList linesOf(int section) const;
+
+    int lines_ = 1;  ///< that its place has room for
+};
+
+}  // namespace ravnoves
