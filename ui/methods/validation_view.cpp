@@ -11,9 +11,15 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <QtMath>
+#include <algorithm>
+#include <numeric>
+#include <span>
 
 #include "methods/model/method_words.h"
+#include "text/csv_format.h"
 #include "theme/icons.h"
+#include "theme/text_width.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"
@@ -93,7 +99,6 @@ QWidget* ValidationView::buildTable() {
     table_->setFrameShape(QFrame::NoFrame);
     table_->setFont(Theme::font(Theme::baseSize - 1));
     table_->setTabKeyNavigation(false);
-    table_->setWordWrap(false);
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(Theme::withText(20));
     table_->verticalHeader()->setMinimumSectionSize(Theme::withText(18));
@@ -101,12 +106,8 @@ QWidget* ValidationView::buildTable() {
     headings->setHighlightSections(false);
     headings->setFont(Theme::font(Theme::smallSize + 1, true));
     headings->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    // Fixed widths: measuring hundreds of rows would cost more than a frame.
-    const QList<int> widths{104, 132, 0, 50, 66, 78, 86, 116};
-    for (int i = 0; i < widths.size(); ++i) {
-        table_->setColumnWidth(i, Theme::withText(widths[i]));
-    }
     table_->installEventFilter(this);
+    table_->viewport()->installEventFilter(this);  // a scroll bar takes of its width
     inside->addWidget(table_, 1);
     reason_ = captionLabel({}, panel);
     reason_->setObjectName(QStringLiteral("reason"));
@@ -161,10 +162,9 @@ QWidget* ValidationView::buildFilters() {
     });
     for (QComboBox* box : {papers_, verdicts_}) {
         constexpr int letters = 5;
-        constexpr int most = 220;
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(letters);
-        box->setMaximumWidth(Theme::withText(most));
+        box->setMaximumWidth(widthFor(box));
     }
     const auto addLabelled = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, holder);
@@ -182,6 +182,8 @@ QWidget* ValidationView::buildFilters() {
 
 void ValidationView::showReport() {
     counts_->setText(model_->countsText());
+    measure();
+    fitColumns();
     showReason();
 }
 
@@ -192,20 +194,68 @@ void ValidationView::showReason() {
                            : tr("Choose a row to read why it has its verdict."));
 }
 
-void ValidationView::fitQuantity() {
-    // It takes what the others leave, or the table scrolls.
-    int others = 0;
-    for (int i = 0; i < ValidationModel::Columns; ++i) {
-        others += i == ValidationModel::Quantity ? 0 : table_->columnWidth(i);
+void ValidationView::measure() {
+    constexpr int padding = 12;
+    const QFontMetrics headings = table_->horizontalHeader()->fontMetrics();
+    for (int column = 0; column < ValidationModel::Columns; ++column) {
+        const QString heading = model_->headerData(column, Qt::Horizontal).toString();
+        int& wanted = wanted_[static_cast<std::size_t>(column)];
+        wanted = headings.horizontalAdvance(heading) + padding;
+        for (int row = 0; row < model_->rowCount(); ++row) {
+            const QString text = model_->index(row, column).data().toString();
+            wanted = std::max(wanted, qCeil(textWidth(table_->font(), text)) + padding);
+        }
     }
-    constexpr int least = 150;
-    table_->setColumnWidth(ValidationModel::Quantity,
-                           std::max(Theme::withText(least), table_->viewport()->width() - others));
+}
+
+void ValidationView::fitColumns() {
+    auto widths = wanted_;
+    const auto words = std::span(widths).first(ValidationModel::Unit);
+    int over = table_->viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
+    if (over > 0) {
+        for (int& width : words) {  // no number goes far from what it is of
+            width += over / static_cast<int>(words.size());
+        }
+    }
+    // The widest gives way first; where none can, the table scrolls.
+    const int least = Theme::withText(90);
+    for (; over < 0; ++over) {
+        const auto widest = std::max_element(words.begin(), words.end());
+        if (*widest <= least) {
+            break;
+        }
+        --*widest;
+    }
+    for (int column = 0; column < ValidationModel::Columns; ++column) {
+        table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
+    }
+    fitRows();
+}
+
+void ValidationView::fitRows() {
+    constexpr int padding = 8;
+    const QFontMetrics metrics(table_->font());
+    QHeaderView* rows = table_->verticalHeader();
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        int height = rows->defaultSectionSize();
+        for (int column = 0; column < ValidationModel::Unit; ++column) {
+            const QString text = model_->index(row, column).data().toString();
+            const int room = table_->columnWidth(column) - padding;
+            if (textWidth(table_->font(), text) > room) {
+                const QRect lines = metrics.boundingRect(QRect(0, 0, room, QWIDGETSIZE_MAX),
+                                                         Qt::TextWordWrap, text);
+                height = std::max(height, lines.height() + Theme::gap);
+            }
+        }
+        if (rows->sectionSize(row) != height) {
+            rows->resizeSection(row, height);
+        }
+    }
 }
 
 bool ValidationView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == table_ && (event->type() == QEvent::Resize || event->type() == QEvent::Show)) {
-        QMetaObject::invokeMethod(this, &ValidationView::fitQuantity, Qt::QueuedConnection);
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) {
+        QMetaObject::invokeMethod(this, &ValidationView::fitColumns, Qt::QueuedConnection);
     }
     if (watched == table_ && event->type() == QEvent::KeyPress &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
@@ -220,7 +270,7 @@ void ValidationView::copySelection() {
     for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
         for (int column = 0; column < ValidationModel::Columns; ++column) {
             text += column == 0 ? QString() : QStringLiteral("\t");
-            text += row.siblingAtColumn(column).data().toString();
+            text += CsvFormat::plainMinus(row.siblingAtColumn(column).data().toString());
         }
         text += QLatin1Char('\n');
     }

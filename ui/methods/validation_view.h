@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "methods/model/validation_model.h"
 
@@ -37,7 +38,11 @@ class ValidationView : public QWidget {
     void copySelection();
     void showReport();
     void showReason();
-    void fitQuantity();
+    /// What the columns would need; measured once for the rows shown.
+    void measure();
+    /// Shares the width: what is too long for it goes on a second line.
+    void fitColumns();
+    void fitRows();
 
     ValidationModel* model_;
     QComboBox* papers_ = nullptr;
@@ -45,6 +50,7 @@ class ValidationView : public QWidget {
     QLabel* counts_ = nullptr;
     QTableView* table_ = nullptr;
     QLabel* reason_ = nullptr;
+    std::array<int, ValidationModel::Columns> wanted_{};
 };
 
 }  // namespace ravnoves

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
+#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QProgressBar>
@@ -308,6 +309,19 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     const auto& report = *view->viewModel()->report();
     const int all = static_cast<int>(report.rows.size());
     EXPECT_EQ(view->table()->model()->rowCount(), all);
+    // What is too long for its column goes on: no column is cut, none is out of sight.
+    const QTableView& table = *view->table();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return table.horizontalHeader()->length() <= table.viewport()->width(); },
+        test::patience));
+    for (int row = 0; row < all; ++row) {
+        const QModelIndex place = table.model()->index(row, ValidationModel::Place);
+        const QRect cell(0, 0, table.columnWidth(place.column()) - 8, QWIDGETSIZE_MAX);
+        const QFontMetrics metrics(table.font());
+        EXPECT_GE(table.rowHeight(row),
+                  metrics.boundingRect(cell, Qt::TextWordWrap, place.data().toString()).height())
+            << place.data().toString().toStdString();
+    }
     const QString counts = find<QLabel>("counts")->text();
     EXPECT_TRUE(counts.contains(QString::number(all))) << counts.toStdString();
     EXPECT_TRUE(counts.contains(

@@ -5,6 +5,7 @@
 
 #include "methods/model/method_words.h"
 #include "plot/model/ticks.h"
+#include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -15,6 +16,11 @@ using methods::ValidationRow;
 using methods::Verdict;
 
 namespace {
+
+QVariant alignment(int column) {
+    const bool number = column >= ValidationModel::Printed && column <= ValidationModel::Difference;
+    return QVariant((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+}
 
 /// A number of the report with the locale's decimal sign and a true minus.
 QString shownNumber(const std::string& text) {
@@ -85,6 +91,9 @@ int ValidationModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant ValidationModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) {
+        return alignment(section);
+    }
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
         return {};
     }
@@ -120,10 +129,8 @@ QVariant ValidationModel::data(const QModelIndex& index, int role) const {
             return cell(row, index.column());
         case Qt::ToolTipRole:
             return cell(row, index.column()) + QLatin1Char('\n') + methodText(row.reason);
-        case Qt::TextAlignmentRole: {
-            const bool number = index.column() >= Printed && index.column() <= Difference;
-            return QVariant((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        }
+        case Qt::TextAlignmentRole:
+            return alignment(index.column());
         default:
             return {};
     }
@@ -159,8 +166,10 @@ QString ValidationModel::asText() const {
     for (int row = -1; row < rowCount(); ++row) {
         for (int column = 0; column < Columns; ++column) {
             text += column == 0 ? QString() : QStringLiteral("\t");
-            text += row < 0 ? headerData(column, Qt::Horizontal).toString()
-                            : cell(*rows_[static_cast<std::size_t>(row)], column);
+            text +=
+                row < 0
+                    ? headerData(column, Qt::Horizontal).toString()
+                    : CsvFormat::plainMinus(cell(*rows_[static_cast<std::size_t>(row)], column));
         }
         text += QLatin1Char('\n');
     }
