@@ -262,7 +262,12 @@ void WorkshopPage::showEvent(QShowEvent* event) {
 
 void WorkshopPage::openJournal() {
     journalTried_ = true;
-    desk()->openJournal();
+    if (!desk()->openJournal()) {
+        connect(
+            desk(), &JobDesk::journalOpened, this,
+            [this] { banner_->offer(desk()->crashedDrafts()); },
+            static_cast<Qt::ConnectionType>(Qt::AutoConnection | Qt::SingleShotConnection));
+    }
     banner_->offer(desk()->crashedDrafts());
 }
 

@@ -1,6 +1,9 @@
 // Another program holds the journal while somebody works on the page.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -149,6 +152,59 @@ TEST_F(HeldJournal, WhoQuitsDoesNotWaitForEver) {
     save();
     ASSERT_TRUE(isSaved());
     EXPECT_EQ(desk().journal()->search({}).size(), 1);
+}
+
+/// Another program that opens the journal and does not come to an end with it.
+class HeldOpening {
+  public:
+    explicit HeldOpening(const QString& path)
+        : handle_(::open(qPrintable(path + u".opening"_s), O_RDWR | O_CREAT, 0644)) {
+        EXPECT_EQ(::flock(handle_, LOCK_EX), 0);
+    }
+    ~HeldOpening() { letGo(); }
+    void letGo() {
+        if (handle_ >= 0) {
+            ::close(std::exchange(handle_, -1));
+        }
+    }
+
+  private:
+    int handle_;
+};
+
+TEST(HeldJournalsOpening, GoesOnInAThreadAndIsTold) {
+    const QTemporaryDir folder;
+    const QString path = QDir(folder.path()).filePath(u"journal.sqlite"_s);
+    HeldOpening other(path);
+    V8PlugsModel model(path, nullptr);
+    JobDesk& desk = *model.desk();
+    QElapsedTimer clock;
+    clock.start();
+    EXPECT_FALSE(desk.openJournal());
+    EXPECT_TRUE(desk.journalTrouble().contains(u"Another program is busy"_s))
+        << desk.journalTrouble().toStdString();
+    EXPECT_FALSE(desk.openJournal());
+    model.edit(u"number"_s, [](v8_plugs::Input& input) { input.job.engine_number = "7"; });
+    EXPECT_LT(clock.elapsed(), 2000);  // ms; it waited for fifteen seconds before
+    other.letGo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return desk.isOpen(); }, 20'000));
+    EXPECT_EQ(desk.journalTrouble(), QString());
+    bool isSaved = false;
+    desk.saveJob(&isSaved);
+    EXPECT_TRUE(isSaved);
+}
+
+TEST(HeldJournalsOpening, KeepsNobodyWhoQuits) {
+    const QTemporaryDir folder;
+    const QString path = QDir(folder.path()).filePath(u"journal.sqlite"_s);
+    const HeldOpening other(path);
+    QElapsedTimer clock;
+    {
+        V8PlugsModel model(path, nullptr);
+        EXPECT_FALSE(model.desk()->openJournal());
+        clock.start();
+    }
+    EXPECT_LT(clock.elapsed(), 2000);
 }
 
 }  // namespace

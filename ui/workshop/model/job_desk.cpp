@@ -19,6 +19,7 @@ namespace {
 
 constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
 // Where another program holds the journal, ms:
+constexpr int openPatience = 100;   // of the opening, which then goes on in a thread
 constexpr int callPatience = 1000;  // of what the window waits for, which then says so
 constexpr int savePatience = 100;   // before the window goes on without the job being saved
 constexpr int endPatience = 2000;   // of what is not written yet when the program ends
@@ -78,7 +79,7 @@ JobDesk::~JobDesk() {
     if ((draftKept_ || draftUnderWay_) && isOpen()) {
         writer_->discardDraft(journal_->session());
     }
-    if (writer_) {
+    if (writer_ && !opening_) {
         writer_->wait(endPatience);
     }
 }
@@ -110,14 +111,44 @@ bool JobDesk::openJournal() {
         connect(journal_.get(), &Journal::reopened, this, sayReopened);
         connect(writer_.get(), &JournalWriter::reopened, this, sayReopened);
     }
-    if (!journal_->open()) {
-        setJournalTrouble(journal_->lastError());
-        return false;
+    if (opening_) {
+        return false;  // journalTrouble() says why
     }
+    journal_->setPatience(openPatience);
+    if (journal_->open()) {
+        takeJournal(journal_->openMessage());
+    } else if (journal_->wasBusy()) {
+        openLater();
+    } else {
+        setJournalTrouble(journal_->lastError());
+    }
+    return isOpen();
+}
+
+void JobDesk::takeJournal(const QString& message) {
     journal_->setPatience(callPatience);
-    setJournalTrouble(journal_->openMessage());
+    setJournalTrouble(message);
+    if (draftStale_) {
+        draftTimer_.start();
+    }
     Q_EMIT journalOpened();
-    return true;
+}
+
+/// The writer's thread waits for it.
+void JobDesk::openLater() {
+    opening_ = true;
+    setJournalTrouble(
+        tr("Another program is busy with the journal. It is opened as soon as that is over."));
+    writer_->open([this](bool isThere, bool isBusy, const QString& said) {
+        opening_ = false;
+        if (isThere && journal_->open()) {
+            takeJournal(said.isEmpty() ? journal_->openMessage() : said);
+        } else if (isThere ? journal_->wasBusy() : isBusy) {
+            openLater();
+        } else {
+            setJournalTrouble(isThere ? journal_->lastError() : said);
+        }
+    });
 }
 
 void JobDesk::putJobId(qint64 id, int revision) {
@@ -378,11 +409,9 @@ void JobDesk::keepDraft() {
 }
 
 void JobDesk::flushDraft() {
-    if (writer_) {
+    if (writer_ && isOpen()) {
         writer_->wait(endPatience);  // an older one may be under way
-    }
-    keepDraft();
-    if (writer_) {
+        keepDraft();
         writer_->wait(endPatience);
     }
 }

@@ -37,7 +37,8 @@ class JobDesk : public QObject {
     JobDesk(SceneModel* model, const QString& journalPath, Scene scene);
     ~JobDesk() override;
 
-    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
+    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble(),
+    /// or not yet: another program is busy with it, and journalOpened() follows when that is over.
     bool openJournal();
     Journal* journal() { return journal_.get(); }
     /// A job is being saved, or a call waits for another program.
@@ -112,6 +113,8 @@ class JobDesk : public QObject {
 
   private:
     static QString numbersOf(const JournalJob& job);
+    void takeJournal(const QString& message);
+    void openLater();
     void putJobId(qint64 id, int revision);
     void takeSaved(const JournalJob& job, bool isOnSheet);
     QString savedText(Journal::Saved saved, const JournalJob& job) const;
@@ -134,7 +137,8 @@ class JobDesk : public QObject {
     bool draftUnderWay_ = false;
     bool isJournaled_ = false;
     bool saving_ = false;
-    int sheet_ = 0;  // counts the jobs that came onto the sheet
+    bool opening_ = false;  // the journal, as soon as another program lets go of it
+    int sheet_ = 0;         // counts the jobs that came onto the sheet
     bool isFollowing_ = false;
 };
 

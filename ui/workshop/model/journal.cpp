@@ -125,6 +125,7 @@ bool Journal::runText(const QString& sql, const QString& what) {
     if (execute(query, [&] { return query.exec(sql); })) {
         return true;
     }
+    busy_ = journal_rows::saysBusy(query.lastError());
     return fail(what, query.lastError().text());
 }
 

@@ -41,22 +41,22 @@ class Gate {
     Gate(const Gate&) = delete;
     Gate& operator=(const Gate&) = delete;
 
-    /// @return false where another program still holds it after `patience` ms, or there is no file
-    bool pass(int patience, const std::function<void()>& pause) const {
-        QDeadlineTimer deadline(patience);
+    enum class Passed { Yes, Busy, No };
+    /// Waits while `goOn` says so. @return Busy where another program still holds it then, No where
+    /// there is no file
+    Passed pass(const std::function<bool()>& goOn) const {
         while (handle_ >= 0) {
             if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
-                return true;
+                return Passed::Yes;
             }
             if (errno != EWOULDBLOCK && errno != EINTR) {
-                return false;
+                return Passed::No;
             }
-            if (deadline.hasExpired()) {
-                return false;
+            if (!goOn()) {
+                return Passed::Busy;
             }
-            pause();
         }
-        return false;
+        return Passed::No;
     }
 
   private:
@@ -76,9 +76,17 @@ bool Journal::open() {
     }
     // One program at a time looks whether the file is whole, so that two cannot set it aside.
     const Gate gate(path_ + QStringLiteral(".opening"));
-    const bool isThrough = gate.pass(patience_, [this] { pause(); });
+    const QDeadlineTimer deadline(patience_);
+    const Gate::Passed passed = gate.pass([&] {
+        const bool goesOn = !deadline.hasExpired() && !(giveUp_ != nullptr && *giveUp_);
+        if (goesOn) {
+            pause();
+        }
+        return goesOn;
+    });
     waiting_ = false;
-    if (!isThrough) {
+    busy_ = passed == Gate::Passed::Busy;
+    if (passed != Gate::Passed::Yes) {
         return fail(tr("The journal %1 cannot be opened: its folder cannot be written, or another "
                        "program is busy with it.")
                         .arg(path_),
@@ -184,7 +192,9 @@ bool Journal::prepareSchema() {
     int version = -1;
     {
         QSqlQuery query(database());
-        if (!query.exec(QStringLiteral("PRAGMA user_version")) || !query.next()) {
+        if (!execute(query, [&] { return query.exec(QStringLiteral("PRAGMA user_version")); }) ||
+            !query.next()) {
+            busy_ = journal_rows::saysBusy(query.lastError());
             return fail(cannot, query.lastError().text());
         }
         version = query.value(0).toInt();

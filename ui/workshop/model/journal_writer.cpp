@@ -38,6 +38,23 @@ Journal& JournalWriter::opened() {
     return *journal_;
 }
 
+void JournalWriter::open(OpenTold told) {
+    worker_.begin([this, told = std::move(told)]() -> WorkerThread::Telling {
+        bool isOpen = false;
+        bool isBusy = false;
+        QString said;
+        try {
+            const Journal& journal = opened();
+            isOpen = journal.isOpen();
+            isBusy = journal.wasBusy();
+            said = isOpen ? journal.openMessage() : journal.lastError();
+        } catch (...) {
+            said = errorText(std::current_exception());
+        }
+        return [told, isOpen, isBusy, said] { told(isOpen, isBusy, said); };
+    });
+}
+
 void JournalWriter::saveJob(const JournalJob& job, bool endsDraft, JobTold told) {
     worker_.begin([this, job, endsDraft, told = std::move(told)]() -> WorkerThread::Telling {
         JournalJob written = job;

@@ -31,6 +31,10 @@ class JournalWriter : public QObject {
     /// What was begun comes to its end, but for what another program keeps waiting.
     ~JournalWriter() override;
 
+    /// Opens its own journal and waits for that as long as Journal does; where it is open, another
+    /// Journal is so at once. `said`: why not, or what happened to the file.
+    using OpenTold = std::function<void(bool isOpen, bool isBusy, const QString& said)>;
+    void open(OpenTold told);
     /// @param endsDraft  the session's draft has done its work once the job is saved
     void saveJob(const JournalJob& job, bool endsDraft, JobTold told);
     void saveDraft(const JournalDraft& draft, DraftTold told);
