@@ -1,5 +1,6 @@
 #include "model/background_job.h"
 
+#include <QCoreApplication>
 #include <exception>
 #include <utility>
 
@@ -80,6 +81,10 @@ void BackgroundJob::launch() {
 void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {
     const bool whole = !stopped;
     stop_.reset();
+    if (isLetGo_) {
+        deleteLater();
+        return;
+    }
     if (whole && apply) {
         apply();
     }
@@ -104,6 +109,16 @@ void BackgroundJob::cancel() {
         *stop_ = true;
     }
     setRunning(false);
+}
+
+void BackgroundJob::letGo(std::unique_ptr<BackgroundJob> job) {
+    job->disconnect();
+    job->cancel();
+    if (job->stop_) {
+        job->isLetGo_ = true;
+        job->setParent(QCoreApplication::instance());
+        job.release();  // NOLINT(bugprone-unused-return-value): its own, or the program's
+    }
 }
 
 void BackgroundJob::setRunning(bool running) {

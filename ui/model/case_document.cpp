@@ -13,7 +13,9 @@
 #include "case-file/text_file.h"
 #include "case-file/text_size.h"
 #include "model/case_sources.h"
+#include "model/enough_memory.h"
 #include "model/open_case.h"
+#include "model/run_beside.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
@@ -176,11 +178,22 @@ void CaseDocument::setPath(const QString& path, const QByteArray& known) {
 }
 
 CaseFile CaseDocument::read(const QString& path, QByteArray* digest) {
-    const std::string text = read_text_file(fsPath(path));
-    if (digest != nullptr) {
-        *digest = FileOnDisk::digestOf(text);
-    }
-    return parse_case(text);
+    CaseFile file;
+    const auto read = [&] {
+        const std::string text = read_text_file(fsPath(path));
+        if (digest != nullptr) {
+            *digest = FileOnDisk::digestOf(text);
+        }
+        file = parse_case(text);
+    };
+    return withinMemory([&] {
+        if (QFileInfo(path).size() > static_cast<qint64>(longestReadAtOnce)) {
+            runBeside(read);
+        } else {
+            read();
+        }
+        return std::move(file);
+    });
 }
 
 void CaseDocument::open(const CaseFile& file, const QString& path, const QByteArray& known) {
@@ -205,8 +218,11 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 }
 
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
-    model_->loadFile(file, context, isExample(file));
-    *rest_ = file;
+    withinMemory([&] {
+        auto rest = std::make_unique<CaseFile>(file);
+        model_->loadFile(file, context, isExample(file));
+        rest_ = std::move(rest);
+    });
     sources_.clear();  // they were read just now
     watchSources();
     Q_EMIT model_->broughtIn();
@@ -308,6 +324,9 @@ void CaseDocument::checkReadable(const std::string& text) {
 }
 
 QString CaseDocument::saveTo(const QString& path) {
+    if (model_->isSolving()) {
+        return path + QStringLiteral(": ") + SceneModel::solvingText();
+    }
     model_->keepTyped();
     std::string text;
     try {
@@ -315,8 +334,10 @@ QString CaseDocument::saveTo(const QString& path) {
         if (there.exists() && !there.isFile() && !there.isDir()) {
             throw InputError("", not_a_file);
         }
-        text = asText(path);
-        checkReadable(text);
+        withinMemory([&] {
+            text = asText(path);
+            checkReadable(text);
+        });
         write_text_file(fsPath(path), text);
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);

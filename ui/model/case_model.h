@@ -2,12 +2,16 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "case-file/input_error.h"
+#include "model/background_job.h"
+#include "model/enough_memory.h"
 #include "model/input_command.h"
 #include "model/scene_model.h"
 #include "numerics/demand.h"
@@ -32,15 +36,35 @@ namespace ravnoves {
 ///     // where not all of an input makes it another engine:
 ///     bool isSameEngine(const Input&, const Input&) const;
 ///     Solved solve(const Input&) const;  // throws InputError for an input that is refused
+///     // where an input may be so large that the window would stand still while it is solved:
+///     static std::size_t size(const Input&);        // what the time grows with, for example rows
+///     static constexpr std::size_t largestAtOnce;   // the largest that is solved at once
+///     static bool isLong(const Json&, const CaseContext&);  // to read
+///     static void check(const Input&);              // refuses what solve() would, at once
+///     void took(const Solved&) const;               // solved perhaps by a copy of the scene
 ///
-/// A change is solved once, when it is made, and again only when the history comes back to it.
+/// An input is solved once, when it comes, and again only when the history comes back to it. A
+/// large input is solved in a thread: a change is awaited (isSolving()), while what is loaded,
+/// undone or redone is waited for and the window lives on without keys and mouse.
 template <typename Scene>
 class CaseModel : public SceneModel {
   public:
     using Input = typename Scene::Input;
     using Solved = typename Scene::Solved;
 
+    ~CaseModel() override {
+        if (job_) {
+            BackgroundJob::letGo(std::move(job_));
+        }
+    }
+
     const Input& input() const { return input_; }
+
+    /// Another limit than the scene's, for tests.
+    void setLargestAtOnce(std::size_t size) { largestAtOnce_ = size; }
+    bool isSolving() const override { return !awaited_.empty(); }
+    void stopSolving() override;
+    bool isLarge() const override { return isLarge(input_); }
 
     /// Changes the input by `mutate` as one step of the history, in an editing as part of its step.
     /// @param title  the case's from now on; none: it stays
@@ -57,8 +81,10 @@ class CaseModel : public SceneModel {
 
     bool isTyped() const override { return typed_.has_value(); }
     bool takeBack() override {
+        const bool isDropped =
+            !awaited_.empty() && awaited_.back().editing == editingNumber() && dropAwaited();
         if (!typed_) {
-            return false;
+            return isDropped;
         }
         restore(State(typed_->before));
         sayRefused({});
@@ -133,7 +159,7 @@ class CaseModel : public SceneModel {
         : SceneModel(parent),
           scene_(std::move(scene)),
           input_(scene_.defaultInput()),
-          solved_(solve(input_)),
+          solved_(solveIn(scene_, input_)),
           named_(defaultName()) {
         setTitle(scene_.defaultTitle());
     }
@@ -168,12 +194,13 @@ class CaseModel : public SceneModel {
     }
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
+        forgetAwaited();
         typed_.reset();
         setVariants({});
         setStudy({});
         history()->clear();
         finishDrag();
-        apply(input);
+        apply(Input(input), solve(input));
     }
     /// True in an editing: the change of this name that follows is part of it, and settle() comes
     /// after it. Anything else that changes meanwhile is a step of its own.
@@ -221,14 +248,53 @@ class CaseModel : public SceneModel {
         State before;
     };
 
-    Input readInput(const Json& json, const Json& kept, const CaseContext& context) const;
-    Solved solve(const Input& input) const {
+    /// A change that is being solved.
+    struct Awaited {
+        QString name;
+        Input input;
+        std::optional<QString> title;  ///< that it gives the case
+        int step;                      ///< as push() takes it
+        int editing;                   ///< number of the editing that it is part of; 0: none
+    };
+
+    Input readInput(const Json& json, const Json& kept, const CaseContext& context);
+    static Solved solveIn(const Scene& scene, const Input& input) {
         clear_vector_state();  // painting may have left it in use
-        try {
-            return scene_.solve(input);
-        } catch (const std::bad_alloc&) {
-            throw InputError("/input", CORE_TEXT("core", "needs more memory than there is"));
+        return withinMemory([&] { return scene.solve(input); });
+    }
+    /// Now; a large input in a thread that is waited for.
+    Solved solve(const Input& input) {
+        if (!isLarge(input)) {
+            return solveIn(scene_, input);
         }
+        const Waiting waiting(this);
+        return solveBeside(scene_, input);
+    }
+    static Solved solveBeside(const Scene& scene, const Input& input);
+    bool isLarge(const Input& input) const {
+        if constexpr (requires { Scene::size(input); }) {
+            return Scene::size(input) > largestAtOnce_;
+        } else {
+            return false;
+        }
+    }
+    static constexpr std::size_t usualLargest() {
+        if constexpr (requires { Scene::largestAtOnce; }) {
+            return Scene::largestAtOnce;
+        } else {
+            return std::numeric_limits<std::size_t>::max();
+        }
+    }
+    QString await(const QString& name, const Input& input, const QString& title, bool merges);
+    void solveAwaited();
+    void takeAwaited(Solved&& solved);
+    void refuseAwaited(const InputError& error);
+    bool dropAwaited() override;
+    bool prepareStep(const QUndoCommand* step, bool isUndo) override;
+    void forgetAwaited();
+    void tellSolving() {
+        Q_EMIT solvingChanged();
+        Q_EMIT historyChanged();
     }
     State state() const {
         return {input_, title(), notes(), named_, context().directory, variantState(), study()};
@@ -255,8 +321,25 @@ class CaseModel : public SceneModel {
     }
     QString change(const QString& name, const std::function<void(Input&)>& mutate,
                    const QString& title, bool merges) {
+        try {
+            return withinMemory([&] { return changeTo(name, mutate, title, merges); });
+        } catch (const InputError& error) {
+            prepared_.reset();
+            QString why = explain(error);
+            sayRefused(why);
+            return why;
+        }
+    }
+    QString changeTo(const QString& name, const std::function<void(Input&)>& mutate,
+                     const QString& title, bool merges) {
         State next = state();
+        if (isSolving()) {
+            next.input = awaited_.back().input;
+        }
         mutate(next.input);
+        if (isSolving() || isLarge(next.input)) {
+            return await(name, next.input, title, merges);
+        }
         if (!title.isEmpty()) {
             next.title = title;
             next.named = nameOf(title, next.input);
@@ -266,13 +349,7 @@ class CaseModel : public SceneModel {
         if (next.input == input_ && next.title == this->title()) {
             return {};
         }
-        try {
-            prepared_ = solve(next.input);
-        } catch (const InputError& error) {
-            QString why = explain(error);
-            sayRefused(why);
-            return why;
-        }
+        prepared_ = solve(next.input);
         if (joinEditing(name)) {
             take(next);
             settle();
@@ -282,9 +359,12 @@ class CaseModel : public SceneModel {
         return {};
     }
     void load(const QString& name, State next) {
-        auto solved = solve(next.input);  // throws before anything changes
-        keepTyped();
-        prepared_ = std::move(solved);
+        withinMemory([&] {
+            auto solved = solve(next.input);  // throws before anything changes
+            forgetAwaited();
+            keepTyped();
+            prepared_ = std::move(solved);
+        });
         aboutToLoad();
         if (next.input == input_ && next.title == title() && next.notes == notes() &&
             next.variants == variantState() && next.study == study()) {
@@ -309,18 +389,24 @@ class CaseModel : public SceneModel {
         take(state);
     }
     void take(const State& state) {
+        Input input = state.input;  // what may fail comes before anything changes
+        Solved solved = prepared_         ? *std::exchange(prepared_, std::nullopt)
+                        : input == input_ ? std::move(solved_)
+                                          : solve(input);
         setContext({state.directory});
         named_ = state.named;
         setNotes(state.notes);
         setTitle(state.title);
         setVariants(state.variants);
         setStudy(state.study);
-        apply(state.input);
+        apply(std::move(input), std::move(solved));
     }
-    void apply(const Input& input) {
-        solved_ = prepared_ ? std::move(*prepared_) : solve(input);
-        prepared_.reset();
-        input_ = input;
+    void apply(Input&& input, Solved&& solved) {
+        solved_ = std::move(solved);
+        input_ = std::move(input);
+        if constexpr (requires { scene_.took(solved_); }) {
+            scene_.took(solved_);
+        }
         sayRefused({});
         Q_EMIT changed();
         taken();
@@ -332,6 +418,9 @@ class CaseModel : public SceneModel {
     std::shared_ptr<const Named> named_;  ///< none: the title is the user's
     std::optional<Solved> prepared_;      ///< of the change that is being made
     std::optional<Typed> typed_;
+    std::vector<Awaited> awaited_;  ///< each builds on the one before
+    std::unique_ptr<BackgroundJob> job_;
+    std::size_t largestAtOnce_ = usualLargest();
     bool isApplied_ = false;  ///< what the step that is pushed changes holds already
 };
 

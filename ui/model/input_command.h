@@ -24,6 +24,8 @@ class InputCommand : public QUndoCommand {
     void undo() override { apply_(before_); }
     void redo() override { apply_(after_); }
     int id() const override { return 1; }
+    const Input& before() const { return before_; }
+    const Input& after() const { return after_; }
 
     bool mergeWith(const QUndoCommand* other) override {
         // Ids are equal, but another scene's stack never holds this one's commands.

@@ -1,5 +1,7 @@
 #include "model/scene_model.h"
 
+#include <utility>
+
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -16,6 +18,7 @@ SceneModel::SceneModel(QObject* parent) : QObject(parent) {
 void SceneModel::beginEditing() {
     endEditing();
     editing_ = true;
+    ++editings_;
 }
 
 void SceneModel::endEditing(bool isRefused) {
@@ -26,15 +29,41 @@ void SceneModel::endEditing(bool isRefused) {
     }
 }
 
+QString SceneModel::solvingText() {
+    return tr("The last change is still being solved. Wait for that, or cancel it.");
+}
+
+SceneModel::Waiting::Waiting(SceneModel* model)
+    : model_(model), before_(std::exchange(model->waiting_, true)) {
+    Q_EMIT model->solvingChanged();
+}
+
+SceneModel::Waiting::~Waiting() {
+    model_->waiting_ = before_;
+    Q_EMIT model_->solvingChanged();
+}
+
 void SceneModel::undo() {
+    if (dropAwaited()) {
+        return;
+    }
     keepTyped();
+    if (history_.canUndo() && !prepareStep(history_.command(history_.index() - 1), true)) {
+        return;
+    }
     history_.undo();
     finishDrag();
     Q_EMIT broughtIn();
 }
 
 void SceneModel::redo() {
+    if (isSolving()) {
+        return;
+    }
     keepTyped();
+    if (history_.canRedo() && !prepareStep(history_.command(history_.index()), false)) {
+        return;
+    }
     history_.redo();
     finishDrag();
     Q_EMIT broughtIn();

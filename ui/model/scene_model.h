@@ -139,9 +139,24 @@ class SceneModel : public QObject {
     /// Puts into the history what was typed so far: it is to be saved, or something else changes.
     virtual void keepTyped() {}
     /// True for changes since the last saving, also of an editing that has not ended.
-    bool hasChanges() const { return isTyped() || !history_.isClean(); }
+    bool hasChanges() const { return isTyped() || isSolving() || !history_.isClean(); }
+    /// Takes back first what is still being solved. Where a state cannot be solved again (memory),
+    /// all stays as it is, and notSolved() says why.
     void undo();
     void redo();
+
+    // A change whose solution takes long is solved in a thread. Until then input and result are
+    // those of before, and together; further changes build on what is awaited, the latest counts.
+    /// True while a change is awaited.
+    virtual bool isSolving() const { return false; }
+    /// True for an input that is too large to be solved or written at once.
+    virtual bool isLarge() const { return false; }
+    /// Gives the awaited changes up.
+    virtual void stopSolving() {}
+    /// True while what is loaded, undone or redone is solved: the caller waits for it.
+    bool isWaiting() const { return waiting_; }
+    /// Why nothing can be written or kept while isSolving(), as a sentence.
+    static QString solvingText();
 
   Q_SIGNALS:
     /// Input and result are new.
@@ -151,6 +166,10 @@ class SceneModel : public QObject {
     void historyChanged();
     /// A change was refused; empty when that is over.
     void refused(const QString& why);
+    /// isSolving() or isWaiting() is another.
+    void solvingChanged();
+    /// What was awaited, or was to be undone or redone, is refused.
+    void notSolved(const QString& why);
     /// The variants, or which of them is the reference.
     void variantsChanged();
     void studyChanged();
@@ -184,8 +203,14 @@ class SceneModel : public QObject {
         }
         return step_;
     }
+    /// Drops the latest awaited change. @return false where there is none
+    virtual bool dropAwaited() { return false; }
+    /// Solves what a step of the history brings back, before it does. @return false where it cannot
+    virtual bool prepareStep(const QUndoCommand* /*step*/, bool /*isUndo*/) { return true; }
     /// Something else than the editing changes the input: what is typed after it are steps as any.
     void leaveEditing() { editing_ = false; }
+    /// Of the editing that goes on; 0: none.
+    int editingNumber() const { return editing_ ? editings_ : 0; }
     /// Says why a change is refused; with nothing, that it no longer matters.
     void sayRefused(const QString& why);
     // For setViewOption().
@@ -201,6 +226,18 @@ class SceneModel : public QObject {
     /// Of an engine that was a preset or an example, and is not any more.
     static QString changedTitle(const QString& title) { return tr("%1 (changed)").arg(title); }
     void setNotes(const QString& notes) { notes_ = notes; }
+    /// While it lives, isWaiting().
+    class Waiting {
+      public:
+        explicit Waiting(SceneModel* model);
+        ~Waiting();
+        Waiting(const Waiting&) = delete;
+        Waiting& operator=(const Waiting&) = delete;
+
+      private:
+        SceneModel* model_;
+        bool before_;
+    };
 
   private:
     QString title_;
@@ -210,7 +247,9 @@ class SceneModel : public QObject {
     int step_ = 0;
     QString lastName_;
     bool editing_ = false;
+    int editings_ = 0;
     bool saidRefused_ = false;
+    bool waiting_ = false;
     CaseContext context_;
     QUndoStack history_;
 };

@@ -21,6 +21,7 @@
 #include "shell/disk_notice.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
+#include "shell/solving_notice.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/message_text.h"
@@ -196,6 +197,8 @@ void Documents::makeNotice() {
         }
     });
     connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
+    solving_ = new SolvingNotice(this);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(2, solving_);
 }
 
 void Documents::renewPages() {
@@ -210,6 +213,7 @@ void Documents::renewPages() {
     }
     tabs_->setAccessibleName(tr("Open cases"));
     delete notice_;
+    delete solving_;
     makeNotice();
     if (current_ == nullptr) {
         return;
@@ -466,6 +470,7 @@ QStringList Documents::paths() const {
 void Documents::showNotice() {
     if (current_ != nullptr) {
         notice_->showFor(current_->document);
+        solving_->follow(current_->document->model());
     }
 }
 

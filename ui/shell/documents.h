@@ -15,6 +15,7 @@ class QTabBar;
 namespace ravnoves {
 
 class DiskNotice;
+class SolvingNotice;
 class Recovery;
 class ScenePage;
 struct RecoveredCase;
@@ -150,6 +151,7 @@ class Documents : public QWidget {
     int ids_ = 0;
     int shows_ = 0;
     QTabBar* tabs_ = nullptr;
+    SolvingNotice* solving_ = nullptr;
     DiskNotice* notice_ = nullptr;
     QStackedWidget* stack_ = nullptr;
     Recovery* recovery_ = nullptr;

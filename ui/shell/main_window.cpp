@@ -691,9 +691,11 @@ void MainWindow::updateHistoryActions() {
     }
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
-    show(undo_, model.isTyped() || history.canUndo(), tr("&Undo"),
-         model.isTyped() ? QString() : history.undoText());
-    show(redo_, !model.isTyped() && history.canRedo(), tr("&Redo"), history.redoText());
+    // What is typed or still being solved is in no history yet; undo takes it back.
+    const bool isUnderWay = model.isTyped() || model.isSolving();
+    show(undo_, isUnderWay || history.canUndo(), tr("&Undo"),
+         isUnderWay ? QString() : history.undoText());
+    show(redo_, !isUnderWay && history.canRedo(), tr("&Redo"), history.redoText());
 }
 
 void MainWindow::updateSceneActions() {
@@ -758,6 +760,10 @@ void MainWindow::openWithDialog() {
 
 void MainWindow::exportPicture() {
     ScenePage* page = currentPage();
+    if (page->model()->isSolving()) {
+        QMessageBox::warning(this, tr("Save page as picture"), SceneModel::solvingText());
+        return;
+    }
     const auto draw = [page](QPainter& painter, double scale) {
         if (takesLines(painter)) {
             drawPage(painter, page);

@@ -15,6 +15,13 @@ QString said(const char* text) {
     return QCoreApplication::translate("ravnoves::RefusedEntries", text);
 }
 
+ScenePage* pageOf(QWidget* part) {
+    while (part != nullptr && qobject_cast<ScenePage*>(part) == nullptr) {
+        part = part->parentWidget();
+    }
+    return static_cast<ScenePage*>(part);
+}
+
 }  // namespace
 
 QList<EntryField*> entriesOfPage(const QWidget* part) {
@@ -36,6 +43,10 @@ QStringList refusedEntries(const QWidget* part) {
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {
+    if (ScenePage* page = pageOf(part); page != nullptr && page->model()->isSolving()) {
+        QMessageBox::warning(part->window(), title, SceneModel::solvingText());
+        return false;
+    }
     const QStringList refused = refusedEntries(part);
     if (refused.isEmpty()) {
         return true;

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QSignalSpy>
+#include <QTest>
+#include <memory>
+#include <mutex>
 
 #include "case-file/case_file.h"
+#include "model/case_document.h"
 #include "model/root_model.h"
 
 namespace ravnoves {
@@ -13,7 +18,7 @@ namespace {
 class CaseModelTest : public ::testing::Test {
   protected:
     /// How often the scene solved since the last time this was asked.
-    int solves() { return std::exchange(*scene.solves, 0); }
+    int solves() { return scene.solves->exchange(0); }
 
     test::RootScene scene;
     test::RootModel model{scene};
@@ -359,6 +364,198 @@ TEST_F(CaseModelTest, TitleAndNotesAreOneStepThatSolvesNothing) {
     EXPECT_EQ(model.notes(), QStringLiteral("Two\nlines"));
     model.loadDefault();
     EXPECT_EQ(model.notes(), QString());
+}
+
+TEST_F(CaseModelTest, WhereMemoryRunsOutAllStaysAsItWas) {
+    model.step("square", 9.0);
+    model.step("square", 16.0);
+    *scene.isFull = true;
+    QSignalSpy told(&model, &SceneModel::notSolved);
+    model.undo();
+    EXPECT_EQ(model.root(), 4.0);
+    EXPECT_EQ(model.history()->index(), 2);
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0][0].toString().contains(QStringLiteral("memory")));
+    *scene.isFull = false;
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    *scene.isFull = true;
+    model.redo();
+    EXPECT_EQ(model.root(), 3.0);
+    EXPECT_EQ(model.history()->index(), 1);
+    *scene.isFull = false;
+    const QString why = model.edit(QStringLiteral("square"), [](test::RootScene::Input& input) {
+        input.square = 25.0;
+        throw std::bad_alloc();
+    });
+    EXPECT_TRUE(why.contains(QStringLiteral("memory"))) << why.toStdString();
+    EXPECT_EQ(model.root(), 3.0);
+    model.redo();
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+/// Squares above a hundred are solved in a thread, when the test lets it.
+class LargeInput : public CaseModelTest {
+  protected:
+    LargeInput() { model.setLargestAtOnce(100); }
+
+    bool isSolved() {
+        gate.unlock();
+        const bool done = QTest::qWaitFor([this] { return !model.isSolving(); });
+        gate.lock();
+        return done;
+    }
+
+    std::unique_lock<std::mutex> gate{*scene.gate, std::defer_lock};
+};
+
+TEST_F(LargeInput, LeavesInputAndResultTogetherUntilItIsSolved) {
+    gate.lock();
+    EXPECT_EQ(model.step("square", 400.0), QString());
+    EXPECT_TRUE(model.isSolving());
+    EXPECT_TRUE(model.hasChanges());
+    EXPECT_EQ(model.input().square, 4.0);
+    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_EQ(model.history()->count(), 0);
+    EXPECT_EQ(changes.size(), 0);
+    ASSERT_TRUE(isSolved());
+    EXPECT_EQ(model.input().square, 400.0);
+    EXPECT_EQ(model.root(), 20.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Root of four (changed)"));
+    EXPECT_EQ(model.history()->count(), 1);
+    EXPECT_EQ(changes.size(), 1);
+    gate.unlock();
+    model.undo();
+    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_TRUE(model.history()->isClean());
+    model.redo();  // is waited for
+    EXPECT_EQ(model.root(), 20.0);
+}
+
+TEST_F(LargeInput, OfSeveralChangesTheLatestCounts) {
+    gate.lock();
+    model.step("square", 400.0);
+    model.step("another name", 900.0);
+    model.step("square", 1600.0);
+    model.editText(QStringLiteral("Mine"), {});
+    ASSERT_TRUE(isSolved());
+    EXPECT_EQ(model.root(), 40.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Mine"));
+    EXPECT_EQ(changes.size(), 2);  // the title's and this one
+    EXPECT_LE(solves(), 3);        // 900 was never solved
+    gate.unlock();
+    EXPECT_EQ(model.history()->count(), 4);  // but each is a step
+    model.undo();
+    EXPECT_EQ(model.root(), 30.0);
+    model.undo();
+    EXPECT_EQ(model.root(), 20.0);
+}
+
+TEST_F(LargeInput, ChangesOfADragAreOneStep) {
+    gate.lock();
+    model.set("square", 400.0);
+    model.set("square", 900.0);
+    ASSERT_TRUE(isSolved());
+    model.set("square", 1600.0);
+    ASSERT_TRUE(isSolved());
+    gate.unlock();
+    EXPECT_EQ(model.root(), 40.0);
+    EXPECT_EQ(model.history()->count(), 1);
+}
+
+TEST_F(LargeInput, WhatIsRefusedThenIsGivenUp) {
+    QSignalSpy told(&model, &SceneModel::notSolved);
+    gate.lock();
+    model.step("square", 400.0);
+    model.step("square", -900.0);
+    ASSERT_TRUE(isSolved());
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0][0].toString().contains(QStringLiteral("negative")));
+    EXPECT_EQ(model.root(), 20.0);  // the change before it holds
+    EXPECT_EQ(model.history()->count(), 1);
+}
+
+TEST_F(LargeInput, UndoAndCancelGiveItUp) {
+    gate.lock();
+    model.step("square", 400.0);
+    model.undo();
+    EXPECT_FALSE(model.isSolving());
+    model.step("square", 900.0);
+    model.step("square", 1600.0);
+    model.stopSolving();
+    EXPECT_FALSE(model.isSolving());
+    EXPECT_FALSE(model.hasChanges());
+    EXPECT_FALSE(model.history()->canUndo());
+    gate.unlock();
+    QTest::qWait(20);
+    EXPECT_EQ(model.root(), 2.0);
+    model.step("square", 2500.0);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !model.isSolving(); }));
+    EXPECT_EQ(model.root(), 50.0);
+}
+
+TEST_F(LargeInput, AnEditingIsOneStepAndEscapeTakesItBack) {
+    gate.lock();
+    model.beginEditing();
+    model.step("square", 400.0);
+    model.step("square", 4000.0);
+    EXPECT_TRUE(model.takeBack());
+    model.endEditing();
+    EXPECT_FALSE(model.isSolving());
+    model.beginEditing();
+    model.step("square", 400.0);
+    ASSERT_TRUE(isSolved());
+    EXPECT_TRUE(model.isTyped());
+    model.step("square", 900.0);
+    EXPECT_EQ(model.root(), 20.0);
+    ASSERT_TRUE(isSolved());
+    EXPECT_EQ(model.root(), 30.0);
+    EXPECT_EQ(model.history()->count(), 0);
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 1);
+    model.beginEditing();
+    model.step("square", 1600.0);
+    model.endEditing();
+    EXPECT_TRUE(model.isSolving());
+    ASSERT_TRUE(isSolved());
+    EXPECT_EQ(model.history()->count(), 2);
+    EXPECT_FALSE(model.isTyped());
+}
+
+TEST_F(LargeInput, WhatIsLoadedTakesThePlaceOfWhatIsAwaited) {
+    model.step("square", 400.0);
+    EXPECT_TRUE(model.isSolving());
+    EXPECT_THROW(model.loadInput({{"crank_radius_mm", -1.0}}, {}), InputError);
+    EXPECT_TRUE(model.isSolving());
+    model.loadInput({{"crank_radius_mm", 900.0}}, {});
+    EXPECT_FALSE(model.isSolving());
+    EXPECT_EQ(model.root(), 30.0);
+}
+
+TEST_F(LargeInput, IsNotWrittenBeforeItIsSolved) {
+    CaseDocument document(&model, {});
+    gate.lock();
+    model.step("square", 400.0);
+    EXPECT_TRUE(document.needsSaving());
+    const QString why = document.saveTo(QStringLiteral("/nowhere/file"));
+    EXPECT_TRUE(why.contains(QStringLiteral("still being solved"))) << why.toStdString();
+    model.keepVariant();
+    EXPECT_EQ(model.variants().size(), 0);
+    ASSERT_TRUE(isSolved());
+}
+
+TEST_F(LargeInput, KeepsNobodyWhoCloses) {
+    auto other = std::make_unique<test::RootModel>(scene);
+    other->setLargestAtOnce(100);
+    gate.lock();
+    other->step("square", 400.0);
+    other->step("square", 900.0);
+    other.reset();  // would wait for ever
+    gate.unlock();
+    const auto isOver = [] {
+        return QCoreApplication::instance()->findChildren<BackgroundJob*>().isEmpty();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isOver));
 }
 
 }  // namespace

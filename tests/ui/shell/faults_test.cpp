@@ -20,10 +20,12 @@
 #include <functional>
 #include <memory>
 
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "events.h"
 #include "model/case_document.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "workshop/model/job_desk.h"
@@ -242,6 +244,35 @@ TEST_F(Faults, WithoutAPrinterTheDialogsComeAndGo) {
         }
     }
     EXPECT_EQ(dialogs, 1);
+}
+
+TEST_F(Faults, WhatIsStillBeingSolvedIsSaidAndNotWritten) {
+    auto* model = qobject_cast<BalanceShaftModel*>(window->currentPage()->model());
+    ASSERT_NE(model, nullptr);
+    model->setLargestAtOnce(10);  // rows
+    const auto* notice = test::named<QWidget>(*window, "solving_notice");
+    EXPECT_FALSE(notice->isVisible());
+    const double before = model->input().crank_radius;
+    model->edit(u"r"_s, [](balance_shaft::Input& input) { input.crank_radius *= 1.01; });
+    // Nothing is delivered before events are.
+    ASSERT_TRUE(model->isSolving());
+    EXPECT_TRUE(notice->isVisible());
+    EXPECT_EQ(model->input().crank_radius, before);
+    EXPECT_TRUE(window->saveCase(file).contains(u"still being solved"_s));
+    QString said;
+    test::whenModal<QMessageBox>(window.get(), [&](QMessageBox* box) {
+        said = box->text();
+        box->reject();
+    });
+    EXPECT_FALSE(goOnWithoutRefused(window->currentPage(), u"Report"_s));
+    EXPECT_TRUE(said.contains(u"still being solved"_s)) << said.toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !model->isSolving(); }));
+    EXPECT_FALSE(notice->isVisible());
+    EXPECT_NE(model->input().crank_radius, before);
+    // What is refused is so at once, and in the words of any other input.
+    EXPECT_FALSE(model->editField("/crank_radius_mm", -1.0, u"r"_s).isEmpty());
+    EXPECT_FALSE(model->isSolving());
+    EXPECT_EQ(window->saveCase(file), QString());
 }
 
 }  // namespace

@@ -4,12 +4,15 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
 #include "model/case_model_json.h"
+#include "model/run_beside.h"
 #include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "text/error_text.h"
@@ -50,6 +53,23 @@ Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
 
 Json BalanceShaftScene::write(const Input& input) {
     return balance_shaft::write_input(input);
+}
+
+bool BalanceShaftScene::isLong(const Json& input, const CaseContext& context) {
+    const auto has = [&](const char* place, const auto& isSo) {
+        const Json::json_pointer at(place);
+        return input.is_object() && input.contains(at) && isSo(input.at(at));
+    };
+    const auto isMany = [](const Json& list) { return list.size() > largestAtOnce; };
+    const auto isLongFile = [&](const Json& name) {
+        std::error_code none;
+        return name.is_string() &&
+               std::filesystem::file_size(context.directory / name.get<std::string>(), none) >
+                   longestReadAtOnce &&
+               !none;
+    };
+    return has("/torque/torque_Nm", isMany) || has("/torque/csv", isLongFile) ||
+           has("/torque/pressure/csv", isLongFile);
 }
 
 void BalanceShaftScene::keep(Input& input, const Json& kept, const CaseContext& context) {
@@ -118,6 +138,9 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
 }
 
 QString BalanceShaftModel::tabulateTorque() {
+    if (isSolving()) {
+        return solvingText();  // it is made of the result
+    }
     return edit(tr("Torque table"), [this](Input& input) {
         balance_shaft::TorqueTable& table = input.torque.table;
         table.crank_angle_deg = result().curves.crank_angle_deg;
@@ -137,6 +160,9 @@ bool BalanceShaftModel::canRebuildTorque() const {
 }
 
 QString BalanceShaftModel::rebuildTorque() {
+    if (isSolving()) {
+        return solvingText();
+    }
     return edit(tr("Rebuild torque"), [this](Input& input) {
         input = balance_shaft::with_rebuilt_torque(input, result().inertia_check);
     });
@@ -145,7 +171,16 @@ QString BalanceShaftModel::rebuildTorque() {
 QString BalanceShaftModel::importPressureTrace(const QString& path, QString& described) {
     QString why;
     try {
-        const auto read = balance_shaft::parse_pressure_trace(read_text_file(fsPath(path)));
+        balance_shaft::ParsedPressureTrace read;
+        withinMemory([&] {
+            const std::string text = read_text_file(fsPath(path));
+            const auto parse = [&] { read = balance_shaft::parse_pressure_trace(text); };
+            if (text.size() > longestReadAtOnce) {
+                runBeside(parse);
+            } else {
+                parse();
+            }
+        });
         described = messageText(read.describe());
         why = edit(tr("Pressure trace"), [&](Input& input) {
             input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
@@ -232,6 +267,10 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
         return;
     }
     const QString name = tr("Move shaft");
+    if (isSolving()) {
+        drag(name, [radians](Input& input) { input.shaft_angle = radians; });
+        return;
+    }
     if (joinEditing(name)) {
         applyShaftAngle(radians);
         settle();

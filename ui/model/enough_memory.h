@@ -1,0 +1,23 @@
+#pragma once
+
+#include <new>
+
+#include "case-file/input_error.h"
+
+namespace ravnoves {
+
+inline InputError tooLittleMemory() {
+    return {"/input", CORE_TEXT("core", "needs more memory than there is")};
+}
+
+/// What the work returns. @throws InputError where it runs out of memory
+template <typename Work>
+auto withinMemory(const Work& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw tooLittleMemory();
+    }
+}
+
+}  // namespace ravnoves

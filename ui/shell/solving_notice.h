@@ -1,0 +1,31 @@
+#pragma once
+
+#include "widgets/panel.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ravnoves {
+
+class SceneModel;
+
+/// Over the page: that its results are not those of the last change, which is still being solved,
+/// or why that was refused. Hidden where they are.
+class SolvingNotice : public Panel {
+    Q_OBJECT
+
+  public:
+    explicit SolvingNotice(QWidget* parent = nullptr);
+
+    /// Follows the model that is seen; null: none.
+    void follow(SceneModel* model);
+
+  private:
+    void say(const QString& trouble);
+
+    SceneModel* model_ = nullptr;
+    QLabel* text_;
+    QPushButton* stop_;
+};
+
+}  // namespace ravnoves
