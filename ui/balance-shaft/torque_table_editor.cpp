@@ -11,6 +11,7 @@
 #include "balance-shaft/model/torque_table_model.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "model/enough_memory.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/write_file.h"
@@ -64,6 +65,10 @@ void TorqueTableEditor::importWithDialog() {
 }
 
 void TorqueTableEditor::exportWithDialog() {
+    if (model_->isSolving()) {
+        QMessageBox::warning(this, tr("Export torque table"), SceneModel::solvingText());
+        return;
+    }
     const QString path =
         askSavePath(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()});
     if (path.isEmpty()) {
@@ -78,8 +83,8 @@ void TorqueTableEditor::exportWithDialog() {
 
 QString TorqueTableEditor::importFile(const QString& path) {
     try {
-        const std::string text = read_text_file(fsPath(path));
-        const QString what = table_->replaceByText(QString::fromStdString(text));
+        const QString what =
+            withinMemory([&] { return table_->replaceByText(read_text_file(fsPath(path))); });
         say(tr("Read %1.").arg(what), false);
         return {};
     } catch (const InputError& error) {
@@ -90,7 +95,7 @@ QString TorqueTableEditor::importFile(const QString& path) {
 void TorqueTableEditor::paste() {
     const QString text = QApplication::clipboard()->text();
     try {
-        const QString what = table_->replaceByText(text, true);
+        const QString what = table_->replaceByText(text.toStdString(), true);
         say(tr("Read %1.").arg(what), false);
     } catch (const InputError& error) {
         const auto rows = static_cast<int>(readTextTable(text).size());

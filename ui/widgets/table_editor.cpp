@@ -11,7 +11,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <exception>
+#include <new>
 
+#include "text/error_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -137,7 +140,11 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
         const bool isPaste = key->matches(QKeySequence::Paste);
         const bool isCopy = key->matches(QKeySequence::Copy);
         if (isPaste) {
-            paste();
+            try {
+                paste();
+            } catch (const std::bad_alloc&) {
+                say(errorText(std::current_exception()), true);
+            }
         } else if (isCopy) {
             copy();
         } else if (key->key() == Qt::Key_Delete) {

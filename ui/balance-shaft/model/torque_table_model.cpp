@@ -1,8 +1,10 @@
 #include "balance-shaft/model/torque_table_model.h"
 
 #include <QLocale>
+#include <utility>
 
 #include "case-file/input_error.h"
+#include "model/run_beside.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -24,6 +26,42 @@ QString shortened(const QString& text) {
 
 }  // namespace
 
+QString TorqueTableModel::ownText(const Row& row, int column) {
+    return column == CrankAngle ? formNumber(row.angle, QLocale(), 15)
+                                : shownFigures(row.torque, units::N_m, 15);
+}
+
+QString TorqueTableModel::textOf(const Row& row, int column) {
+    if (row.typed) {
+        const auto& text = column == CrankAngle ? row.typed->angle : row.typed->torque;
+        if (text) {
+            return *text;
+        }
+    }
+    return ownText(row, column);
+}
+
+std::optional<double> TorqueTableModel::angleOf(const Row& row) {
+    return row.typed && row.typed->angle ? readFormNumber(*row.typed->angle) : row.angle;
+}
+
+std::optional<double> TorqueTableModel::torqueOf(const Row& row) {
+    if (!row.typed || !row.typed->torque) {
+        return row.torque;
+    }
+    const auto shown = readFormNumber(*row.typed->torque);
+    return shown ? std::optional(*shown * shownAs(units::N_m)) : std::nullopt;
+}
+
+/// The row's own text stands for all digits of its number.
+void TorqueTableModel::type(Row& row, int column, const QString& text) {
+    if (!row.typed) {
+        row.typed = std::make_unique<Typed>();
+    }
+    auto& cell = column == CrankAngle ? row.typed->angle : row.typed->torque;
+    cell = text == ownText(row, column) ? std::nullopt : std::optional(text);
+}
+
 void TorqueTableModel::setTable(const TorqueTable& table) {
     if (table == valid_ && trouble_.isEmpty() && !rows_.empty()) {
         return;
@@ -32,9 +70,7 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     rows_.clear();
     rows_.reserve(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const QString torque = shownFigures(table.torque[i], units::N_m, 15);
-        rows_.push_back(
-            {formNumber(table.crank_angle_deg[i], QLocale(), 15), torque, torque, table.torque[i]});
+        rows_.push_back({table.crank_angle_deg[i], table.torque[i]});
     }
     valid_ = table;
     trouble_.clear();
@@ -47,18 +83,20 @@ void TorqueTableModel::check() {
     TorqueTable table;
     QString trouble;
     int bad = -1;
+    table.crank_angle_deg.reserve(rows_.size());
+    table.torque.reserve(rows_.size());
     for (std::size_t i = 0; i < rows_.size() && trouble.isEmpty(); ++i) {
-        const auto angle = readFormNumber(rows_[i].angle);
-        const auto torque = readFormNumber(rows_[i].torque);
+        const auto angle = angleOf(rows_[i]);
+        const auto torque = torqueOf(rows_[i]);
         if (!angle || !torque) {
-            const QString& text = angle ? rows_[i].torque : rows_[i].angle;
-            trouble = tr("Row %1: “%2” is not a number.").arg(i + 1).arg(text);
+            trouble = tr("Row %1: “%2” is not a number.")
+                          .arg(i + 1)
+                          .arg(textOf(rows_[i], angle ? Torque : CrankAngle));
             bad = static_cast<int>(i);
             break;
         }
         table.crank_angle_deg.push_back(*angle);
-        table.torque.push_back(rows_[i].torque == rows_[i].ownText ? rows_[i].own
-                                                                   : *torque * shownAs(units::N_m));
+        table.torque.push_back(*torque);
     }
     if (trouble.isEmpty()) {
         try {
@@ -87,14 +125,20 @@ void TorqueTableModel::insertRowBelow(int row) {
     // Half way between its neighbours, so that the table stays a cycle and means the same.
     const Row& above = rows_[static_cast<std::size_t>(at) - 1];
     const Row& below = rows_[static_cast<std::size_t>(at)];
-    const auto middle = [](const QString& a, const QString& b) {
-        const auto x = readFormNumber(a);
-        const auto y = readFormNumber(b);
-        return x && y ? formNumber(0.5 * (*x + *y), QLocale(), 15) : QString();
+    Row fresh;
+    fresh.typed = std::make_unique<Typed>();
+    const auto put = [](const std::optional<double>& x, const std::optional<double>& y, double& own,
+                        std::optional<QString>& typed) {
+        if (x && y) {
+            own = 0.5 * (*x + *y);
+        } else {
+            typed = QString();
+        }
     };
-    const Row fresh{middle(above.angle, below.angle), middle(above.torque, below.torque)};
+    put(angleOf(above), angleOf(below), fresh.angle, fresh.typed->angle);
+    put(torqueOf(above), torqueOf(below), fresh.torque, fresh.typed->torque);
     beginInsertRows({}, at, at);
-    rows_.insert(rows_.begin() + at, fresh);
+    rows_.insert(rows_.begin() + at, std::move(fresh));
     endInsertRows();
     check();
 }
@@ -112,9 +156,15 @@ void TorqueTableModel::removeRowRange(int first, int count) {
     check();
 }
 
-QString TorqueTableModel::replaceByText(const QString& text, bool isShown) {
-    balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text.toStdString());
-    if (isShown && !text.contains(QStringLiteral("N·m")) && !text.contains(QLatin1String("Nm"))) {
+QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
+    balance_shaft::ParsedTorqueTable read;
+    const auto parse = [&] { read = balance_shaft::parse_torque_table(text); };
+    if (text.size() > longestReadAtOnce) {
+        runBeside(parse);
+    } else {
+        parse();
+    }
+    if (isShown && text.find("N·m") == std::string::npos && text.find("Nm") == std::string::npos) {
         for (double& torque : read.table.torque) {
             torque = torque * shownAs(units::N_m);
         }
@@ -134,7 +184,7 @@ QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStr
             break;
         }
         for (int j = 0; j < cells[i].size() && column + j < 2; ++j) {
-            (column + j == CrankAngle ? rows_[at].angle : rows_[at].torque) = cells[i][j];
+            type(rows_[at], column + j, cells[i][j]);
         }
     }
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 1));
@@ -157,9 +207,9 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
     const Row& row = rows_[static_cast<std::size_t>(index.row())];
     switch (role) {
         case Qt::DisplayRole:
-            return shortened(index.column() == CrankAngle ? row.angle : row.torque);
+            return shortened(textOf(row, index.column()));
         case Qt::EditRole:
-            return index.column() == CrankAngle ? row.angle : row.torque;
+            return textOf(row, index.column());
         case Qt::TextAlignmentRole:
             return int(Qt::AlignRight | Qt::AlignVCenter);
         case TroubleRole:
@@ -175,15 +225,14 @@ bool TorqueTableModel::setData(const QModelIndex& index, const QVariant& value, 
     }
     const QString text = value.toString().trimmed();
     Row& row = rows_[static_cast<std::size_t>(index.row())];
-    QString& cell = index.column() == CrankAngle ? row.angle : row.torque;
-    if (cell == text) {
+    if (textOf(row, index.column()) == text) {
         return true;
     }
-    cell = text;
+    type(row, index.column(), text);
     const int last = rowCount() - 1;
     if (index.column() == Torque && (index.row() == 0 || index.row() == last)) {
-        rows_.front().torque = text;
-        rows_.back().torque = text;
+        type(rows_.front(), Torque, text);
+        type(rows_.back(), Torque, text);
         Q_EMIT dataChanged(this->index(0, Torque), this->index(0, Torque));
         Q_EMIT dataChanged(this->index(last, Torque), this->index(last, Torque));
     }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QString>
-#include <set>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include "balance-shaft/torque_table.h"
 #include "model/editable_table.h"
@@ -32,7 +34,7 @@ class TorqueTableModel : public EditableTable {
     /// Replaces the whole table by text from a CSV file, in N·m, or from a spreadsheet, in the unit
     /// that the column shows where the text names none.
     /// @return what was read, as a sentence; throws InputError and changes nothing
-    QString replaceByText(const QString& text, bool isShown = false);
+    QString replaceByText(const std::string& text, bool isShown = false);
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,13 +48,23 @@ class TorqueTableModel : public EditableTable {
     void tableEdited();
 
   private:
+    /// What was typed in place of a row's numbers, valid or not.
+    struct Typed {
+        std::optional<QString> angle;
+        std::optional<QString> torque;
+    };
+    /// Texts are made when they are seen: a table may have a million rows.
     struct Row {
-        QString angle;
-        QString torque;
-        QString ownText = {};  ///< what stands for `own`, until something else is typed
-        double own = 0.0;      ///< N·m
+        double angle = 0.0;              ///< °
+        double torque = 0.0;             ///< N·m
+        std::unique_ptr<Typed> typed{};  ///< null: nothing
     };
 
+    static QString textOf(const Row& row, int column);
+    static QString ownText(const Row& row, int column);
+    static std::optional<double> angleOf(const Row& row);
+    static std::optional<double> torqueOf(const Row& row);
+    static void type(Row& row, int column, const QString& text);
     void check();
 
     std::vector<Row> rows_;
