@@ -6,9 +6,13 @@
 #include <QTimer>
 #include <QUuid>
 #include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "model/case_document.h"
 #include "scenes/scenes.h"
@@ -96,7 +100,7 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     auto* timer = new QTimer(this);
     timer->setSingleShot(true);
     timer->setInterval(keepDelay);
-    connect(timer, &QTimer::timeout, this, [this, document] { keep(document); });
+    connect(timer, &QTimer::timeout, this, [this, document] { keepSoon(document); });
     const QString name = session_ + QStringLiteral("-%1").arg(++count_) + keptEnding;
     watched_.insert(document, {QDir(folder_).filePath(name), {}, timer, draft});
     // Not restarted by further changes: the first waits no longer than the delay.
@@ -117,6 +121,39 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     later();
 }
 
+namespace {
+
+constexpr int writeWait = 60'000;  ///< ms, for a text that is being written
+
+/// The text, unless it is that which was written. @throws InputError where it cannot be kept
+std::optional<QByteArray> write(const Json& content, const QString& file,
+                                const QByteArray& written) {
+    const std::string text = content.dump(-1, ' ', false, Json::error_handler_t::replace);
+    QByteArray bytes = QByteArray::fromStdString(text);
+    if (bytes == written) {
+        return std::nullopt;
+    }
+    CaseDocument::checkReadable(text);
+    write_text_file(fsPath(file), text);
+    return bytes;
+}
+
+}  // namespace
+
+/// Nothing where the document needs no saving, or another program would take it for its own.
+std::optional<Json> Recovery::contentOf(CaseDocument* document, const Watched& watched) {
+    // Without the lock another program would take the case for one that a crash has left.
+    if (lock(session_) != Lock::Ours) {
+        tellFailed(tr("%1 cannot be written to").arg(folder_));
+        return std::nullopt;
+    }
+    return Json{{"case", write_case(document->asFile())},
+                {"path", document->path().toStdString()},
+                {"known", document->disk().digest().toHex().toStdString()},
+                {"directory", document->model()->context().directory.string()},
+                {"draft", watched.draft().toStdString()}};
+}
+
 bool Recovery::keep(CaseDocument* document) {
     const auto found = watched_.find(document);
     if (found == watched_.end()) {
@@ -126,30 +163,50 @@ bool Recovery::keep(CaseDocument* document) {
         forget(*found);
         return true;
     }
-    const SceneModel& model = *document->model();
-    Json json = {{"case", write_case(document->asFile())},
-                 {"path", document->path().toStdString()},
-                 {"known", document->disk().digest().toHex().toStdString()},
-                 {"directory", model.context().directory.string()},
-                 {"draft", found->draft().toStdString()}};
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const QByteArray bytes = QByteArray::fromStdString(text);
-    if (bytes == found->written) {
-        return true;
+    const auto content = contentOf(document, *found);
+    if (!content) {
+        return false;
     }
+    writer_.wait(writeWait);
     try {
-        CaseDocument::checkReadable(text);
-        // Without the lock another program would take the case for one that a crash has left.
-        if (lock(session_) == Lock::Ours) {
-            write_text_file(fsPath(found->file), text);
-            found->written = bytes;
-            return true;
+        if (auto written = write(*content, found->file, found->written)) {
+            found->written = *std::move(written);
         }
-        tellFailed(tr("%1 cannot be written to").arg(folder_));
+        return true;
     } catch (const InputError& error) {
         tellFailed(errorText(error));
     }
     return false;
+}
+
+/// In a thread, where the case is large.
+void Recovery::keepSoon(CaseDocument* document) {
+    const auto found = watched_.find(document);
+    if (found == watched_.end() || !document->needsSaving() || !document->model()->isLarge()) {
+        keep(document);
+        return;
+    }
+    auto content = contentOf(document, *found);
+    if (!content) {
+        return;
+    }
+    found->mayBeWritten = true;
+    writer_.begin(
+        [this, document, file = found->file, before = found->written,
+         content = std::make_shared<Json>(*std::move(content))]() mutable -> WorkerThread::Telling {
+            try {
+                const auto written = write(*content, file, before);
+                content.reset();
+                return [this, document, written] {
+                    const auto there = watched_.find(document);
+                    if (written && there != watched_.end() && there->mayBeWritten) {
+                        there->written = *written;
+                    }
+                };
+            } catch (...) {
+                return [this, thrown = std::current_exception()] { tellFailed(errorText(thrown)); };
+            }
+        });
 }
 
 void Recovery::tellFailed(const QString& why) {
@@ -160,9 +217,13 @@ void Recovery::tellFailed(const QString& why) {
 
 void Recovery::forget(Watched& watched) {
     watched.timer->stop();
-    if (!watched.written.isEmpty()) {
+    if (watched.mayBeWritten) {
+        writer_.wait(writeWait);
+    }
+    if (!watched.written.isEmpty() || watched.mayBeWritten) {
         QFile::remove(watched.file);
         watched.written.clear();
+        watched.mayBeWritten = false;
     }
 }
 

@@ -11,9 +11,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
+#include "model/worker_thread.h"
 
 class QTimer;
 
@@ -75,8 +77,11 @@ class Recovery : public QObject {
         QByteArray written;
         QTimer* timer;
         std::function<QString()> draft;
+        bool mayBeWritten = false;  ///< in the thread
     };
 
+    void keepSoon(CaseDocument* document);
+    std::optional<Json> contentOf(CaseDocument* document, const Watched& watched);
     void forget(Watched& watched);
     void tellFailed(const QString& why);
     enum class Lock { Ours, Others, Failed };
@@ -89,6 +94,7 @@ class Recovery : public QObject {
     bool failed_ = false;
     std::map<QString, std::unique_ptr<QLockFile>> locks_;  ///< by session
     QHash<CaseDocument*, Watched> watched_;
+    WorkerThread writer_;  ///< of cases that take long to write
 };
 
 }  // namespace ravnoves

@@ -94,6 +94,19 @@ TEST_F(RecoveryTest, NothingStaysAfterSavingClosingOrQuitting) {
     EXPECT_TRUE(kept().isEmpty());
 }
 
+TEST_F(RecoveryTest, ALargeCaseIsWrittenInAThreadAndGoesToo) {
+    model.set("square", 9.0);
+    model.setLargestAtOnce(3);
+    ASSERT_TRUE(model.isLarge());
+    Recovery recovery(keptIn());
+    watch(recovery);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    recovery.release(&document);  // what is told of it comes too late
+    EXPECT_TRUE(kept().isEmpty());
+    QTest::qWait(10);
+    EXPECT_TRUE(kept().isEmpty());
+}
+
 TEST_F(RecoveryTest, OffersWhatAProgramLeftThatRunsNoLonger) {
     ASSERT_EQ(document.saveTo(file("дело.case.json")), QString());
     auto crashed = std::make_unique<Recovery>(keptIn());
