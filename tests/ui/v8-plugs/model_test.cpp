@@ -79,6 +79,7 @@ TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_TRUE(model.adviceText().startsWith(u"Still needed: changes of mass"_s))
         << qPrintable(model.adviceText());
     EXPECT_FALSE(model.solution().option(OptionId::steel_machined));
+    EXPECT_EQ(model.shiftText(), QString());
     EXPECT_FALSE(model.inputJson().contains("mass_changes_g"));
     // All parts may be nominal; that is something else.
     model.edit(u"none"_s, [](Input& input) { input.changes_given = true; });

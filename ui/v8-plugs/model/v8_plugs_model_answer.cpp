@@ -51,12 +51,9 @@ QStringList V8PlugsModel::troubles() const {
 }
 
 QString V8PlugsModel::shiftText() const {
-    if (!solution().plugs) {
-        return {};
-    }
     const auto chosen = v8_text::chosenOption(solution());
-    return v8_text::shiftText(words_, input(), solution(),
-                              chosen ? *chosen : *solution().option(OptionId::steel_machined));
+    const auto option = chosen ? chosen : solution().option(OptionId::steel_machined);
+    return option ? v8_text::shiftText(words_, input(), solution(), *option) : QString();
 }
 
 QString V8PlugsModel::checkText() const {
