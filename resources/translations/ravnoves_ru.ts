@@ -68,10 +68,6 @@
         <translation>Ещё нужно: %1</translation>
     </message>
     <message>
-        <source>For each of the %1 pairs of split crankpins, half of it on either.</source>
-        <translation>На каждую пару разведённых шеек (пар: %1), по половине на шейку.</translation>
-    </message>
-    <message>
         <source>On each of the %1 crankpins.</source>
         <translation>На каждую шатунную шейку (всего %1).</translation>
     </message>
@@ -295,6 +291,10 @@
     <message>
         <source>another bob weight</source>
         <translation>другой груз</translation>
+    </message>
+    <message>
+        <source>For each of the %1 pairs of crankpins split by %2, half of it on either.</source>
+        <translation>На каждую пару шеек, разведённых на %2 (пар: %1), по половине на шейку.</translation>
     </message>
 </context>
 <context>
@@ -1978,7 +1978,7 @@
     </message>
     <message>
         <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: Table 1.</source>
-        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ± 0,015 кг. Источник: табл. 1.</translation>
+        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ±&#xa0;0,015 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>any</source>
@@ -2326,7 +2326,7 @@
     </message>
     <message>
         <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
+        <translation>Эти размеры дают %1&#xa0;% нужного дисбаланса.</translation>
     </message>
     <message>
         <source>More than half of the bar is milled away: the depth %1 gives the same unbalance and a stiffer shaft.</source>
@@ -3182,38 +3182,38 @@
     </message>
     <message>
         <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2.</source>
-        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2.</translation>
+        <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
     </message>
 </context>
 <context>
     <name>bob-weights</name>
     <message>
         <source>Banks at %1 with crankpins split by %2: the parts of the first-order force that turn against the crank cancel, and 50 % takes up the rest. Nothing remains.</source>
-        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50 % снимают остальное. Не остаётся ничего.</translation>
+        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50&#xa0;% снимают остальное. Не остаётся ничего.</translation>
     </message>
     <message>
         <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. At %4 the part that turns with it is as large, and both make a motion to and fro in one direction, which mounts bear best. With a balance shaft that turns against the crank it is 50 %.</source>
-        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С балансирным валом, вращающимся против коленчатого, — 50 %.</translation>
+        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С балансирным валом, вращающимся против коленчатого, — 50&#xa0;%.</translation>
     </message>
     <message>
         <source>Two cylinders at 90° on one crankpin: their first-order forces add up to one of constant size that turns with the crank, as a mass of half of both on the crankpin would. 50 % takes up all of it.</source>
-        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50 % снимают её всю.</translation>
+        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50&#xa0;% снимают её всю.</translation>
     </message>
     <message>
         <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it. The crankpins together may cancel it.</source>
-        <translation>Развал %1: при 50 % снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
+        <translation>Развал %1: при 50&#xa0;% снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
     </message>
     <message>
         <source>Boxer: opposite pistons cancel each other&apos;s force. The factor concerns what is left of their couple and the load of the main bearings; 50 % makes its largest value smallest.</source>
-        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50 % наибольшее значение наименьшее.</translation>
+        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50&#xa0;% наибольшее значение наименьшее.</translation>
     </message>
     <message>
         <source>In line: 50 % turns the to and fro of each piston into a circle of half the size. Where the crankpins balance one another (four, six in line) the factor changes the load of the main bearings alone, and no bob weights are needed where all would weigh the same.</source>
-        <translation>Рядный: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
+        <translation>Рядный: 50&#xa0;% превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
     </message>
     <message>
         <source>Each rod on a crankpin of its own: 50 % turns the to and fro of each piston into a circle of half the size that turns against the crank.</source>
-        <translation>У каждого шатуна своя шейка: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
+        <translation>У каждого шатуна своя шейка: 50&#xa0;% превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
     </message>
     <message>
         <source>Of the first-order force nothing remains.</source>
@@ -3413,7 +3413,7 @@
     </message>
     <message>
         <source>Added to the factor; negative for underbalance. Usual for high speeds: 1 to 3 %.</source>
-        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3 %.</translation>
+        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3&#xa0;%.</translation>
     </message>
     <message>
         <source>Masses of one cylinder&apos;s parts.</source>
@@ -4954,11 +4954,11 @@
     </message>
     <message>
         <source>%1: the two-term form leaves it out, %2 % of the largest order</source>
-        <translation>%1: двучленная формула отбрасывает его, %2 % наибольшего порядка</translation>
+        <translation>%1: двучленная формула отбрасывает его, %2&#xa0;% наибольшего порядка</translation>
     </message>
     <message>
         <source>%1: the two-term form is %2 % off</source>
-        <translation>%1: двучленная формула ошибается на %2 %</translation>
+        <translation>%1: двучленная формула ошибается на %2&#xa0;%</translation>
     </message>
     <message>
         <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
@@ -5522,7 +5522,7 @@
     </message>
     <message>
         <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of 5 to 12 % of the first, and uneven dead centres. &quot;Articulated rods&quot; above the table of cylinders computes them (articulated in the case file).</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12 % первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12&#xa0;% первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
     </message>
     <message>
         <source>The articulated rods of cylinders %1 are longer than the master rod (%2): usual ones are shorter by about the knuckle radius.</source>
@@ -7280,7 +7280,7 @@
     </message>
     <message>
         <source>The paper names no α for it. The mean of the 49 rows, with the end of the cycle counted twice, falls by 12 % at α from %1 to %2° and by 16 % at α from %3 to %4°; of these we take 30°, where the paper&apos;s range begins, and 45°, of its Fig. 2. No shaft changes the cycle mean.</source>
-        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12 % при α от %1 до %2° и на 16 % при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
+        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12&#xa0;% при α от %1 до %2° и на 16&#xa0;% при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
     </message>
     <message>
         <source>cut of the mean moment, by our choice at α = %1°</source>
@@ -7958,11 +7958,11 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Least range %2 at %1°</source>
-        <translation>Наименьший размах %2 при %1°</translation>
+        <translation>Наименьший размах %2 при&#xa0;%1°</translation>
     </message>
     <message>
         <source>Least RMS %2 at %1°</source>
-        <translation>Наименьшее СКЗ %2 при %1°</translation>
+        <translation>Наименьшее СКЗ %2 при&#xa0;%1°</translation>
     </message>
     <message>
         <source>Tipping moment on the engine without a shaft, −Mᵢ</source>
@@ -8562,6 +8562,10 @@ but nothing can be built</source>
         <source>%1: %2 is still needed. %3</source>
         <translation>%1: ещё нужно: %2. %3</translation>
     </message>
+    <message>
+        <source>A V has as many cylinders in one bank as in the other: %1 is odd.</source>
+        <translation>У V-образного двигателя в обоих рядах поровну цилиндров: %1 — нечётное число.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobWeightsPage</name>
@@ -8816,10 +8820,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Равном. &amp;чередование</translation>
     </message>
     <message>
-        <source>Sets the crankpins so that the cylinders fire at even intervals over 720° in the firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC; its own angle, 21°40′, is the one with 2).</source>
-        <translation>Ставит шатунные шейки так, чтобы вспышки чередовались равномерно за 720° в порядке работы: относительно рядного двигателя шейки смещены на γ + 2 φ_ВМТ (в статье напечатано γ + φ_ВМТ; её же угол 21°40′ получается с двойкой).</translation>
-    </message>
-    <message>
         <source>Cylinders</source>
         <translation>Цилиндры</translation>
     </message>
@@ -8842,6 +8842,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>A knuckle radius makes a rod articulated, an empty one puts it back on the crankpin. Values in italics follow from the others.</source>
         <translation>Радиус прицепа делает шатун прицепным, пустая ячейка возвращает его на шейку. Значения курсивом следуют из других.</translation>
+    </message>
+    <message>
+        <source>Sets the crankpins so that the cylinders fire at even intervals over a cycle in the firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC; its own angle, 21°40′, is the one with 2).</source>
+        <translation>Ставит шатунные шейки так, чтобы вспышки чередовались равномерно за цикл в порядке работы: относительно рядного двигателя шейки смещены на γ + 2 φ_ВМТ (в статье напечатано γ + φ_ВМТ; её же угол 21°40′ получается с двойкой).</translation>
     </message>
 </context>
 <context>
@@ -9592,8 +9596,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>неравномерно, от %1° до %2°</translation>
     </message>
     <message>
-        <source>One cycle of the crank, 720° or 360°, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
-        <translation>Один цикл, 720° или 360° поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, нынешний угол поворота.</translation>
+        <source>One cycle of the crank, %1, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
+        <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, нынешний угол поворота.</translation>
     </message>
 </context>
 <context>
@@ -10104,12 +10108,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Отношения &amp;λ</translation>
     </message>
     <message>
-        <source>Speeds ω, %1&amp;;</source>
-        <translation>Скорости ω, %1&amp;;</translation>
-    </message>
-    <message>
         <source>Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s.</source>
         <translation>Угловые скорости, которые сравнивают графики. В статье 100, 300 и 500 рад/с.</translation>
+    </message>
+    <message>
+        <source>Speeds ω, %1</source>
+        <translation>Скорости ω, %1</translation>
     </message>
 </context>
 <context>
@@ -10908,11 +10912,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2 % наибольшего)</translation>
+        <translation>%1 отброшен (%2&#xa0;% наибольшего)</translation>
     </message>
     <message>
         <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
+        <translation>%1: ошибка %2&#xa0;%</translation>
     </message>
     <message>
         <source>Two-term is not enough: order %1.</source>
@@ -11198,6 +11202,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>A number of engine or crankshaft, or a customer, is needed to find it again.</source>
         <translation>Чтобы найти её потом, нужен номер двигателя или коленвала либо заказчик.</translation>
+    </message>
+    <message>
+        <source>Another program is busy with the journal. It is opened as soon as that is over.</source>
+        <translation>Журнал занят другой программой. Он откроется, как только она закончит.</translation>
     </message>
 </context>
 <context>
@@ -12527,7 +12535,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>With bands: 5…95 % of what the tolerances make of it.</source>
-        <translation>С полосами: 5…95 % того, что делают допуски.</translation>
+        <translation>С полосами: 5…95&#xa0;% того, что делают допуски.</translation>
     </message>
 </context>
 <context>
@@ -12570,7 +12578,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>5…95 %</source>
-        <translation>5…95 %</translation>
+        <translation>5…95&#xa0;%</translation>
     </message>
     <message>
         <source>Show what the tolerances do</source>
@@ -12592,8 +12600,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Плотность</translation>
     </message>
     <message>
-        <source>“%1” is no metric thread with its pitch, like M22x1.5.</source>
-        <translation>«%1» — не метрическая резьба с шагом, как M22x1.5.</translation>
+        <source>“%1” is no metric thread with its pitch, like %2.</source>
+        <translation>«%1» — не метрическая резьба с шагом, как %2.</translation>
     </message>
 </context>
 <context>
@@ -13137,7 +13145,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.</source>
-        <translation>Надёжный наилучший α: %1° ± %2°; у 95 % проб %3 не больше: %4 ± %5.</translation>
+        <translation>Надёжный наилучший α: %1° ±&#xa0;%2°; у 95&#xa0;% проб %3 не больше: %4 ±&#xa0;%5.</translation>
     </message>
     <message>
         <source>At the α that is best of the inputs as they are, %1°, it is %2.</source>
@@ -13161,7 +13169,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them.</source>
-        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5 % до 95 % того, что с ними делают допуски.</translation>
+        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5&#xa0;% до 95&#xa0;% того, что с ними делают допуски.</translation>
     </message>
 </context>
 <context>
@@ -13181,6 +13189,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Present value less that of the reference %1</source>
         <translation>Нынешнее значение минус значение эталона %1</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the selected cells, or the whole table if no more than one is selected.</source>
+        <translation>Ctrl+C копирует выделенные ячейки, а если выделено не больше одной – всю таблицу.</translation>
     </message>
 </context>
 <context>
@@ -13973,7 +13985,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1: its 95 % point is less by %2 at the robust α.</source>
-        <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
+        <translation>%1: при надёжном α точка 95&#xa0;% меньше на %2.</translation>
     </message>
     <message>
         <source>Samples: %1</source>
@@ -14196,7 +14208,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::ScatterTable</name>
     <message>
         <source>0.02: anywhere within ± 0.02, as likely here as there. 1 %: within ± 1 % of the value. σ 0.01: normal, with this standard deviation.</source>
-        <translation>0,02: где угодно в пределах ± 0,02, равновероятно. 1 %: в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
+        <translation>0,02: где угодно в пределах ±&#xa0;0,02, равновероятно. 1&#xa0;%: в пределах ±&#xa0;1&#xa0;% от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
     </message>
     <message>
         <source>Input</source>
@@ -14205,6 +14217,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Value</source>
         <translation>Значение</translation>
+    </message>
+    <message>
+        <source>No tolerances, which are numbers greater than 0 such as 0.02, 1 % or σ 0.01: %1.</source>
+        <translation>Не допуски, а допуск — число больше 0, например 0,02, 1 % или σ 0,01: %1.</translation>
     </message>
 </context>
 <context>
@@ -14335,6 +14351,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Take variant %1</source>
         <translation>Взятие варианта %1</translation>
     </message>
+    <message>
+        <source>The last change is still being solved. Wait for that, or cancel it.</source>
+        <translation>Последнее изменение ещё решается. Подождите или отмените его.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SettingsDialog</name>
@@ -14372,23 +14392,23 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>small, 85 %</source>
-        <translation>мелкий, 85 %</translation>
+        <translation>мелкий, 85&#xa0;%</translation>
     </message>
     <message>
         <source>normal, 100 %</source>
-        <translation>обычный, 100 %</translation>
+        <translation>обычный, 100&#xa0;%</translation>
     </message>
     <message>
         <source>large, 125 %</source>
-        <translation>крупный, 125 %</translation>
+        <translation>крупный, 125&#xa0;%</translation>
     </message>
     <message>
         <source>very large, 150 %</source>
-        <translation>очень крупный, 150 %</translation>
+        <translation>очень крупный, 150&#xa0;%</translation>
     </message>
     <message>
         <source>largest, 200 %</source>
-        <translation>самый крупный, 200 %</translation>
+        <translation>самый крупный, 200&#xa0;%</translation>
     </message>
     <message>
         <source>Te&amp;xt size</source>
@@ -14602,7 +14622,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>0 %: no change</source>
-        <translation>0 %: без изменений</translation>
+        <translation>0&#xa0;%: без изменений</translation>
     </message>
     <message>
         <source>shaft, and its l</source>
@@ -14940,6 +14960,29 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SolvingNotice</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Отменить</translation>
+    </message>
+    <message>
+        <source>Give the change up and keep what holds.</source>
+        <translation>Отказаться от изменения и оставить то, что действует.</translation>
+    </message>
+    <message>
+        <source>The change was not taken: %1</source>
+        <translation>Изменение не принято: %1</translation>
+    </message>
+    <message>
+        <source>Solving… Until then the results are those of the input before the change.</source>
+        <translation>Решается… До этого результаты относятся к исходным данным до изменения.</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Решается…</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::SpeedMapPlot</name>
     <message>
         <source>Map over α and speed</source>
@@ -14955,11 +14998,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 % worse</source>
-        <translation>на %1 % хуже</translation>
+        <translation>на %1&#xa0;% хуже</translation>
     </message>
     <message>
         <source>%1 % better</source>
-        <translation>на %1 % лучше</translation>
+        <translation>на %1&#xa0;% лучше</translation>
     </message>
     <message>
         <source>α %1°, n %2: %3 of that without a shaft, %4</source>
@@ -14982,7 +15025,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source> %1° would gain %2 % more but cannot be built.</source>
-        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
+        <translation> %1° дал бы ещё %2&#xa0;%, но его построить нельзя.</translation>
     </message>
     <message>
         <source>range</source>
@@ -15010,7 +15053,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3, the %1 is %4 % %5.</source>
-        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
+        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4&#xa0;% %5.</translation>
     </message>
 </context>
 <context>
@@ -15151,7 +15194,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard deviation; %1 is none.</source>
-        <translation>Допуск — число больше 0: 0,02, 1 % или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
+        <translation>Допуск — число больше 0: 0,02, 1&#xa0;% или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
     </message>
     <message>
         <source>Tolerances</source>
@@ -15260,19 +15303,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::ToleranceBands</name>
     <message>
         <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
-        <translation>Где могут лежать кривые при таких допусках: ± 1,645 σ, по наклонам; 5 % ниже полосы и 5 % выше, если результаты линейны по исходным данным</translation>
+        <translation>Где могут лежать кривые при таких допусках: ±&#xa0;1,645 σ, по наклонам; 5&#xa0;% ниже полосы и 5&#xa0;% выше, если результаты линейны по исходным данным</translation>
     </message>
     <message>
         <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
-        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5 % до 95 %, если зависимость от исходных данных линейна</translation>
+        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5&#xa0;% до 95&#xa0;%, если зависимость от исходных данных линейна</translation>
     </message>
     <message>
         <source>Where the tolerances let the curves lie: of %1 samples 5 % are below the band and 5 % above it</source>
-        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5 % ниже полосы и 5 % выше</translation>
+        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5&#xa0;% ниже полосы и 5&#xa0;% выше</translation>
     </message>
     <message>
         <source>What the tolerances make of it: the range from 5 % to 95 % of %1 samples</source>
-        <translation>Что делают с ним допуски: диапазон от 5 % до 95 % из %1 проб</translation>
+        <translation>Что делают с ним допуски: диапазон от 5&#xa0;% до 95&#xa0;% из %1 проб</translation>
     </message>
 </context>
 <context>
@@ -15291,15 +15334,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>&amp;Weighed parts: ± 0.5 g</source>
-        <translation>&amp;Взвешенные детали: ± 0,5 г</translation>
+        <translation>&amp;Взвешенные детали: ±&#xa0;0,5 г</translation>
     </message>
     <message>
         <source>&amp;Machined sizes: ± 0.05 mm</source>
-        <translation>&amp;Обработанные размеры: ± 0,05 мм</translation>
+        <translation>&amp;Обработанные размеры: ±&#xa0;0,05 мм</translation>
     </message>
     <message>
         <source>&amp;All inputs: ± 1 %</source>
-        <translation>Вс&amp;е величины: ± 1 %</translation>
+        <translation>Вс&amp;е величины: ±&#xa0;1&#xa0;%</translation>
     </message>
     <message>
         <source>The selected inputs do not scatter</source>
@@ -15403,7 +15446,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Give an input its tolerance: 0.02, 1 % or σ 0.01.</source>
-        <translation>Задайте допуск исходной величины: 0,02, 1 % или σ 0,01.</translation>
+        <translation>Задайте допуск исходной величины: 0,02, 1&#xa0;% или σ 0,01.</translation>
     </message>
     <message>
         <source>Choose a result to watch.</source>
@@ -15484,6 +15527,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Run</source>
         <translation>Запустить</translation>
+    </message>
+    <message>
+        <source>Not up to date, for these tolerances are refused: %1.</source>
+        <translation>Не по таблице: отвергнуты допуски: %1.</translation>
     </message>
 </context>
 <context>
@@ -16477,6 +16524,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The job is still being saved.</source>
         <translation>Работа ещё сохраняется.</translation>
+    </message>
+    <message>
+        <source>The job of %1 in the journal is finished, its verdict: %2. On the sheet the bob weight is another than that of the readings; saved so, the verdict is: %3.</source>
+        <translation>Работа %1 в журнале закончена, её заключение: %2. На листе балансировочный груз не тот, с которым сняты показания; если сохранить так, заключение будет: %3.</translation>
     </message>
 </context>
 <context>
