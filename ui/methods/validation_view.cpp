@@ -18,8 +18,8 @@
 
 #include "methods/model/method_words.h"
 #include "text/csv_format.h"
+#include "text/text_width.h"
 #include "theme/icons.h"
-#include "theme/text_width.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "theme/text_width.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

@@ -14,7 +14,7 @@
 #include "plot/model/label_places.h"
 #include "plot/model/line_brush.h"
 #include "plot/model/ticks.h"
-#include "theme/text_width.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

@@ -11,8 +11,8 @@
 #include <array>
 #include <cmath>
 
+#include "text/text_width.h"
 #include "theme/desktop_colour_scheme.h"
-#include "theme/text_width.h"
 
 namespace ravnoves {
 

@@ -17,7 +17,7 @@
 #include "text/csv_format.h"
 #include "text/difference_text.h"
 #include "text/number_text.h"
-#include "theme/text_width.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 #include "widgets/wrapped_header.h"
 

@@ -10,7 +10,7 @@
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/thin_polyline.h"
-#include "theme/text_width.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

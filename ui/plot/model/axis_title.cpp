@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "text/shown_units.h"
-#include "theme/text_width.h"
+#include "text/text_width.h"
 
 namespace ravnoves {
 

@@ -1,4 +1,4 @@
-#include "theme/text_width.h"
+#include "text/text_width.h"
 
 #include <QFontMetricsF>
 #include <QHash>
