@@ -46,8 +46,9 @@ QByteArray valueOf(int argc, char** argv, const QByteArray& name) {
     return {};
 }
 
-int fail(const QString& text) {
-    std::fprintf(stderr, "%s\n", qPrintable(text));
+/// As the other program says it: with the minus that a terminal's user types.
+int fail(QString text) {
+    std::fprintf(stderr, "%s\n", qPrintable(text.replace(QChar(0x2212), QLatin1Char('-'))));
     return 2;
 }
 

@@ -110,7 +110,7 @@ ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), 
         auto* box = new QComboBox(this);
         box->setObjectName(QLatin1String(name));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
+        box->setMinimumContentsLength(6);
         label->setBuddy(box);
         row->addWidget(label);
         row->addWidget(box, 1);

@@ -46,7 +46,7 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
         auto* box = new QComboBox(this);
         box->setObjectName(QLatin1String(name));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
+        box->setMinimumContentsLength(6);
         label->setBuddy(box);
         grid->addWidget(label, row, 2 * place);
         grid->addWidget(box, row, 2 * place + 1);

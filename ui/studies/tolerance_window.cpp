@@ -244,6 +244,8 @@ QWidget* ToleranceWindow::makeAnswers() {
         return box;
     };
     method_ = chooser(tr("M&ethod"), "method");
+    constexpr int leastMethod = 90;  // it gives way where the text is large
+    method_->setMinimumWidth(Theme::withText(leastMethod));
     for (const Word& word : studies::method_words()) {
         method_->addItem(shownText(word.label));
     }

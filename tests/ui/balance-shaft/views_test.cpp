@@ -284,6 +284,8 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     EXPECT_TRUE(view->answer().contains(QStringLiteral("cannot be built")))
         << view->answer().toStdString();
     // A click into the map sets the angle.
+    QTRY_VERIFY_WITH_TIMEOUT(
+        view->mapPlot()->plotArea().contains(view->mapPlot()->toPixel(200.0, speed)), 5000);
     const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
     QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
