@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,8 @@ using methods::WorkPoint;
 namespace {
 
 constexpr float shadeAlpha = 0.10F;
+constexpr int pairWidth = 560;     ///< designed pixels of two charts side by side
+constexpr int foldedHeight = 280;  ///< designed pixels of one above the other, with its legend
 
 QColor shade(QColor colour, float alpha) {
     colour.setAlphaF(alpha);
@@ -95,7 +98,6 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
 MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    constexpr int pairWidth = 480;
     auto* row = new FoldingRow(pairWidth, this);
     column->addWidget(row);
     work_ = new PlotView(tr("Time and error"), this);
@@ -118,6 +120,18 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent)
     connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::showStale);
     connect(&Theme::instance(), &Theme::changed, this, &MethodPlots::showFailing);
     showMeasurement();
+}
+
+void MethodPlots::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (const bool folded = event->size().width() < Theme::withText(pairWidth);
+        folded != isFolded_) {
+        isFolded_ = folded;
+        for (PlotView* plot : {work_, stability_}) {
+            plot->setMinimumHeight(folded ? Theme::withText(foldedHeight) : 0);
+        }
+        Q_EMIT foldChanged();
+    }
 }
 
 double MethodPlots::ErrorScale::place(const Result& result) const {

@@ -25,6 +25,15 @@ class MethodPlots : public QWidget {
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);
+    /// There is no room for the charts side by side: one stands above the other, and the page
+    /// scrolls.
+    bool isFolded() const { return isFolded_; }
+
+  Q_SIGNALS:
+    void foldChanged();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     /// Interval of errors with the rows for what has no place on a logarithmic axis.
@@ -57,6 +66,7 @@ class MethodPlots : public QWidget {
     PlotView* stability_;
     const methods::Kernel* curvesOf_ = nullptr;  ///< the kernel whose curves are there
     ErrorScale scale_;
+    bool isFolded_ = false;
 };
 
 }  // namespace ravnoves

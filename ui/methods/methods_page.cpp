@@ -7,18 +7,24 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <QtMath>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "methods/method_plots.h"
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
+#include "methods/whole_rows.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/text_width.h"
 #include "text/write_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -266,10 +272,15 @@ QWidget* MethodsPage::buildResults() {
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
     inside->setSpacing(Theme::gap);
-    table_ = new ResultTable(panel);
+    table_ = new WithWholeRows<ResultTable>(panel);
     table_->setObjectName(QStringLiteral("methods_table"));
     table_->setAccessibleName(tr("Methods as measured"));
     table_->setShownRows(6);  // further ones never cost a chart
+    table_->setWordWrap(true);
+    table_->viewport()->installEventFilter(this);
+    connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this,
+            &MethodsPage::fitTableSoon);
+    connect(plots_, &MethodPlots::foldChanged, this, &MethodsPage::fitTableSoon);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
@@ -383,6 +394,7 @@ void MethodsPage::showTable() {
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);
+    fitTableSoon();
     const Theme& theme = Theme::instance();
     for (int i = 0; i < rows.size(); ++i) {
         const MethodRow& row = report.rows[static_cast<std::size_t>(i)];
@@ -418,6 +430,64 @@ void MethodsPage::showTable() {
     }
     chooseRow();
     showRunning();
+}
+
+bool MethodsPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) {
+        fitTableSoon();
+    }
+    return ScenePage::eventFilter(watched, event);
+}
+
+void MethodsPage::fitTableSoon() {
+    if (!isFitting_) {
+        isFitting_ = true;
+        QMetaObject::invokeMethod(this, &MethodsPage::fitTable, Qt::QueuedConnection);
+    }
+}
+
+void MethodsPage::fitTable() {
+    constexpr int namesWidth = 120;
+    constexpr int failsWidth = 170;
+    constexpr int padding = 14;
+    // Numbers in one line, words in as many as they need.
+    std::array<int, Fails + 1> least{};
+    least[Method] = std::max(Theme::withText(namesWidth), longestWord(*table_, Method));
+    least[Fails] = Theme::withText(failsWidth);
+    for (int column = SettingColumn; column < Fails; ++column) {
+        int& width = least[static_cast<std::size_t>(column)];
+        const QString heading = table_->horizontalHeaderItem(column)->text();
+        width = qCeil(textWidth(table_->horizontalHeader()->font(), heading));
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            width = std::max(width,
+                             qCeil(textWidth(table_->font(), table_->item(row, column)->text())));
+        }
+        width += padding;
+    }
+    // The line below says where the chosen method fails, too. With or without a scroll bar, the
+    // same columns are seen.
+    const int room = table_->width() - table_->verticalScrollBar()->sizeHint().width();
+    bool changed = false;
+    for (const int column : {Fails, Order, Operations}) {
+        const bool hidden = std::accumulate(least.begin(), least.end(), 0) > room;
+        changed = changed || hidden != table_->isColumnHidden(column);
+        table_->setColumnHidden(column, hidden);
+        least[static_cast<std::size_t>(column)] *= hidden ? 0 : 1;
+    }
+    if (changed) {
+        showTable();  // its columns share the room anew
+    }
+    fitRowsToWords(*table_, {Method, Fails});
+    // Where the page scrolls, the table does not: no bar within a bar.
+    const bool whole = plots_->isFolded();
+    table_->setVerticalScrollBarPolicy(whole ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+    const bool hasBar = table_->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff;
+    table_->setMinimumHeight(
+        whole
+            ? table_->horizontalHeader()->sizeHint().height() + table_->verticalHeader()->length() +
+                  2 + (hasBar ? table_->horizontalScrollBar()->sizeHint().height() : 0)
+            : 0);
+    isFitting_ = false;
 }
 
 void MethodsPage::chooseRow() {

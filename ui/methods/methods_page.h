@@ -42,6 +42,9 @@ class MethodsPage : public ScenePage {
     ValidationView* validation() const { return validation_; }
     QTabWidget* tabs() const { return tabs_; }
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     QWidget* buildChoice();
     QWidget* buildMeasuring();
@@ -57,6 +60,9 @@ class MethodsPage : public ScenePage {
     void showTable();
     void showRunning();
     void chooseRow();
+    /// Columns for which there is room, rows as high as their words: once, after what changed.
+    void fitTable();
+    void fitTableSoon();
     void exportWithDialog();
 
     MethodsModel* model_;
@@ -73,6 +79,7 @@ class MethodsPage : public ScenePage {
     QTabWidget* tabs_ = nullptr;
     MethodPlots* plots_ = nullptr;
     ResultTable* table_ = nullptr;
+    bool isFitting_ = false;
     const methods::Kernel* tableOf_ = nullptr;  ///< the kernel in the table
     QLabel* limits_ = nullptr;
     ValidationView* validation_ = nullptr;

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -17,6 +18,7 @@
 #include <span>
 
 #include "methods/model/method_words.h"
+#include "methods/whole_rows.h"
 #include "text/csv_format.h"
 #include "text/text_width.h"
 #include "theme/icons.h"
@@ -87,7 +89,7 @@ QWidget* ValidationView::buildTable() {
     auto* panel = new Panel(this);
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
-    table_ = new QTableView(panel);
+    table_ = new WithWholeRows<QTableView>(panel);
     table_->setObjectName(QStringLiteral("validation_table"));
     table_->setAccessibleName(tr("Printed numbers beside ours"));
     table_->setModel(model_);
@@ -184,14 +186,26 @@ void ValidationView::showReport() {
     counts_->setText(model_->countsText());
     measure();
     fitColumns();
-    showReason();
 }
 
 void ValidationView::showReason() {
     const int row = table_->currentIndex().row();
     const bool known = row >= 0 && static_cast<std::size_t>(row) < model_->rows().size();
-    reason_->setText(known ? methodText(model_->rows()[static_cast<std::size_t>(row)]->reason)
-                           : tr("Choose a row to read why it has its verdict."));
+    if (!known) {
+        reason_->setText(tr("Choose a row to read why it has its verdict."));
+        return;
+    }
+    // What the table has no room for is said here.
+    QStringList where;
+    for (const int column : {ValidationModel::Paper, ValidationModel::Place}) {
+        if (table_->isColumnHidden(column)) {
+            where << model_->index(row, column).data().toString();
+        }
+    }
+    const QString reason = methodText(model_->rows()[static_cast<std::size_t>(row)]->reason);
+    reason_->setText(where.isEmpty()
+                         ? reason
+                         : where.join(QStringLiteral(", ")) + QStringLiteral(": ") + reason);
 }
 
 void ValidationView::measure() {
@@ -209,48 +223,57 @@ void ValidationView::measure() {
 }
 
 void ValidationView::fitColumns() {
+    const int room = table_->viewport()->width();
+    std::array<int, ValidationModel::Columns> least = wanted_;
+    for (int column = 0; column < ValidationModel::Unit; ++column) {
+        int& width = least[static_cast<std::size_t>(column)];
+        width = std::min(width, std::max(Theme::withText(90), longestWord(*table_, column)));
+    }
+    // The verdict stays in sight: what a tip says as well gives way, with or without a scroll bar.
+    const int sure = table_->width() - table_->verticalScrollBar()->sizeHint().width();
     auto widths = wanted_;
+    const auto hide = [&](int column, bool hidden) {
+        table_->setColumnHidden(column, hidden);
+        if (hidden) {
+            widths[static_cast<std::size_t>(column)] = 0;
+            least[static_cast<std::size_t>(column)] = 0;
+        }
+    };
+    for (const int column : {ValidationModel::Paper, ValidationModel::Place,
+                             ValidationModel::Difference, ValidationModel::Unit}) {
+        hide(column, std::accumulate(least.begin(), least.end(), 0) > sure);
+    }
     const auto words = std::span(widths).first(ValidationModel::Unit);
-    int over = table_->viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
+    int over = room - std::accumulate(widths.begin(), widths.end(), 0);
     if (over > 0) {
+        const auto shown = std::count_if(words.begin(), words.end(), [](int w) { return w > 0; });
         for (int& width : words) {  // no number goes far from what it is of
-            width += over / static_cast<int>(words.size());
+            width += width > 0 ? over / static_cast<int>(shown) : 0;
         }
     }
     // The widest gives way first; where none can, the table scrolls.
-    const int least = Theme::withText(90);
     for (; over < 0; ++over) {
-        const auto widest = std::max_element(words.begin(), words.end());
-        if (*widest <= least) {
-            break;
-        }
-        --*widest;
-    }
-    for (int column = 0; column < ValidationModel::Columns; ++column) {
-        table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
-    }
-    fitRows();
-}
-
-void ValidationView::fitRows() {
-    constexpr int padding = 8;
-    const QFontMetrics metrics(table_->font());
-    QHeaderView* rows = table_->verticalHeader();
-    for (int row = 0; row < model_->rowCount(); ++row) {
-        int height = rows->defaultSectionSize();
-        for (int column = 0; column < ValidationModel::Unit; ++column) {
-            const QString text = model_->index(row, column).data().toString();
-            const int room = table_->columnWidth(column) - padding;
-            if (textWidth(table_->font(), text) > room) {
-                const QRect lines = metrics.boundingRect(QRect(0, 0, room, QWIDGETSIZE_MAX),
-                                                         Qt::TextWordWrap, text);
-                height = std::max(height, lines.height() + Theme::gap);
+        std::size_t widest = 0;
+        int most = 0;
+        for (std::size_t column = 0; column < words.size(); ++column) {
+            if (words[column] > least[column] && words[column] > most) {
+                widest = column;
+                most = words[column];
             }
         }
-        if (rows->sectionSize(row) != height) {
-            rows->resizeSection(row, height);
+        if (most == 0) {
+            break;
+        }
+        --words[widest];
+    }
+    for (int column = 0; column < ValidationModel::Columns; ++column) {
+        if (!table_->isColumnHidden(column)) {
+            table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
         }
     }
+    fitRowsToWords(*table_,
+                   {ValidationModel::Paper, ValidationModel::Place, ValidationModel::Quantity});
+    showReason();
 }
 
 bool ValidationView::eventFilter(QObject* watched, QEvent* event) {

@@ -40,9 +40,9 @@ class ValidationView : public QWidget {
     void showReason();
     /// What the columns would need; measured once for the rows shown.
     void measure();
-    /// Shares the width: what is too long for it goes on a second line.
+    /// Shares the width: what is too long for it goes on a second line, and where that is not
+    /// enough, columns whose contents the tips and the reason say are left out.
     void fitColumns();
-    void fitRows();
 
     ValidationModel* model_;
     QComboBox* papers_ = nullptr;

@@ -507,6 +507,9 @@ int widestText(const QTableWidget& table, int column, int enough) {
 /// What a column of words insists on.
 int leastOfWords(const QTableWidget& table, int column) {
     const int most = Theme::withText(110);
+    if (table.isColumnHidden(column)) {
+        return 0;
+    }
     return std::clamp(widestText(table, column, most), Theme::withText(30), most);
 }
 
@@ -515,7 +518,7 @@ int leastOfWords(const QTableWidget& table, int column) {
 QList<std::pair<int, int>> ResultTable::neededWidths() const {
     QList<std::pair<int, int>> needed;
     for (int column = 1; column < columnCount(); ++column) {
-        if (stretched_.contains(column)) {
+        if (stretched_.contains(column) || isColumnHidden(column)) {
             continue;
         }
         int width = headingWidth(column);

@@ -300,6 +300,50 @@ TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());
 }
 
+/// In a narrow window the charts stand one above the other, and all scrolls together: the table has
+/// no bar of its own, and what it has no room for is left out rather than cut.
+TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
+    page.resize(856, 480);
+    measure();
+    const PlotView* work = page.plots()->workPlot();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page.plots()->isFolded(); }, test::patience));
+    EXPECT_GE(page.plots()->stabilityPlot()->y(), work->geometry().bottom());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return work->plotArea().height() > 120.0; }, test::patience));
+    const ResultTable& table = *page.table();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return table.verticalHeader()->length() <= table.viewport()->height(); },
+        test::patience));
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+    EXPECT_TRUE(table.isColumnHidden(6)) << "beyond the tolerance: in the line below";
+    EXPECT_FALSE(table.isColumnHidden(3)) << "the error";
+    page.resize(1500, 900);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !page.plots()->isFolded() && !table.isColumnHidden(6); }, test::patience));
+}
+
+/// However narrow, the verdict is seen, and what gives way to it is said with the reason.
+TEST_F(MethodsPageTest, TheVerdictStaysInSight) {
+    page.resize(856, 480);
+    bringTab("validation");
+    ValidationView* view = page.validation();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view->viewModel()->report() != nullptr; }, test::patience));
+    QTableView& table = *view->table();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return table.horizontalHeader()->length() <= table.viewport()->width(); },
+        test::patience));
+    EXPECT_FALSE(table.isColumnHidden(ValidationModel::VerdictColumn));
+    ASSERT_TRUE(table.isColumnHidden(ValidationModel::Paper));
+    const QModelIndex verdict = table.model()->index(0, ValidationModel::VerdictColumn);
+    table.setCurrentIndex(verdict);
+    const QString paper = table.model()->index(0, ValidationModel::Paper).data().toString();
+    EXPECT_TRUE(find<QLabel>("reason")->text().startsWith(paper));
+    EXPECT_TRUE(verdict.data(Qt::ToolTipRole).toString().contains(paper));
+    page.resize(1500, 900);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !table.isColumnHidden(ValidationModel::Paper); },
+                                test::patience));
+}
+
 TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     measure();
     bringTab("validation");

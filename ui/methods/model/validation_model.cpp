@@ -128,7 +128,12 @@ QVariant ValidationModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return cell(row, index.column());
         case Qt::ToolTipRole:
-            return cell(row, index.column()) + QLatin1Char('\n') + methodText(row.reason);
+            // A narrow table shows neither paper nor place.
+            return cell(row, index.column()) + QLatin1Char('\n') +
+                   (index.column() > Place ? cell(row, Paper) + QStringLiteral(", ") +
+                                                 cell(row, Place) + QLatin1Char('\n')
+                                           : QString()) +
+                   methodText(row.reason);
         case Qt::TextAlignmentRole:
             return alignment(index.column());
         default:

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QPaintEvent>
+#include <QScrollBar>
+#include <QTableView>
+
+namespace ravnoves {
+
+/// Where a table shows whole rows: all of it but a row that its lower edge would cut.
+QRegion wholeRows(const QTableView& table);
+
+/// Makes rows as high as their words need in these columns, where they wrap; the current row stays
+/// in sight.
+void fitRowsToWords(QTableView& table, const QList<int>& columns);
+
+/// The width that its longest word needs, as the table writes it.
+int longestWord(const QTableView& table, int column);
+
+/// A table that scrolls by whole rows and paints none that its lower edge cuts.
+template <typename Table>
+class WithWholeRows : public Table {
+  public:
+    explicit WithWholeRows(QWidget* parent) : Table(parent) {
+        // What was left blank must not be moved as if it were a row.
+        QObject::connect(this->verticalScrollBar(), &QScrollBar::valueChanged, this->viewport(),
+                         qOverload<>(&QWidget::update));
+    }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override {
+        QPaintEvent whole(event->region() & wholeRows(*this));
+        Table::paintEvent(&whole);
+    }
+};
+
+}  // namespace ravnoves
