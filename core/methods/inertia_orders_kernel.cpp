@@ -118,7 +118,7 @@ Method<OrdersCase> transform_by_accuracy() {
     method.info = {"transform-by-accuracy",
                    CORE_TEXT("methods", "Fourier transform as long as needed"),
                    CORE_TEXT("methods",
-                             "the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points "
+                             "the number of points grows as 1/√(1 − λ(1 + K)); beyond 65536 points "
                              "it says that the accuracy is not reached"),
                    {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
                    false};

@@ -214,7 +214,7 @@ Method<Turn> exact() {
                    CORE_TEXT("methods", "exact"),
                    CORE_TEXT("methods",
                              "in float the angle itself has seven digits; near locking the error "
-                             "grows as the rounding divided by 1 - λ(1 + K)"),
+                             "grows as the rounding divided by 1 − λ(1 + K)"),
                    {{CORE_TEXT("methods", "float"), 0}, {CORE_TEXT("methods", "double"), 1}},
                    false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
@@ -270,8 +270,8 @@ Method<Turn> exact_table() {
     method.info = {"exact-table",
                    CORE_TEXT("methods", "exact, sines kept"),
                    CORE_TEXT("methods",
-                             "near locking the error grows as the rounding divided by 1 - λ(1 + "
-                             "K): nine digits are left at 1 - λ(1 + K) = 1e-6"),
+                             "near locking the error grows as the rounding divided by 1 − λ(1 + "
+                             "K): nine digits are left at 1 − λ(1 + K) = 10⁻⁶"),
                    {{CORE_TEXT("methods", "float"), 0}, {CORE_TEXT("methods", "double"), 1}},
                    false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
@@ -377,7 +377,7 @@ Kernel slider_crank_kernel() {
     kernel.evaluation = CORE_TEXT("methods", "s, s′ and s″ at one crank angle");
     kernel.check_text = CORE_TEXT(
         "methods",
-        "the closure |crankpin - pin| = L solved by Newton's method, derivatives by differences");
+        "the closure |crankpin − pin| = L solved by Newton's method, derivatives by differences");
     kernel.check_tolerance = 1e-15;
     kernel.choice = inertia_moments::slider_crank_choice;
     definition.methods = {series(), chebyshev(), exact(), exact_recurrence(), exact_table()};
