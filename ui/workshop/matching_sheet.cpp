@@ -9,6 +9,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/result_table.h"
 #include "workshop/model/matching_text.h"
 
@@ -104,6 +105,12 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
     withRod->setToolTip(tr("The small end goes with the big end: they are one rod."));
     grid->addWidget(withRod, row, static_cast<int>(Part::rod_small_end) + 1);
     add(Part::shells, field::shell_moves, &Rules::shells);
+    QLabel* words = captionLabel(
+        tr("Where matching may put a part – free: in any cylinder, bank: within its bank, goes: "
+           "with its piston or rod, stays: where it is."),
+        grid->parentWidget());
+    words->setObjectName(QStringLiteral("moves_words"));
+    grid->addWidget(words, row + 1, 0, 1, -1);
 }
 
 void MatchingSheet::addGoal(bool asksRadius) {

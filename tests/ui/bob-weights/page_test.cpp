@@ -169,7 +169,7 @@ class BobPageTest : public ::testing::Test {
 };
 
 TEST_F(BobPageTest, ShopCardByKeys) {
-    EXPECT_EQ(label("headline"), u"Still needed: piston, big end"_s);
+    EXPECT_EQ(label("headline"), u"The bob weight still needs: piston, big end"_s);
     EXPECT_EQ(rowsOf("Bob weight, line by line"), 0);
     typeShopCard();
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);

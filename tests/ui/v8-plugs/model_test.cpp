@@ -81,6 +81,8 @@ TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_FALSE(model.solution().option(OptionId::steel_machined));
     EXPECT_EQ(model.shiftText(), QString());
     EXPECT_FALSE(model.inputJson().contains("mass_changes_g"));
+    EXPECT_TRUE(model.troubles().join(u'\n').contains(u"but sheet 2 says 2.79"_s))
+        << "a preset that nobody typed";
     // All parts may be nominal; that is something else.
     model.edit(u"none"_s, [](Input& input) { input.changes_given = true; });
     EXPECT_TRUE(model.inputJson().contains("mass_changes_g"));

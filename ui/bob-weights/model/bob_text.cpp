@@ -69,7 +69,7 @@ QString headline(const Words& words, const Input& input, const Result& result) {
     for (const Field* field : missing_for_bob_weight(input)) {
         missing << inSentence(words.name(*field));
     }
-    return words.translate("BobWeights", "Still needed: %1")
+    return words.translate("BobWeights", "The bob weight still needs: %1")
         .arg(missing.join(QStringLiteral(", ")));
 }
 

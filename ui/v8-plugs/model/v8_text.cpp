@@ -44,11 +44,11 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
     const auto warn = [&](const std::optional<PlugMass>& mass, PlugMaterial material) {
         if (mass && !mass->fits) {
             warnings << (solid ? words.translate("V8",
-                                                 "%1 plug: solid it weighs %2, but %3 was typed. "
-                                                 "Give its bore or weigh it.")
+                                                 "%1 plug: solid it weighs %2, but sheet 2 says "
+                                                 "%3. Give its bore or weigh it.")
                                : words.translate("V8",
                                                  "%1 plug: a plug of these dimensions weighs %2, "
-                                                 "but %3 was typed. Weigh it."))
+                                                 "but sheet 2 says %3. Weigh it."))
                             .arg(materialName(words, material), grams(words, mass->geometry, 1),
                                  grams(words, mass->typed, 2));
         }
