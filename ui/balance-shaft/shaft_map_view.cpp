@@ -174,7 +174,7 @@ QWidget* ShaftMapView::buildLimits() {
         form->number(place);
     }
     section->addWide(captionLabel(
-        tr("Beside what the shaft must clear: for example a wall of the crankcase. What is empty "
+        tr("Besides what the shaft must clear: for example a wall of the crankcase. What is empty "
            "does not limit. The sizes of the engine are on the Inputs tab."),
         section));
     static_cast<QVBoxLayout*>(form->layout())->addStretch();

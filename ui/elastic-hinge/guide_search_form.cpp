@@ -24,7 +24,7 @@ GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Fo
     answer->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answer->setObjectName(QStringLiteral("search_answer"));
     column->addWidget(answer);
-    auto* take = new QPushButton(tr("&Take it over"), this);
+    auto* take = new QPushButton(tr("Use &these values"), this);
     take->setObjectName(QStringLiteral("take_proposal"));
     take->setToolTip(tr("Sets c and ρ₀ to the values found"));
     column->addWidget(take);

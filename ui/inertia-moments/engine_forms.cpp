@@ -178,7 +178,7 @@ void EngineForm::addRotatingMass() {
     auto* given = new QComboBox(this);
     given->setObjectName(QStringLiteral("rotating_mass_given"));
     given->addItems({tr("of one cylinder"), tr("of one throw")});
-    current()->addWidget(tr("It is the mass"), given, {},
+    current()->addWidget(tr("Mass given"), given, {},
                          tr("Where rods share a crankpin, a throw carries the mass of one cylinder "
                             "once for each of them. Choosing the other way changes the number, not "
                             "the engine."));

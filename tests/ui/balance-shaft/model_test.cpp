@@ -40,7 +40,7 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_range_buildable.shaft_angle / degree);
     EXPECT_TRUE(model.result().is_buildable);
     EXPECT_TRUE(
-        model.bestRangeText().contains(QStringLiteral("43.1\u00A0N·m less at 50.65° cannot be built")))
+        model.bestRangeText().contains(QStringLiteral("43.1\u00A0N·m less at 50.65° – cannot be built")))
         << model.bestRangeText().toStdString();
     model.goToBestRms();
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);

@@ -526,8 +526,9 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
     if (!canBeBuilt) {
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut nothing can be built"));
     } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
+        text += QLatin1Char('\n');
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
-                                      "\n%2 less at %1° cannot be built"))
+                                      "%2 less at %1° – cannot be built"))
                     .arg(number(*all.shaft_angle / degree, 2),
                          shownNumber(best.value - all.value, units::N_m, 1));
     }

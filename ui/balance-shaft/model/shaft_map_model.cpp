@@ -500,7 +500,7 @@ QString ShaftMapModel::bestText() const {
         if (other.criterion == criterion_ && !other.isBuildable && !other.worst) {
             text +=
                 QLatin1Char(' ') +
-                tr("%1 at %2 cannot be built.").arg(value(other.criteria), where(other.position));
+                tr("%1 at %2 – cannot be built.").arg(value(other.criteria), where(other.position));
         }
     }
     return text;

@@ -654,8 +654,10 @@ void InertiaMomentsModel::setTab(Tabs group, int index) {
 
 namespace {
 
+constexpr QChar wideSpace(0x2002);
+
 QString componentName(const Difference& d) {
-    const QString order = QString::number(d.order) + QStringLiteral("\u2002");
+    const QString order = QString::number(d.order) + wideSpace;
     switch (d.quantity) {
         case Quantity::force:
             return order +
@@ -841,13 +843,15 @@ QString InertiaMomentsModel::warningText() const {
                 parts << tr("and %n more", nullptr, static_cast<int>(warnings.size()) - 3);
                 break;
             }
-            const QString name = componentName(*d);
+            const QString named = componentName(*d);
+            const QString name =
+                tr("%1 of order %2").arg(named.section(wideSpace, 1)).arg(d->order);
             parts << (d->two_term == 0.0
-                          ? tr("%1 left out (%2 % of the largest)")
+                          ? tr("%1 is left out (%2 % of the largest)")
                                 .arg(name, number(100.0 * d->of_largest, 1))
-                          : tr("%1 %2 % off").arg(name, number(100.0 * *d->relative, 1)));
+                          : tr("%1 is %2 % off").arg(name, number(100.0 * *d->relative, 1)));
         }
-        lines << tr("Two-term is not enough: order %1.").arg(parts.join(QStringLiteral("; ")));
+        lines << tr("Two-term is not enough: %1.").arg(parts.join(QStringLiteral("; ")));
     }
     return lines.join(QLatin1Char('\n'));
 }
