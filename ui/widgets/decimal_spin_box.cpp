@@ -1,8 +1,10 @@
 #include "widgets/decimal_spin_box.h"
 
 #include <QKeyEvent>
+#include <cmath>
 
 #include "text/number_text.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -27,17 +29,14 @@ bool DecimalSpinBox::event(QEvent* event) {
 }
 
 QValidator::State DecimalSpinBox::validate(QString& text, int& /*position*/) const {
-    const QString number = bare(text);
-    if (const auto value = readFormNumber(number)) {
-        return *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
-                                                          : QValidator::Intermediate;
-    }
-    for (const QChar c : number) {
-        if (!c.isDigit() && !QStringLiteral("+-,.−").contains(c)) {
-            return QValidator::Invalid;
-        }
-    }
-    return QValidator::Intermediate;
+    // No key is refused: what is wrong is said of the whole text.
+    const QString typed = bare(text);
+    const auto value = readTypedNumber(typed, suffix().trimmed()).value;
+    // The ends of a range are rounded, what was converted to them is not.
+    const double rounding = readFormNumber(typed) ? 0.0 : 0.5 * std::pow(10.0, -decimals());
+    return value && *value >= minimum() - rounding && *value <= maximum() + rounding
+               ? QValidator::Acceptable
+               : QValidator::Intermediate;
 }
 
 void DecimalSpinBox::fixup(QString& text) const {
@@ -47,7 +46,7 @@ void DecimalSpinBox::fixup(QString& text) const {
 }
 
 double DecimalSpinBox::valueFromText(const QString& text) const {
-    return readFormNumber(bare(text)).value_or(value());
+    return readTypedNumber(bare(text), suffix().trimmed()).value.value_or(value());
 }
 
 }  // namespace ravnoves

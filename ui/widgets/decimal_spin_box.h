@@ -4,9 +4,10 @@
 
 namespace ravnoves {
 
-/// A QDoubleSpinBox that takes decimal comma and point in every locale, and passes a typed value on
-/// when it is finished (not at each key, which would jump while "120" is typed). Undo and redo are
-/// the text's while it is not the value, else the document's.
+/// A QDoubleSpinBox that takes decimal comma and point in every locale and the units that a field
+/// takes (its own is its suffix), and passes a typed value on when it is finished (not at each key,
+/// which would jump while "120" is typed). Undo and redo are the text's while it is not the value,
+/// else the document's.
 class DecimalSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 

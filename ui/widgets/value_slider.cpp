@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
@@ -14,6 +15,7 @@
 #include "model/scene_model.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/form_section.h"
@@ -57,6 +59,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     slider_->setPageStep(std::max(1, static_cast<int>(std::lround(pageStep / step))));
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->installEventFilter(this);
+    box_->installEventFilter(this);
     trouble_ = new TroubleLine(this);
     // One row: label, slider, box. Two: the slider below both.
     grid_->addWidget(label_, 0, 0);
@@ -67,8 +70,13 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
-    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-            [this](double shown) { edit(factor_ == 1.0 ? shown : shown / factor_); });
+    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double shown) {
+        // The ends of the box are rounded, those of the value are not.
+        edit(factor_ == 1.0             ? shown
+             : shown == box_->minimum() ? min_
+             : shown == box_->maximum() ? max_
+                                        : shown / factor_);
+    });
     connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
     connect(box_, &DecimalSpinBox::refused, this, &ValueSlider::sayOutOfRange);
     connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] { refuse({}); });
@@ -99,11 +107,13 @@ void ValueSlider::setModel(SceneModel* model) {
 }
 
 void ValueSlider::sayOutOfRange(const QString& typed) {
+    const auto [number, trouble] = readTypedNumber(typed, unit_);
     const QString rule =
-        readFormNumber(typed)
+        number
             ? NumberField::tr("The value %1.")
                   .arg(rangeText(Range::between(box_->minimum(), box_->maximum()), unit_, locale()))
-            : NumberField::tr("“%1” is not a number.").arg(typed);
+        : trouble.isEmpty() ? NumberField::tr("“%1” is not a number.").arg(typed)
+                            : trouble;
     refuse(tr("“%1” is refused. %2").arg(typed, rule));
 }
 
@@ -234,6 +244,14 @@ bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
     if (watched == slider_ && event->type() == QEvent::MouseButtonDblClick) {
         box_->setFocus(Qt::MouseFocusReason);
         box_->selectAll();
+        return true;
+    }
+    if (watched == box_ && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        (!trouble().isEmpty() || box_->cleanText() != box_->textFromValue(box_->value()))) {
+        box_->setValue(box_->value());
+        box_->selectAll();
+        refuse({});
         return true;
     }
     return QWidget::eventFilter(watched, event);

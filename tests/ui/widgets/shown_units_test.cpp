@@ -107,6 +107,17 @@ TEST_F(ShownUnits, OfASliderAreInItsBox) {
     EXPECT_DOUBLE_EQ(slider.value(), 50.8);
     ASSERT_EQ(edited.size(), 1);
     EXPECT_DOUBLE_EQ(edited.front().front().toDouble(), 50.8);
+    const auto type = [&](const QString& text) {
+        slider.box()->selectAll();
+        QTest::keyClicks(slider.box(), text);
+        QTest::keyClick(slider.box(), Qt::Key_Return);
+        return slider.value();
+    };
+    EXPECT_DOUBLE_EQ(type(u"1.2 mm"_s), 1.2);
+    EXPECT_DOUBLE_EQ(type(u"1,5"_s), 38.1);
+    slider.setRange(0.0, 200.0);  // 7.874 in, rounded down
+    EXPECT_DOUBLE_EQ(type(u"200 mm"_s), 200.0);
+    EXPECT_EQ(slider.trouble(), QString());
 }
 
 TEST_F(ShownUnits, OfAPlotAreOnItsAxesInItsSentenceAndInItsTable) {

@@ -64,6 +64,59 @@ TEST_F(ValueSliderRefusal, StaysWhenTheFieldIsLeftAndGoesWhenTheSliderMoves) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
+TEST_F(ValueSliderRefusal, QuotesTheWholeTextAndTakesNoPartOfIt) {
+    for (const char* text : {"abc50,65", "50,65abc", "5o", "1 000", "50.65 kg", "1,2.3"}) {
+        const QString typed = QString::fromUtf8(text);
+        type(typed);
+        EXPECT_TRUE(slider.box()->cleanText().startsWith(typed)) << text;
+        QTest::keyClick(slider.box(), Qt::Key_Return);
+        EXPECT_EQ(slider.value(), 45.0) << text;
+        EXPECT_TRUE(slider.trouble().contains(u'“' + typed + u'”'))
+            << slider.trouble().toStdString();
+    }
+    type(QStringLiteral("50,65°"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 50.65);
+    EXPECT_EQ(slider.trouble(), QString());
+}
+
+TEST_F(ValueSliderRefusal, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
+    const QString before = slider.box()->text();
+    type(QStringLiteral("400"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_FALSE(slider.trouble().isEmpty());
+    QTest::keyClick(slider.box(), Qt::Key_Escape);
+    EXPECT_EQ(slider.trouble(), QString());
+    type(QStringLiteral("12x"));
+    QTest::keyClick(slider.box(), Qt::Key_Escape);
+    EXPECT_EQ(slider.box()->text(), before);
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 45.0);
+    EXPECT_EQ(slider.trouble(), QString());
+}
+
+TEST(ValueSliderUnits, ConvertsAsNumberFieldsDo) {
+    ValueSlider slider{QStringLiteral("&Offset"), -50.0, 50.0, 0.1, 1.0, 2, QStringLiteral("mm")};
+    test::showAt(slider, {500, 60});
+    const auto type = [&](const char* text) {
+        slider.box()->selectAll();
+        for (const QChar c : QString::fromUtf8(text)) {  // keyClicks() has no Russian
+            QTest::sendKeyEvent(QTest::Click, slider.box(), Qt::Key_unknown, QString(c), {});
+        }
+        QTest::keyClick(slider.box(), Qt::Key_Return);
+        return slider.value();
+    };
+    EXPECT_EQ(type("0.5 in"), 12.7);
+    EXPECT_EQ(type("1,2 cm"), 12.0);
+    EXPECT_EQ(type("7,5 мм"), 7.5);
+    EXPECT_EQ(type("8 mm"), 8.0);
+    EXPECT_EQ(slider.trouble(), QString());
+    EXPECT_EQ(type("5 in"), 8.0);
+    EXPECT_TRUE(slider.trouble().contains(QStringLiteral("“5 in”")));
+    EXPECT_EQ(type("5 kg"), 8.0);
+    EXPECT_TRUE(slider.trouble().contains(QStringLiteral("“kg”")));
+}
+
 TEST_F(ValueSliderRefusal, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
     for (const int width : {150, 200, 260, 400}) {
         test::showAt(window, {width, 140});
