@@ -39,6 +39,8 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
     table_->setTable(model_->input().torque.table);
     connect(model_, &SceneModel::changed, this,
             [this] { table_->setTable(model_->input().torque.table); });
+    connect(model_, &SceneModel::broughtIn, this,
+            [this] { table_->setTable(model_->input().torque.table); });
     connect(table_, &TorqueTableModel::tableEdited, this, [this] {
         model_->edit(tr("Edit torque table"), [this](balance_shaft::Input& input) {
             input.torque.kind = balance_shaft::TorqueSource::Kind::table;

@@ -35,6 +35,13 @@ class EditableTable : public QAbstractTableModel {
     /// @return an empty string, or what is wrong
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
 
+    /// True where this cell holds what was refused, or the table is refused as a whole.
+    virtual bool canTakeBackRefused(const QModelIndex& at) const {
+        return at.data(TroubleRole).toBool();
+    }
+    /// Takes that back; of a whole table what was typed last.
+    virtual void takeBackRefused(const QModelIndex& /*at*/) {}
+
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   Q_SIGNALS:

@@ -134,7 +134,27 @@ void TableEditor::paste() {
     }
 }
 
+bool TableEditor::takeBackRefused() {
+    const QModelIndex at = view_->currentIndex();
+    const int row = at.row();
+    const int column = at.column();
+    if (!table_->canTakeBackRefused(at)) {
+        return false;
+    }
+    table_->takeBackRefused(at);
+    if (!view_->currentIndex().isValid() && row >= 0) {  // the whole table was shown anew
+        view_->setCurrentIndex(table_->index(row, column));
+    }
+    return true;
+}
+
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == view_ && event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo) &&
+        table_->canTakeBackRefused(view_->currentIndex())) {
+        event->accept();  // then it comes as a key
+        return true;
+    }
     if (watched == view_ && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isPaste = key->matches(QKeySequence::Paste);
@@ -147,6 +167,8 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
             }
         } else if (isCopy) {
             copy();
+        } else if (key->matches(QKeySequence::Undo) || key->key() == Qt::Key_Escape) {
+            return takeBackRefused();
         } else if (key->key() == Qt::Key_Delete) {
             removeSelected();
         } else {

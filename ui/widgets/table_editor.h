@@ -44,6 +44,8 @@ class TableEditor : public QWidget {
 
   private:
     void removeSelected();
+    /// Undo and Escape are the table's while something in it is refused, else the document's.
+    bool takeBackRefused();
 
     EditableTable* table_;
     QHBoxLayout* tools_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
@@ -232,6 +233,53 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->removeRowRange(11, 1);
     EXPECT_EQ(table->rowCount(), 49);
     EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, ARefusedCellIsTheNewestThingToUndo) {
+    QAction undo;
+    undo.setShortcut(QKeySequence::Undo);
+    page.addAction(&undo);
+    QObject::connect(&undo, &QAction::triggered, model, &SceneModel::undo);
+    const double before = model->shaftAngleDeg();
+    model->setShaftAngleDeg(before + 25.0);
+    model->finishDrag();
+    TorqueTableModel* table = page.torqueEditor()->tableModel();
+    QTableView* view = page.torqueEditor()->view();
+    const auto cell = [&](int row) { return table->index(row, 1).data().toString(); };
+    const auto type = [&](int row, const char* text) {
+        view->setCurrentIndex(table->index(row, 1));
+        view->edit(table->index(row, 1));
+        auto* editor = view->viewport()->findChild<QLineEdit*>();
+        ASSERT_NE(editor, nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, QString::fromLatin1(text));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents();
+        QApplication::processEvents();
+        view->setFocus();
+    };
+    const QString five = cell(5);
+    const QString eight = cell(8);
+    type(5, "abc");
+    type(8, "77");
+    EXPECT_EQ(cell(5), QStringLiteral("abc"));
+    EXPECT_EQ(cell(8), QStringLiteral("77"));
+    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(cell(8), eight);
+    EXPECT_EQ(cell(5), QStringLiteral("abc"));
+    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(cell(5), five);
+    EXPECT_EQ(table->trouble(), QString());
+    EXPECT_EQ(model->shaftAngleDeg(), before + 25.0);
+    type(5, "abc");
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_EQ(cell(5), five);
+    // From elsewhere the document's undo clears what is refused, as in fields.
+    type(5, "abc");
+    model->undo();
+    EXPECT_EQ(cell(5), five);
+    EXPECT_NEAR(model->shaftAngleDeg(), before, 1e-9);
+    EXPECT_FALSE(model->history()->canUndo());
 }
 
 TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {

@@ -75,6 +75,7 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     valid_ = table;
     trouble_.clear();
     badRow_ = -1;
+    typedOver_.clear();
     endResetModel();
     Q_EMIT troubleChanged(trouble_);
 }
@@ -111,6 +112,9 @@ void TorqueTableModel::check() {
     if (newTrouble) {
         Q_EMIT troubleChanged(trouble_);
     }
+    if (trouble_.isEmpty()) {
+        typedOver_.clear();
+    }
     if (trouble_.isEmpty() && !(table == valid_)) {
         valid_ = std::move(table);
         Q_EMIT tableEdited();
@@ -140,6 +144,7 @@ void TorqueTableModel::insertRowBelow(int row) {
     beginInsertRows({}, at, at);
     rows_.insert(rows_.begin() + at, std::move(fresh));
     endInsertRows();
+    typedOver_.clear();
     check();
 }
 
@@ -153,6 +158,7 @@ void TorqueTableModel::removeRowRange(int first, int count) {
     beginRemoveRows({}, first, last - 1);
     rows_.erase(rows_.begin() + first, rows_.begin() + last);
     endRemoveRows();
+    typedOver_.clear();
     check();
 }
 
@@ -178,6 +184,7 @@ QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
 }
 
 QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    typedOver_.clear();
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::size_t at = static_cast<std::size_t>(row) + i;
         if (at >= rows_.size()) {
@@ -224,11 +231,26 @@ bool TorqueTableModel::setData(const QModelIndex& index, const QVariant& value, 
         return false;
     }
     const QString text = value.toString().trimmed();
-    Row& row = rows_[static_cast<std::size_t>(index.row())];
-    if (textOf(row, index.column()) == text) {
-        return true;
+    const QString before = textOf(rows_[static_cast<std::size_t>(index.row())], index.column());
+    if (before != text) {
+        typedOver_.push_back({index.row(), index.column(), before});
+        put(index, text);
     }
-    type(row, index.column(), text);
+    return true;
+}
+
+void TorqueTableModel::takeBackRefused(const QModelIndex& /*at*/) {
+    if (typedOver_.empty()) {
+        setTable(TorqueTable(valid_));
+        return;
+    }
+    const Before last = std::move(typedOver_.back());
+    typedOver_.pop_back();
+    put(index(last.row, last.column), last.text);
+}
+
+void TorqueTableModel::put(const QModelIndex& index, const QString& text) {
+    type(rows_[static_cast<std::size_t>(index.row())], index.column(), text);
     const int last = rowCount() - 1;
     if (index.column() == Torque && (index.row() == 0 || index.row() == last)) {
         type(rows_.front(), Torque, text);
@@ -238,7 +260,6 @@ bool TorqueTableModel::setData(const QModelIndex& index, const QVariant& value, 
     }
     Q_EMIT dataChanged(index, index);
     check();
-    return true;
 }
 
 QVariant TorqueTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -35,6 +35,10 @@ class TorqueTableModel : public EditableTable {
     /// that the column shows where the text names none.
     /// @return what was read, as a sentence; throws InputError and changes nothing
     QString replaceByText(const std::string& text, bool isShown = false);
+    bool canTakeBackRefused(const QModelIndex& /*at*/) const override {
+        return !trouble_.isEmpty();
+    }
+    void takeBackRefused(const QModelIndex& at) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -65,12 +69,20 @@ class TorqueTableModel : public EditableTable {
     static std::optional<double> angleOf(const Row& row);
     static std::optional<double> torqueOf(const Row& row);
     static void type(Row& row, int column, const QString& text);
+    void put(const QModelIndex& index, const QString& text);
     void check();
 
     std::vector<Row> rows_;
     balance_shaft::TorqueTable valid_;
     QString trouble_;
     int badRow_ = -1;
+    /// A cell as it was before it was typed over.
+    struct Before {
+        int row;
+        int column;
+        QString text;
+    };
+    std::vector<Before> typedOver_;  ///< since the cells were a cycle, or rows came or went
 };
 
 }  // namespace ravnoves

@@ -164,6 +164,13 @@ CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* pare
     rows_ = rowCount();
     columns_ = columnCount();
     connect(model_, &SceneModel::changed, this, &CylinderTableModel::refresh);
+    connect(model_, &SceneModel::broughtIn, this, [this] {
+        if (!refused_.empty()) {
+            refused_.clear();
+            say({});
+            Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
+        }
+    });
 }
 
 std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
@@ -332,6 +339,14 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     }
     say(why);
     return why.isEmpty();
+}
+
+void CylinderTableModel::takeBackRefused(const QModelIndex& at) {
+    if (refused_.erase({at.row(), at.column()}) > 0) {
+        model_->sayTrouble({});
+        say({});
+        Q_EMIT dataChanged(at, at);
+    }
 }
 
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

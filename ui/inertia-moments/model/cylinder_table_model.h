@@ -44,6 +44,7 @@ class CylinderTableModel final : public EditableTable {
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Rows that are missing are added.
+    void takeBackRefused(const QModelIndex& at) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;

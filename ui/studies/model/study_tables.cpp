@@ -138,6 +138,12 @@ bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int 
     return why.isEmpty();
 }
 
+void ScatterTable::takeBackRefused(const QModelIndex& at) {
+    refused_.erase(model_->inputs()[static_cast<std::size_t>(at.row())].pointer);
+    Q_EMIT troubleChanged(trouble());
+    Q_EMIT dataChanged(at, at);
+}
+
 void ScatterTable::removeRowRange(int first, int count) {
     for (int row = first; row < first + count; ++row) {
         setData(index(row, Scatter), QString(), Qt::EditRole);
@@ -247,6 +253,14 @@ void WatchTable::retry(int row, int column) {
     if (there != refused_.end()) {
         take(row, column, QString(there->second.text));
     }
+}
+
+void WatchTable::takeBackRefused(const QModelIndex& at) {
+    refused_.erase(
+        {model_->study().watch[static_cast<std::size_t>(at.row())].pointer, at.column()});
+    retry(at.row(), at.column() == Least ? Most : Least);
+    Q_EMIT troubleChanged(trouble());
+    Q_EMIT dataChanged(index(at.row(), Least), index(at.row(), Most));
 }
 
 void WatchTable::dropUnwatched() {

@@ -19,6 +19,7 @@ class ScatterTable final : public EditableTable {
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
+    void takeBackRefused(const QModelIndex& at) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -59,6 +60,7 @@ class WatchTable final : public EditableTable {
 
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
+    void takeBackRefused(const QModelIndex& at) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
