@@ -1,9 +1,6 @@
 #pragma once
 
-#include "widgets/panel.h"
-
-class QLabel;
-class QPushButton;
+#include "shell/notice_bar.h"
 
 namespace ravnoves {
 
@@ -11,7 +8,7 @@ class CaseDocument;
 
 /// Over the page: that the case's file, or one that it reads, was changed or deleted by others, and
 /// what to do. Hidden where they are as they were.
-class DiskNotice : public Panel {
+class DiskNotice : public NoticeBar {
     Q_OBJECT
 
   public:
@@ -25,7 +22,6 @@ class DiskNotice : public Panel {
     void saveAsAsked();
 
   private:
-    QLabel* text_;
     QPushButton* reload_;
     QPushButton* keep_;
     QPushButton* saveAs_;

@@ -1,6 +1,5 @@
 #include "shell/solving_notice.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -10,24 +9,15 @@
 
 namespace ravnoves {
 
-SolvingNotice::SolvingNotice(QWidget* parent) : Panel(parent) {
-    setObjectName(QStringLiteral("solving_notice"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    row->setSpacing(Theme::space);
-    text_ = new QLabel(this);
-    text_->setWordWrap(true);
-    row->addWidget(text_, 1);
-    stop_ = new QPushButton(tr("Cancel"), this);
-    stop_->setObjectName(QStringLiteral("stop_solving"));
-    stop_->setToolTip(tr("Give the change up and keep what holds."));
-    row->addWidget(stop_);
+SolvingNotice::SolvingNotice(QWidget* parent)
+    : NoticeBar(QStringLiteral("solving_notice"), parent),
+      stop_(addButton(QStringLiteral("stop_solving"), tr("Cancel"),
+                      tr("Give the change up and keep what holds."))) {
     connect(stop_, &QPushButton::clicked, this, [this] {
         if (model_ != nullptr) {
             model_->stopSolving();
         }
     });
-    hide();
 }
 
 void SolvingNotice::follow(SceneModel* model) {
@@ -47,13 +37,13 @@ void SolvingNotice::follow(SceneModel* model) {
 void SolvingNotice::say(const QString& trouble) {
     const bool isSolving = model_ != nullptr && model_->isSolving();
     const bool isWaiting = model_ != nullptr && model_->isWaiting();
-    const QString text =
+    const QString words =
         !trouble.isEmpty() ? tr("The change was not taken: %1").arg(trouble)
         : isSolving
             ? tr("Solving… Until then the results are those of the input before the change.")
             : tr("Solving…");
-    text_->setText(text);
-    colourText(text_, trouble.isEmpty() ? Theme::instance().warning() : Theme::instance().error());
+    text()->setText(words);
+    colourText(text(), trouble.isEmpty() ? Theme::instance().warning() : Theme::instance().error());
     stop_->setVisible(isSolving);
     setVisible(isSolving || isWaiting || !trouble.isEmpty());
 }

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "widgets/panel.h"
-
-class QLabel;
-class QPushButton;
+#include "shell/notice_bar.h"
 
 namespace ravnoves {
 
@@ -11,7 +8,7 @@ class SceneModel;
 
 /// Over the page: that its results are not those of the last change, which is still being solved,
 /// or why that was refused. Hidden where they are.
-class SolvingNotice : public Panel {
+class SolvingNotice : public NoticeBar {
     Q_OBJECT
 
   public:
@@ -24,7 +21,6 @@ class SolvingNotice : public Panel {
     void say(const QString& trouble);
 
     SceneModel* model_ = nullptr;
-    QLabel* text_;
     QPushButton* stop_;
 };
 
