@@ -178,15 +178,24 @@ int main(int argc, char** argv) {
     } else if (scene.isEmpty() && paths.isEmpty() && !window.documents().hasCurrent()) {
         window.showScene(ravnoves::sceneList().front().name);
     }
+    QStringList refused;
     for (const QString& path : paths) {
         const QString trouble = window.openCase(path);
         if (!trouble.isEmpty()) {
-            return fail(trouble);
+            const int status = fail(trouble);
+            if (isSilent || parser.isSet(setOption)) {
+                return status;
+            }
+            refused << path;  // the window says it, too: nobody may be at the terminal
+            continue;
         }
         if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
             return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
                 scene, window.currentScene()));
         }
+    }
+    if (!refused.isEmpty() && !window.documents().hasCurrent()) {
+        window.showStart();
     }
     if (report && paths.size() != 1) {
         return fail(u"--report: needs one case, --case FILE"_s);
@@ -213,5 +222,10 @@ int main(int argc, char** argv) {
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
     QTimer::singleShot(0, &window, &ravnoves::MainWindow::offerRecovered);
+    QTimer::singleShot(0, &window, [&window, refused] {
+        for (const QString& path : refused) {
+            window.openOrSayWhy(path);
+        }
+    });
     return QApplication::exec();
 }

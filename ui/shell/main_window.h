@@ -47,6 +47,9 @@ class MainWindow : public QMainWindow {
     /// Opens a case file in a tab of its own and shows it; one that is open comes to the front.
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
     QString openCase(const QString& path);
+    /// The same for someone who sits before it: asks where a file is that the case names, and says
+    /// what is wrong.
+    void openOrSayWhy(const QString& path);
     /// Begins a case of a scene in a tab of its own. @return false where there is no such scene
     bool newCase(const QString& scene);
     /// The same from a case that stays without a file, as an example.
@@ -82,7 +85,6 @@ class MainWindow : public QMainWindow {
     void beginWithDialog();
     void fillNewMenu();
     void fillExamples();
-    void openOrSayWhy(const QString& path);
     void openWithDialog();
     void exportPicture();
     void exportReport();
