@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "case-file/json.h"
@@ -21,7 +22,9 @@ namespace {
 
 using Leaves = std::vector<std::pair<std::string, Json>>;
 
-void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves) {
+/// @param longest  of lists of numbers: longer ones are left out
+void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves,
+                   std::size_t longest = std::numeric_limits<std::size_t>::max()) {
     if (value.is_object()) {
         for (const auto& [key, child] : value.items()) {
             std::string segment = key;
@@ -29,11 +32,14 @@ void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves
                  at += 2) {
                 segment.replace(at, 1, segment[at] == '~' ? "~0" : "~1");
             }
-            collectLeaves(child, pointer + '/' + segment, leaves);
+            collectLeaves(child, pointer + '/' + segment, leaves, longest);
         }
     } else if (value.is_array()) {
+        if (value.size() > longest && !value.front().is_structured()) {
+            return;
+        }
         for (std::size_t i = 0; i < value.size(); ++i) {
-            collectLeaves(value[i], pointer + '/' + std::to_string(i), leaves);
+            collectLeaves(value[i], pointer + '/' + std::to_string(i), leaves, longest);
         }
     } else {
         leaves.emplace_back(pointer, value);
@@ -238,14 +244,12 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     constexpr std::size_t longest = 12;
     Leaves leaves;
     const Json input = model.inputJson();
-    collectLeaves(input, {}, leaves);
+    collectLeaves(input, {}, leaves, longest);
     const FieldNames names(model);
     std::vector<InputNumber> numbers;
     for (const auto& [pointer, value] : leaves) {
-        const Json& around = input.at(Json::json_pointer(pointer).parent_pointer());
         const FieldEntry* entry = names.find(pointer);
-        if (!value.is_number() || (around.is_array() && around.size() > longest) ||
-            (entry != nullptr && entry->kind == FieldKind::integer)) {
+        if (!value.is_number() || (entry != nullptr && entry->kind == FieldKind::integer)) {
             continue;
         }
         // Counts, and numbers that are names: of cylinders in a firing order.

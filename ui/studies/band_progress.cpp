@@ -7,8 +7,10 @@
 #include <QToolButton>
 
 #include "model/background_job.h"
+#include "model/scene_model.h"
 #include "shell/scene_page.h"
 #include "studies/tolerance_bands.h"
+#include "studies/tolerance_switch.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -37,16 +39,18 @@ BandProgress::BandProgress(QWidget* parent)
         }
     });
     row->addWidget(stop_);
+    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, this,
+            &BandProgress::showRunning);
     setTexts();
     hide();
 }
 
 void BandProgress::setTexts() {
-    title_->setText(tr("Bands"));
     progress_->setAccessibleName(tr("Bands: progress"));
     stop_->setText(tr("Stop"));
     stop_->setAccessibleName(tr("Stop the bands"));
     stop_->setToolTip(tr("The bands stay as they are until something changes"));
+    showRunning();
 }
 
 void BandProgress::changeEvent(QEvent* event) {
@@ -59,6 +63,7 @@ void BandProgress::changeEvent(QEvent* event) {
 void BandProgress::follow(const ScenePage* page) {
     if (bands_) {
         bands_->job()->disconnect(this);
+        bands_->model()->disconnect(this);
     }
     bands_ = page != nullptr
                  ? page->findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly)
@@ -67,15 +72,22 @@ void BandProgress::follow(const ScenePage* page) {
         connect(bands_->job(), &BackgroundJob::runningChanged, this, &BandProgress::showRunning);
         connect(bands_->job(), &BackgroundJob::progress, this,
                 [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
+        connect(bands_->model(), &SceneModel::changed, this, &BandProgress::showRunning);
+        connect(bands_->model(), &SceneModel::studyChanged, this, &BandProgress::showRunning);
     }
     showRunning();
 }
 
 void BandProgress::showRunning() {
     const bool isRunning = bands_ && bands_->job()->isRunning();
-    if (isVisibleTo(parentWidget()) != isRunning) {
+    const bool isTooLarge = bands_ && bands_->isTooLarge();
+    title_->setText(isTooLarge ? tr("No bands and ±: the input is too large for them")
+                               : tr("Bands"));
+    progress_->setVisible(isRunning);
+    stop_->setVisible(isRunning);
+    if (isVisibleTo(parentWidget()) != (isRunning || isTooLarge)) {
         progress_->setValue(0);
-        setVisible(isRunning);
+        setVisible(isRunning || isTooLarge);
     }
 }
 

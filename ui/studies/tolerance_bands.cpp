@@ -500,7 +500,7 @@ void ToleranceBands::outdate(bool isOther) {
     if (run_ != nullptr && (run_->isDone() || run_->waits)) {
         run_.reset();
     }
-    if (page_->model()->study().empty() || !ToleranceSwitch::instance().isOn()) {
+    if (page_->model()->study().empty() || !ToleranceSwitch::instance().isOn() || isTooLarge()) {
         clear();
         if (page_->model()->study().empty()) {
             twin_.reset();
@@ -515,6 +515,14 @@ void ToleranceBands::outdate(bool isOther) {
         outdated_ = true;
         later_.start(0);
     }
+}
+
+SceneModel* ToleranceBands::model() const {
+    return page_->model();
+}
+
+bool ToleranceBands::isTooLarge() const {
+    return !model()->study().empty() && ToleranceSwitch::instance().isOn() && model()->isLarge();
 }
 
 void ToleranceBands::clear() {
@@ -544,6 +552,9 @@ void ToleranceBands::step() {
     if (!page_->isVisible()) {
         run_.reset();
         return;  // until it is seen again
+    }
+    if (page_->model()->isWaiting()) {
+        return;  // what is waited for outdates this
     }
     if (run_ == nullptr || !run_->isWhole()) {
         outdated_ = false;

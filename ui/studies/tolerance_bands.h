@@ -39,6 +39,9 @@ class ToleranceBands : public QObject {
     bool isBusy() const;
     /// Solves the samples; with progress.
     BackgroundJob* job() const { return job_; }
+    SceneModel* model() const;
+    /// There are tolerances, but no bands: solving the input as often takes too long.
+    bool isTooLarge() const;
     /// No more samples, until something changes: what there is stays, and the tables say so.
     void stop(const QString& why);
 
