@@ -8301,6 +8301,10 @@ but nothing can be built</source>
         <source>The bands and ± are those of slopes, or of the samples so far, until something changes.</source>
         <translation>Полосы и ± — по наклонам или по посчитанным пробам, пока что-нибудь не изменится.</translation>
     </message>
+    <message>
+        <source>No bands and ±: the input is too large for them</source>
+        <translation>Без полос и ±: данных для них слишком много</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobAnswer</name>
@@ -16053,6 +16057,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>nothing needed</source>
         <translation>ничего не требуется</translation>
+    </message>
+    <message>
+        <source>not compensated</source>
+        <translation>не компенсируется</translation>
     </message>
 </context>
 <context>

@@ -63,6 +63,8 @@ ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
         text.result = QStringLiteral("–");
     } else if (job.recommended == QLatin1String("none-needed")) {
         text.result = tr("nothing needed");
+    } else if (job.recommended == QLatin1String("not-compensated")) {
+        text.result = tr("not compensated");
     }
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
         if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {

@@ -55,6 +55,15 @@ TEST_F(V8ModelTest, ResultIsTheCommandLines) {
               u"Replace all 8 plugs by aluminium ones lightened by 0.56\u00A0g each."_s);
 }
 
+TEST_F(V8ModelTest, NumbersAreOfTheLanguageChosenLater) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-6-manufacture.case.json"), {});
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Russian));
+    EXPECT_TRUE(model.adviceText().contains(u"0,56"_s)) << model.adviceText().toStdString();
+    QLocale::setDefault(before);
+}
+
 TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     V8PlugsModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});
@@ -349,6 +358,24 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_NE(model.desk()->jobId(), id);
     EXPECT_EQ(model.desk()->journal()->search({}).size(), 2);
     EXPECT_FALSE(model.desk()->openJob(9999).isEmpty());
+}
+
+TEST_F(V8ModelTest, WhatNoPlugCompensatesIsListedSo) {
+    V8PlugsModel model(path());
+    ASSERT_TRUE(model.desk()->openJournal()) << qPrintable(model.desk()->journalTrouble());
+    Json input = example("v8-4.25-repair.case.json");
+    input["mass_changes_g"]["repair_piston_and_rings"] = 60.0;
+    input["job"]["engine_number"] = "53-13";
+    model.loadInput(input, {});
+    ASSERT_TRUE(model.resultJson().at("recommended").is_null());
+    bool ok = false;
+    model.desk()->saveJob(&ok);
+    ASSERT_TRUE(ok);
+    const auto row = model.desk()->journal()->job(model.desk()->jobId());
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->recommended, u"not-compensated"_s);
+    ASSERT_TRUE(row->bobWeight);
+    EXPECT_NEAR(*row->bobWeight, *model.solution().hung() / gram, 1e-6);
 }
 
 TEST_F(V8ModelTest, OwnEnginesAreKept) {

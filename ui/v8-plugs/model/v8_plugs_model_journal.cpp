@@ -57,6 +57,11 @@ JournalJob V8PlugsModel::journalEntry() const {
             if (const auto& weights = solution().bob_weights[index(option.id)]) {
                 job.bobWeight = weights->after.sum() / gram;
             }
+        } else if (solution().advice->kind != Advice::Kind::no_new_plug_data) {
+            job.recommended = QStringLiteral("not-compensated");
+            if (solution().before) {
+                job.bobWeight = solution().hung().value() / gram;  // with the nearest option
+            }
         }
     }
     if (input().balancing) {

@@ -34,7 +34,8 @@ struct JournalJob {
     QDate date;
     QString process;                       ///< "manufacture" or "repair"
     std::optional<double> unbalancedMass;  ///< g
-    QString recommended;                   ///< an option's name, "none-needed" or empty
+    QString recommended;                   ///< an option's name, "none-needed", "not-compensated" or
+                                           ///< empty
     std::optional<double> reduction;       ///< g per plug
     std::optional<double> bobWeight;       ///< g, after the option
     std::optional<double> frontReading;    ///< g·mm, what the machine read at last

@@ -71,19 +71,19 @@ QString Words::digits(double si, Unit unit, int decimals) const {
 }
 
 QString Words::number(double value, int decimals) const {
-    return fixedDecimals(value, decimals, locale_);
+    return fixedDecimals(value, decimals, locale());
 }
 
 QString Words::day(const QString& iso) const {
     const QDate day = QDate::fromString(iso, Qt::ISODate);
-    return day.isValid() && locale_.language() == QLocale::Russian
+    return day.isValid() && locale().language() == QLocale::Russian
                ? day.toString(QStringLiteral("dd.MM.yyyy"))
                : iso;
 }
 
 QString Words::plain(double value, int decimals) const {
     QString text = number(value, decimals);
-    const QString point = locale_.decimalPoint();
+    const QString point = locale().decimalPoint();
     if (text.contains(point)) {
         while (text.endsWith(QLatin1Char('0'))) {
             text.chop(1);

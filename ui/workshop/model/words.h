@@ -35,7 +35,8 @@ class Words {
     /// A unit of core, or the one that the user wants in its place; empty for pure numbers.
     QString unit(Unit unit) const;
 
-    const QLocale& locale() const { return locale_; }
+    /// The program's is that of the moment.
+    QLocale locale() const { return own_ ? locale_ : QLocale(); }
     /// Fixed decimals, decimal sign of the language, a true minus.
     QString number(double value, int decimals) const;
     /// With its unit: "2.79 g".
