@@ -40,7 +40,9 @@ QString unbroken(QString text) {
         QStringLiteral("(?<=[\\w.,%)]) (?=&?(?![aAI](?![\\w&]))Δ?[A-Za-zℓ\\x{391}-\\x{3C9}]"
                        "(?:&?[₀-₉ₐ-ₜᵢ-ᵪⱼ′″])*(?![\\w&]))"),
         QRegularExpression::UseUnicodePropertiesOption);
-    for (const QRegularExpression& each : {units, signs, symbols}) {
+    static const QRegularExpression numbers(QStringLiteral("(?<=[\\w)]) (?=&?\\d{1,2}$)"),
+                                            QRegularExpression::UseUnicodePropertiesOption);
+    for (const QRegularExpression& each : {units, signs, symbols, numbers}) {
         text.replace(each, QString(QChar(0x00A0)));
     }
     return text;

@@ -68,6 +68,7 @@ TEST(Unbroken, KeepsNumbersSymbolsAndTheirWordsTogether) {
     EXPECT_EQ(shown(u"Weighed parts: ± 0.5 g, 95 % of 8 plugs"_s),
               u"Weighed parts: ±_0.5_g, 95_% of 8 plugs"_s);
     EXPECT_EQ(shown(u"7850 kg/m³ at a shaft"_s), u"7850_kg/m³ at a shaft"_s);
+    EXPECT_EQ(shown(u"Положение цилиндра &1"_s), u"Положение цилиндра_&1"_s);
     EXPECT_EQ(shown(u"of 8 grams, as I said"_s), u"of 8 grams, as I said"_s);
 }
 
