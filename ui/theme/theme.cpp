@@ -53,6 +53,13 @@ class DenseTabs : public QProxyStyle {
             case PM_ScrollBarExtent:
                 return std::max(Theme::withText(14),
                                 QProxyStyle::pixelMetric(metric, option, widget));
+            case PM_CheckBoxLabelSpacing:
+            case PM_RadioButtonLabelSpacing:
+                return std::max(Theme::withText(6),
+                                QProxyStyle::pixelMetric(metric, option, widget));
+            case PM_ButtonIconSize:
+                return std::max(Theme::withText(16),
+                                QProxyStyle::pixelMetric(metric, option, widget));
             case PM_MenuButtonIndicator:
                 return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(12);
             case PM_SliderLength:
