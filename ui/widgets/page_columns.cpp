@@ -75,11 +75,14 @@ PageColumns::Fold PageColumns::foldFor(int width) const {
 }
 
 void PageColumns::placeTop(bool overAll) {
+    // Over the columns that there are: an empty one leaves the spacing before it.
+    const int first = overAll ? 0 : 1;
+    const int end = fold_ == Fold::None ? 3 : fold_ == Fold::Results || !overAll ? 2 : 1;
     grid_->removeWidget(parts_.inputs);
     grid_->addWidget(parts_.inputs, overAll ? 1 : 0, 0, overAll ? 1 : 2, 1);
     if (parts_.top != nullptr) {
         grid_->removeWidget(parts_.top);
-        grid_->addWidget(parts_.top, 0, overAll ? 0 : 1, 1, overAll ? 3 : 2);
+        grid_->addWidget(parts_.top, 0, first, 1, end - first);
     }
 }
 
@@ -95,6 +98,7 @@ void PageColumns::arrange() {
     if ((was == Fold::Plots) != (fold == Fold::Plots)) {
         foldPlots(fold == Fold::Plots);
     }
+    placeTop(fold == Fold::Plots);
 }
 
 void PageColumns::foldResults(bool folded) {
@@ -116,7 +120,6 @@ void PageColumns::foldResults(bool folded) {
 
 void PageColumns::foldPlots(bool folded) {
     parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMost_);
-    placeTop(folded);
     grid_->setColumnStretch(0, folded ? 1 : 0);
     if (parts_.plots == nullptr) {
         return;
