@@ -533,19 +533,46 @@ QList<std::pair<int, int>> ResultTable::neededWidths() const {
 void ResultTable::wrapHeadings() {
     // At one width they only ever get a second line, so that they rest while a slider moves.
     const int room = viewport()->width();
-    if (std::exchange(wrapsAt_, room) == room && wraps_ && !header_->isHidden()) {
+    const bool isSame = std::exchange(wrapsAt_, room) == room;
+    if (isSame && wraps_ && small_ && !header_->isHidden()) {
         return;
     }
-    const bool was = std::exchange(wraps_, false);
-    int wanted = 0;
-    for (const auto& [column, width] : neededWidths()) {
-        wanted += width;
+    const auto numbers = [this] {
+        int wanted = 0;
+        for (const auto& [column, width] : neededWidths()) {
+            wanted += width;
+        }
+        return wanted;
+    };
+    if (!isSame || !wraps_ || header_->isHidden()) {
+        const bool was = std::exchange(wraps_, false);
+        setSmall(false);
+        int wanted = numbers();
+        for (const int column : stretched_) {
+            wanted +=
+                column == 0 ? widestText(*this, column, room / 2) : leastOfWords(*this, column);
+        }
+        wraps_ = wanted > room && !header_->isHidden();
+        fitted_ = fitted_ && wraps_ == was;
     }
-    for (const int column : stretched_) {
-        wanted += column == 0 ? widestText(*this, column, room / 2) : leastOfWords(*this, column);
+    if (wraps_) {
+        int wanted = numbers();
+        for (const int column : stretched_) {
+            const int words = column == 0 ? widestText(*this, column, room / 2) : 0;
+            wanted += std::max(leastOfWords(*this, column), words);
+        }
+        setSmall(wanted > room);
     }
-    wraps_ = wanted > room && !header_->isHidden();
-    fitted_ = fitted_ && wraps_ == was;
+}
+
+void ResultTable::setSmall(bool isSmall) {
+    if (std::exchange(small_, isSmall) == isSmall) {
+        return;
+    }
+    const int size = isSmall ? Theme::smallSize : Theme::baseSize - 1;
+    setFont(Theme::font(size));
+    header_->setFont(Theme::font(size, true));
+    fitted_ = false;
 }
 
 void ResultTable::fitColumns() {
@@ -781,8 +808,20 @@ void ResultTable::copySelection() {
     QApplication::clipboard()->setText(joined(QLatin1Char('\t'), hasSelection()));
 }
 
+int ResultTable::wholeRows() const {
+    const int room = viewport()->height();
+    const int last = rowAt(room - 1);
+    if (last < 1 || verticalScrollBar()->maximum() == 0) {
+        return room;
+    }
+    const int top = rowViewportPosition(last);
+    return top > 0 && top + rowHeight(last) > room ? top : room;
+}
+
 void ResultTable::paintEvent(QPaintEvent* event) {
-    QTableWidget::paintEvent(event);
+    // No row is shown in part.
+    QPaintEvent whole(event->region().intersected(QRect(0, 0, viewport()->width(), wholeRows())));
+    QTableWidget::paintEvent(&whole);
     if (hasFocus()) {
         QPainter painter(viewport());
         painter.setPen(Theme::instance().accent());

@@ -93,6 +93,10 @@ class ResultTable : public QTableWidget {
     QList<std::pair<int, int>> neededWidths() const;
     /// Wraps the headings where they do not fit beside the names.
     void wrapHeadings();
+    /// Where it scrolled sideways else.
+    void setSmall(bool isSmall);
+    /// The height of the rows that are in sight from top to bottom.
+    int wholeRows() const;
     int headingWidth(int column) const;
     int padding() const;
     /// Words never give way to numbers altogether: the table scrolls sideways instead.
@@ -113,6 +117,7 @@ class ResultTable : public QTableWidget {
     QString tipOf(const QString& name) const;
 
     WrappedHeader* header_;
+    bool small_ = false;  ///< its text, at the width `wrapsAt_`
     bool wraps_ = false;  ///< headings, at the width `wrapsAt_`
     int wrapsAt_ = -1;
     QList<int> stretched_{0};

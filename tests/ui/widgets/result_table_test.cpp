@@ -120,6 +120,38 @@ TEST(NarrowResultTable, ScrollsFromWholeColumnsToWholeColumns) {
     EXPECT_TRUE(endsAtAColumn);
 }
 
+TEST(NarrowResultTable, WritesSmallBeforeItScrolls) {
+    ResultTable table;
+    table.setColumns({u"N; N·m"_s, u"exact"_s, u"phase, °"_s, u"two-term"_s, u"diff., %"_s});
+    table.setRows({{u"1 Fx"_s, u"0.000123"_s, u"219.3"_s, u"0.000124"_s, u"12.8"_s}});
+    int width = 400;
+    test::showAt(table, {width, 120});
+    const int usual = table.font().pixelSize();
+    for (; width > 200 && table.font().pixelSize() == usual; width -= 2) {
+        test::showAt(table, {width, 120});
+    }
+    EXPECT_LT(table.font().pixelSize(), usual);
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+    test::showAt(table, {400, 120});
+    EXPECT_EQ(table.font().pixelSize(), usual);
+}
+
+TEST(LowResultTable, ShowsNoRowInPart) {
+    ResultTable table;
+    table.setColumns({u"Order"_s, u"N"_s});
+    table.setRows(QVector<QStringList>(9, {u"████"_s, u"████"_s}));
+    test::showAt(table, {200, 100});
+    const int row = table.verticalHeader()->defaultSectionSize();
+    const int room = table.viewport()->height();
+    const int part = room % row;
+    table.resize(200, 100 + row * 3 / 4 - part);
+    const QImage seen = table.viewport()->grab().toImage();
+    const int last = seen.height() - 2;
+    for (int x = 1; x < seen.width() - 1; ++x) {  // within the frame of the focus
+        ASSERT_EQ(seen.pixel(x, last), seen.pixel(1, last)) << x;
+    }
+}
+
 TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
     ResultTable table;
     table.setColumns({u"Quantity"_s, u"Value"_s, u"Unit"_s});
