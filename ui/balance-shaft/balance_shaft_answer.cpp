@@ -81,7 +81,9 @@ QWidget* BalanceShaftPage::buildAnswer() {
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* apart = new Apart(notes_, answer);
     notesArea_ = scrolled(apart, answer);
-    notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
+    const int line = notes_->fontMetrics().lineSpacing();
+    notesArea_->setProperty("lineHeight", line);
+    notesArea_->setMinimumHeight(4 * line + 2);
     notesArea_->viewport()->setAutoFillBackground(false);
     apart->setAutoFillBackground(false);
     answerColumn->addWidget(notesArea_, 1);

@@ -507,6 +507,9 @@ BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobShe
                          BobWeightsModel::readDrills(normal).value_or(std::vector<double>{});
                  });
              }});
+    // How several are written.
+    findChild<QLineEdit*>(QString::fromStdString(std::string(field::diameters.key)))
+        ->setPlaceholderText(BobWeightsModel::writeDrills({8, 10}) + QStringLiteral("; …"));
     number("/correction/drill/maximum_depth_mm");
     number("/correction/drill/point_angle_deg");
     number("/correction/drill/density_kg_m3");

@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPainter>
+#include <QPointer>
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <algorithm>
@@ -33,6 +35,10 @@ class Scrolled final : public QScrollArea {
         });
     }
 
+    QSize sizeHint() const override {
+        const QSize hint = QScrollArea::sizeHint();
+        return lineHeight() == 0 ? hint : QSize(hint.width(), std::max(asked_, minimumHeight()));
+    }
     QSize minimumSizeHint() const override {
         const int bar = verticalScrollBar()->sizeHint().width();
         return {widget()->minimumSizeHint().width() + bar + 2, Theme::withText(leastHeight)};
@@ -47,6 +53,7 @@ class Scrolled final : public QScrollArea {
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
         } else if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
             giveRoom();
+            showWholeLines();
             setFocusPolicy(isOver() && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
             const auto* text = qobject_cast<QLabel*>(widget());
             text = text != nullptr ? text : widget()->findChild<QLabel*>();
@@ -58,9 +65,18 @@ class Scrolled final : public QScrollArea {
         }
         return done;
     }
+    bool viewportEvent(QEvent* event) override {
+        const bool done = QScrollArea::viewportEvent(event);
+        if (event->type() == QEvent::LayoutRequest) {  // the text has another height
+            showWholeLines();
+        }
+        return done;
+    }
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (watched == widget() && event->type() == QEvent::LayoutRequest) {
             giveRoom();
+        } else if (watched != widget() && event->type() == QEvent::Resize && lineHeight() > 0) {
+            askForHeight();  // the column's room
         }
         return QScrollArea::eventFilter(watched, event);
     }
@@ -87,6 +103,55 @@ class Scrolled final : public QScrollArea {
             widget()->setMinimumHeight(needed);
         }
     }
+
+    /// Of a text that scrolls by itself; 0 for a form.
+    int lineHeight() const { return property("lineHeight").toInt(); }
+
+    void showWholeLines() {
+        const int line = lineHeight();
+        if (line == 0) {
+            return;
+        }
+        askForHeight();
+        const int room = height() - 2;
+        const bool scrolls = textHeight() > room;
+        const int below = scrolls && room > line ? 1 + room % line : 1;
+        if (viewportMargins().bottom() != below) {
+            setViewportMargins(1, 1, 1, below);
+        }
+        verticalScrollBar()->setSingleStep(line);
+    }
+
+    int textHeight() const { return widget()->heightForWidth(std::max(1, width() - 2)); }
+
+    /// All its height where the column that it is in has room for that, without a scroll bar.
+    void askForHeight() {
+        if (around_ == nullptr) {
+            for (QWidget* each = parentWidget(); each != nullptr && around_ == nullptr;
+                 each = each->parentWidget()) {
+                around_ = qobject_cast<QScrollArea*>(each);
+            }
+            if (around_ == nullptr) {
+                return;
+            }
+            around_->viewport()->installEventFilter(this);
+        }
+        QWidget* column = around_->widget();
+        for (QWidget* each = this; each != column; each = each->parentWidget()) {
+            each->updateGeometry();  // no layout keeps what it was told before
+        }
+        const int now = sizeHint().height();
+        const int spare = around_->viewport()->height() - column->heightForWidth(column->width());
+        const int least = minimumHeight();
+        const int asked = std::clamp(now + spare, least, std::max(least, textHeight() + 2));
+        if (asked != now) {
+            asked_ = asked;
+            updateGeometry();
+        }
+    }
+
+    QPointer<QScrollArea> around_;  ///< that the column of the text scrolls in
+    int asked_ = 0;                 ///< height
 
     bool isOver() const { return verticalScrollBar()->maximum() > 0; }
     bool hasStop() const {
@@ -120,6 +185,18 @@ void paintMuted(QLabel* label) {
 QString withoutMnemonic(QString label) {
     return label.remove(QLatin1Char('&'));
 }
+
+/// A name beside a field. On a screen of many pixels a text is painted somewhat wider than it is
+/// measured, and goes on a second line: it has the height for that.
+class NameLabel final : public QLabel {
+  public:
+    using QLabel::QLabel;
+
+    int heightForWidth(int width) const override {
+        return QLabel::heightForWidth(std::max(1, width - Theme::withText(slack)));
+    }
+    static constexpr int slack = 4;  ///< designed pixels
+};
 
 constexpr int numberColumn = 84;  ///< designed pixels
 constexpr int unitColumn = 40;    ///< the widest unit, so that all sections line up
@@ -161,7 +238,8 @@ class NamedRow final : public QWidget {
 
   private:
     int textWidth() const {
-        return name_->fontMetrics().horizontalAdvance(withoutMnemonic(name_->text())) + 2;
+        return name_->fontMetrics().horizontalAdvance(withoutMnemonic(name_->text())) +
+               Theme::withText(NameLabel::slack) + 1;
     }
     int widestWord() const {
         int widest = 0;
@@ -171,10 +249,16 @@ class NamedRow final : public QWidget {
         return widest + 2;
     }
 
+    bool isText() const { return qobject_cast<const QLineEdit*>(field_) != nullptr; }
     bool isChoice() const { return qobject_cast<const QComboBox*>(field_) != nullptr; }
     int wanted() const {
         const int line = Theme::withText(numberColumn) + Theme::space + Theme::withText(unitColumn);
-        return std::max(widthFor(field_), line);
+        const int hint = std::max(widthFor(field_), line);
+        // What one types in scrolls: it leaves the name one line.
+        return isText() ? std::clamp(width() - textWidth() - Theme::space,
+                                     std::max(line, field_->minimumWidth()),
+                                     std::max(hint, field_->minimumWidth()))
+                        : hint;
     }
     /// The choices of a form are as wide as one another, where their names leave them the room.
     int widthOfAll() const {
@@ -208,12 +292,53 @@ class NamedRow final : public QWidget {
         if (const int least = folded ? 0 : wanted; grid_->columnMinimumWidth(1) != least) {
             grid_->setColumnMinimumWidth(1, least);
         }
+        if (const int least = folded || !isText() ? 0 : textWidth();
+            grid_->columnMinimumWidth(0) != least) {
+            grid_->setColumnMinimumWidth(0, least);
+        }
     }
 
     QGridLayout* grid_;
     QLabel* name_;
     QWidget* field_;
     bool folded_ = false;
+};
+
+/// A unit stands beside a number, and beside an empty field that waits for one: "any" has none, and
+/// "0.4 ℓ₀" has its own.
+class UnitBeside final : public QObject {
+  public:
+    UnitBeside(QLineEdit* field, QLabel* unit) : QObject(unit), field_(field), unit_(unit) {
+        QSizePolicy policy = unit->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        unit->setSizePolicy(policy);
+        field->installEventFilter(this);
+        connect(field, &QLineEdit::textChanged, this, &UnitBeside::show);
+        show();
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        // A field tells no one of another placeholder: it is painted anew.
+        if (watched == field_ &&
+            (event->type() == QEvent::EnabledChange || event->type() == QEvent::Paint)) {
+            show();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+  private:
+    void show() {
+        const QString instead = field_->placeholderText();
+        const bool bare = field_->text().isEmpty() && !field_->hasFocus() && !instead.isEmpty() &&
+                          instead != shownText({"V8", "needed"}) && !readFormNumber(instead);
+        if (bare != unit_->isHidden()) {
+            unit_->setHidden(bare);
+        }
+    }
+
+    QLineEdit* field_;
+    QLabel* unit_;
 };
 
 }  // namespace
@@ -304,7 +429,7 @@ NumberField* FormSection::addNumber(const Field& field) {
 
 void FormSection::addWidget(const QString& label, QWidget* field, const QString& unit,
                             const QString& hint) {
-    auto* name = new QLabel(unbroken(label), this);
+    auto* name = new NameLabel(unbroken(label), this);
     name->setBuddy(field);
     name->setWordWrap(true);
     if (!hint.isEmpty()) {
@@ -321,7 +446,7 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         grid_->addWidget(new NamedRow(name, field, this), row_, 0, 1, 3);
     } else if (unit.isEmpty()) {
         grid_->addWidget(name, row_, 0);
-        grid_->addWidget(field, row_, 1, 1, 2);
+        grid_->addWidget(field, row_, 1, Qt::AlignRight);  // under those that have a unit
     } else {
         grid_->addWidget(name, row_, 0);
         // A field narrower than its column stands at its unit, under the fields of other sections.
@@ -330,6 +455,9 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         auto* unitLabel = new QLabel(unit, this);
         paintMuted(unitLabel);
         grid_->addWidget(unitLabel, row_, 2);
+        if (auto* entry = qobject_cast<QLineEdit*>(field)) {
+            new UnitBeside(entry, unitLabel);
+        }
     }
     ++row_;
     if (auto* entry = qobject_cast<EntryField*>(field)) {
@@ -344,7 +472,7 @@ void FormSection::addWide(QWidget* widget) {
 }
 
 QLabel* FormSection::addResult(const QString& label, const QString& hint) {
-    auto* name = new QLabel(unbroken(label), this);
+    auto* name = new NameLabel(unbroken(label), this);
     name->setWordWrap(true);
     auto* value = new QLabel(this);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

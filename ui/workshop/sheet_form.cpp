@@ -9,6 +9,7 @@
 
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 #include "workshop/checked_field.h"
@@ -84,7 +85,11 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     enlarge(field);
     field->setHint(shownText(description.hint));
     field->setModel(model_);
-    current()->addWidget(shownText(description.label), field);
+    const QString unit = shownUnit(description).name;
+    if (!unit.isEmpty()) {
+        field->setMaximumWidth(Theme::withText(numberWidth));  // under the numbers
+    }
+    current()->addWidget(shownText(description.label), field, unit);
     connect(field, &CheckedField::valueEdited, this,
             [this, name = fieldName(description), text](const QString& typed) {
                 text.write(name, text.normal(typed));

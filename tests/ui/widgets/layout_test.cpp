@@ -4,7 +4,9 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "events.h"
 #include "theme/theme.h"
@@ -43,6 +45,37 @@ TEST(NamedRows, AChoiceShowsItsLongestEntry) {
     EXPECT_EQ(longest->x(), 0);
     test::showAt(form, {640, 240});
     EXPECT_GT(longest->x(), 0);
+}
+
+TEST(NamedRows, ATextLeavesItsNameOneLine) {
+    QWidget form;
+    auto* column = new QVBoxLayout(&form);
+    auto* section = new FormSection({}, &form);
+    column->addWidget(section);
+    auto* field = new QLineEdit(section);
+    section->addWidget(u"&Firing order"_s, field);
+    const auto* name = field->parentWidget()->findChild<QLabel*>();
+    ASSERT_NE(name, nullptr);
+    const int text = name->fontMetrics().horizontalAdvance(u"Firing order"_s);
+    for (int width = 240; width < 330; width += 5) {
+        test::showAt(form, {width, 240});
+        // On a screen of many pixels it is painted somewhat wider.
+        EXPECT_TRUE(field->x() == 0 || name->width() >= text + 4) << width;
+    }
+}
+
+TEST(NamedRows, AUnitStandsBesideANumberAlone) {
+    FormSection section({});
+    auto* field = new NumberField(&section);
+    field->setPlaceholderText(u"0.4 ℓ₀"_s);
+    section.addWidget(u"Shortest spring"_s, field, u"mm"_s);
+    const auto labels = section.findChildren<QLabel*>();
+    const auto unit = std::find_if(labels.begin(), labels.end(),
+                                   [](const QLabel* each) { return each->text() == u"mm"_s; });
+    ASSERT_NE(unit, labels.end());
+    EXPECT_TRUE((*unit)->isHidden());
+    field->setText(u"12"_s);
+    EXPECT_FALSE((*unit)->isHidden());
 }
 
 TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {
