@@ -97,10 +97,13 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
                               .toolTip = tr("Band that the play of the gears leaves")});
     right_ = gears_->addCurve({.name = tr("right"),
                                .colour = 0,
-                               .width = 1.4,
+                               .width = 2.4,
                                .toolTip = tr("Shaft in its right place")});
-    wrong_ = gears_->addCurve(
-        {.name = tr("k teeth out"), .colour = 7, .width = 2.0, .toolTip = tr("Shaft k teeth out")});
+    wrong_ = gears_->addCurve({.name = tr("k teeth out"),
+                               .colour = 7,
+                               .width = 1.6,
+                               .pen = Qt::DashLine,
+                               .toolTip = tr("Shaft k teeth out")});
     grid->addWidget(gears_, 1, 1);
     gearTable_ = addTable(tables, tr("Effect of gear error and play"),
                           {tr("Gears"), tr("Value"), tr("Unit")});

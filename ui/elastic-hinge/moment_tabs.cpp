@@ -48,7 +48,7 @@ HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent) {
         tab->addAnglePlot(HingePlots::tr("M₁₂ and its potential part"), HingePlots::tr("N·m"));
     moment->addCurve({.name = HingePlots::tr("M₁₂"),
                       .colour = 2,
-                      .width = 1.8,
+                      .width = 2.4,
                       .toolTip = HingePlots::tr("Moment on the rod that makes the side force zero, "
                                                 "(4), with a counterweight (9)")});
     moment->addCurve({.name = HingePlots::tr("potential part"),
@@ -56,9 +56,9 @@ HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent) {
                       .pen = Qt::DashLine,
                       .toolTip = HingePlots::tr("M₁₂ less its mean, (5)")});
     moment->addCurve({.name = HingePlots::tr("series"),
-                      .colour = 4,
+                      .colour = 7,
                       .width = 1.4,
-                      .pen = Qt::DotLine,
+                      .pen = Qt::DashLine,
                       .toolTip = HingePlots::tr("M₁₂ by the other kinematics, for comparison")});
     const MechanismFamily speeds(
         tab->addAnglePlot(HingePlots::tr("M₁₂ at several ω"), HingePlots::tr("N·m")),

@@ -54,10 +54,11 @@ PlotView* addSpeedPlot(HingePlotTab* tab) {
                      .toolTip = HingePlots::tr("The bare mechanism, from the design speed")});
     speed->addCurve({.name = HingePlots::tr("crank hinge"),
                      .colour = 2,
-                     .width = 2.0,
+                     .width = 3.0,
                      .toolTip = HingePlots::tr("With the crank's hinge, from the design speed")});
     speed->addCurve({.name = HingePlots::tr("both hinges"),
-                     .colour = 3,
+                     .colour = 7,
+                     .width = 2.0,
                      .pen = Qt::DashLine,
                      .toolTip = HingePlots::tr("With the rod's hinge and the crank's beside it, "
                                                "from the design speed")});

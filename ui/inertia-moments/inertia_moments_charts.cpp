@@ -28,10 +28,10 @@ constexpr int cycleDegrees = 720;   // the paper's Fig. 6 shows two turns
 
 // Curves of the moment plots, in the order in which they are added.
 enum MomentCurve {
-    verticalTwoTerm,  // below the exact ones, so that it shows where it differs
-    horizontalTwoTerm,
     vertical,
     horizontal,
+    verticalTwoTerm,  // dashes over the exact ones: where both agree each is seen
+    horizontalTwoTerm,
     verticalLeft,
     horizontalLeft,
     rolling,  // moments over φ alone
@@ -145,23 +145,25 @@ void InertiaMomentsCharts::addMoments() {
         // One below the other: the lower one's axis title serves both.
         plot->setXAxis({i == 0 ? QString() : tr("φ, °"), 0.0, cycleDegrees, true});
         plot->setYAxis(PlotView::Side::Left, {tr("M, N·m")});
-        plot->addCurve({.name = tr("My 2-term"),
-                        .colour = 6,
-                        .width = 1.0,
-                        .toolTip = tr("Vertical plane, the paper's formulas (1) and (2), Fig. 6")});
-        plot->addCurve(
-            {.name = tr("Mx 2-term"),
-             .colour = 5,
-             .width = 1.0,
-             .toolTip = tr("Horizontal plane, the paper's formulas (3) and (4), Fig. 6")});
         plot->addCurve({.name = tr("My"),
                         .colour = 2,
-                        .width = 1.8,
+                        .width = 2.8,
                         .toolTip = tr("In the vertical plane, exact")});
         plot->addCurve({.name = tr("Mx"),
                         .colour = 1,
-                        .width = 1.8,
+                        .width = 2.8,
                         .toolTip = tr("In the horizontal plane, exact")});
+        plot->addCurve({.name = tr("My 2-term"),
+                        .colour = 6,
+                        .width = 1.4,
+                        .pen = Qt::DashLine,
+                        .toolTip = tr("Vertical plane, the paper's formulas (1) and (2), Fig. 6")});
+        plot->addCurve(
+            {.name = tr("Mx 2-term"),
+             .colour = 7,
+             .width = 1.4,
+             .pen = Qt::DashLine,
+             .toolTip = tr("Horizontal plane, the paper's formulas (3) and (4), Fig. 6")});
         plot->addCurve({.name = tr("My left"),
                         .colour = 3,
                         .width = 2.2,
@@ -249,8 +251,9 @@ void InertiaMomentsCharts::addCourses() {
         plot->setXAxis({tr("φ, °"), 0.0, cycleDegrees, true});
         plot->setYAxis(PlotView::Side::Left, {force ? tr("F, N") : tr("M, N·m")});
         const auto add = [plot](const QString& name, int colour, double width,
-                                const QString& toolTip) {
-            plot->addCurve({.name = name, .colour = colour, .width = width, .toolTip = toolTip});
+                                const QString& toolTip, Qt::PenStyle pen = Qt::SolidLine) {
+            plot->addCurve(
+                {.name = name, .colour = colour, .width = width, .pen = pen, .toolTip = toolTip});
         };
         const QString twoTerm = tr("By the two-term formulas: orders 1 and 2");
         const QString exact =
@@ -258,15 +261,15 @@ void InertiaMomentsCharts::addCourses() {
         const QString left =
             tr("With rotating masses, and with the counterweights and shafts that "
                "are on");
-        add(force ? tr("Fy 2-term") : tr("My 2-term"), 6, 1.0, twoTerm);
-        add(force ? tr("Fx 2-term") : tr("Mx 2-term"), 5, 1.0, twoTerm);
-        add(force ? tr("Fy") : tr("My"), 2, 1.8, exact);
-        add(force ? tr("Fx") : tr("Mx"), 1, 1.8, exact);
+        add(force ? tr("Fy") : tr("My"), 2, 2.8, exact);
+        add(force ? tr("Fx") : tr("Mx"), 1, 2.8, exact);
+        add(force ? tr("Fy 2-term") : tr("My 2-term"), 6, 1.4, twoTerm, Qt::DashLine);
+        add(force ? tr("Fx 2-term") : tr("Mx 2-term"), 7, 1.4, twoTerm, Qt::DashLine);
         add(force ? tr("Fy left") : tr("My left"), 3, 2.2, left);
         add(force ? tr("Fx left") : tr("Mx left"), 4, 2.2, left);
         if (!force) {
             add(tr("Mz"), 0, 1.8, tr("Roll moment on the engine, of the engine alone"));
-            add(tr("Mz left"), 7, 2.2, left);
+            add(tr("Mz left"), 5, 2.2, left);
         }
         connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
         pair->add(plot);

@@ -10,6 +10,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -107,7 +108,11 @@ QRectF OrderBars::panelRect(int panel) const {
 }
 
 QRectF OrderBars::barsRect(int panel) const {
-    return panelRect(panel).adjusted(Theme::withText(58), Theme::withText(14), -8,
+    // Names and the highest numbers beside each other: a low panel has no second row.
+    const QFont font = Theme::font(Theme::smallSize);
+    const double names = textWidth(font, shownTitle(tr("Mz, N·m")).text);
+    const double values = textWidth(font, QStringLiteral("00000"));
+    return panelRect(panel).adjusted(names + values + 16.0, Theme::withText(14), -8,
                                      -Theme::withText(16));
 }
 
@@ -163,12 +168,20 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                                 : value / most;
         };
         painter.setPen(theme.text());
-        painter.drawText(QRectF(4, area.top() - 2, area.left() - 6, row),
+        painter.drawText(QRectF(4, area.top() - 0.5 * row, area.left() - 6, row),
                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, names[p]);
         painter.setPen(theme.mutedText());
-        painter.drawText(QRectF(4, area.bottom() - 0.9 * row, area.left() - 8, row),
+        painter.drawText(QRectF(4, area.bottom() - 0.8 * row, area.left() - 8, row),
                          Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
                          logarithmic_ ? tr("log") : QStringLiteral("0"));
+        if (most > 0.0) {
+            painter.drawText(QRectF(4, area.top() - 0.5 * row, area.left() - 8, row),
+                             Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, valueText(most));
+        }
+        if (panel == panels - 1) {
+            painter.drawText(QRectF(4, area.bottom() + 1, area.left() - 8, row),
+                             Qt::AlignRight | Qt::AlignTop | Qt::TextDontClip, tr("order"));
+        }
         painter.setPen(QPen(theme.grid(), 1));
         const int lines = logarithmic_ ? static_cast<int>(decades) : 2;
         for (int i = 1; i <= lines; ++i) {

@@ -90,8 +90,8 @@ TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     EXPECT_NE(page.resultsAsText(), before);
     // The plots show the new moments: curve 2 is the exact My.
     const RotatingPair& pair = model->result().exact.order(1).moment;
-    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(2, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
-    EXPECT_NEAR(*page.charts()->moment(2)->valueAt(3, 30.0),
+    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(0, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
+    EXPECT_NEAR(*page.charts()->moment(2)->valueAt(1, 30.0),
                 model->result().exact.order(2).moment.at(60.0 * degree).real(), 1e-9);
     EXPECT_EQ(model->history()->count(), 1);
     model->history()->undo();
@@ -475,14 +475,14 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     for (const int order : {1, 2}) {
         PlotView* plot = page.charts()->moment(order);
         EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
-        EXPECT_EQ(plot->curveName(2), QStringLiteral("Fy"));
-        EXPECT_NEAR(*plot->valueAt(2, 30.0),
+        EXPECT_EQ(plot->curveName(0), QStringLiteral("Fy"));
+        EXPECT_NEAR(*plot->valueAt(0, 30.0),
                     model->result().exact.order(order).force.at(order * 30.0 * degree).imag(),
                     1e-6);
     }
     model->chooseLayout(QStringLiteral("vw-vr5"));
     EXPECT_EQ(page.charts()->moment(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(page.charts()->moment(2)->curveName(3), QStringLiteral("Mx"));
+    EXPECT_EQ(page.charts()->moment(2)->curveName(1), QStringLiteral("Mx"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
@@ -492,11 +492,11 @@ TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
     beside.viewModel()->takeView(*model);
     EXPECT_EQ(plot->title(), QStringLiteral("Order 2, forces"));
     const auto& second = beside.viewModel()->result().exact.order(2);
-    EXPECT_NEAR(*plot->valueAt(2, 30.0), second.force.at(60.0 * degree).imag(), 1e-6);
+    EXPECT_NEAR(*plot->valueAt(0, 30.0), second.force.at(60.0 * degree).imag(), 1e-6);
     model->chooseLayout(QStringLiteral("vw-vr5"));
     beside.viewModel()->takeView(*model);
     EXPECT_EQ(plot->title(), QStringLiteral("Order 2"));
-    EXPECT_NEAR(*plot->valueAt(2, 30.0), second.moment.at(60.0 * degree).imag(), 1e-6);
+    EXPECT_NEAR(*plot->valueAt(0, 30.0), second.moment.at(60.0 * degree).imag(), 1e-6);
 }
 
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
@@ -685,7 +685,7 @@ TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
     EXPECT_TRUE(bars->isLogarithmic());
     EXPECT_NE(bars->grab().toImage(), linear);
     // The pointer over a bar reads it.
-    const QPoint at(80, bars->height() / 5);
+    const QPoint at(110, bars->height() / 5);
     QHelpEvent help(QEvent::ToolTip, at, bars->mapToGlobal(at));
     QApplication::sendEvent(bars, &help);
     EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("Order 1")))
@@ -701,7 +701,7 @@ TEST_F(InertiaMomentsPageTest, BarsStandInTheOutlineOfTheReferences) {
     slower.model()->setByKey(QStringLiteral("speed_rpm"), QStringLiteral("3000"));
     bars->setReference(slower.findChild<OrderBars*>(), QStringLiteral("A"));
     EXPECT_NE(bars->grab().toImage(), alone);
-    const QPoint at(80, bars->height() / 5);
+    const QPoint at(110, bars->height() / 5);
     QHelpEvent help(QEvent::ToolTip, at, bars->mapToGlobal(at));
     QApplication::sendEvent(bars, &help);
     EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("A: Order 1")))
@@ -733,21 +733,21 @@ TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
     tab(Tabs::Charts, "over-angle");
     model->chooseLayout(QStringLiteral("i4"));
     QApplication::processEvents();
-    // Curves 0 and 2 are Fy, two-term and exact.
+    // Curves 0 and 2 are Fy, exact and two-term.
     const auto force = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).force;
-    EXPECT_NEAR(*page.charts()->course(true)->valueAt(2, 30.0), force.imag(),
+    EXPECT_NEAR(*page.charts()->course(true)->valueAt(0, 30.0), force.imag(),
                 1e-9 * std::abs(force));
-    EXPECT_NE(*page.charts()->course(true)->valueAt(0, 30.0), 0.0);
+    EXPECT_NE(*page.charts()->course(true)->valueAt(2, 30.0), 0.0);
     EXPECT_GT(page.charts()->course(true)->yInterval(PlotView::Side::Left).second, 1000.0);
-    EXPECT_EQ(*page.charts()->course(true)->valueAt(3, 30.0), 0.0);
+    EXPECT_EQ(*page.charts()->course(true)->valueAt(1, 30.0), 0.0);
     // The moments are no flat chart: Mz is one of them.
     const double roll = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).roll();
     EXPECT_NEAR(*page.charts()->course(false)->valueAt(6, 30.0), roll, 1e-9 * std::abs(roll));
     EXPECT_GT(page.charts()->course(false)->yInterval(PlotView::Side::Left).second, 10.0);
     // A change of the input is there at once.
-    const double before = *page.charts()->course(true)->valueAt(2, 30.0);
+    const double before = *page.charts()->course(true)->valueAt(0, 30.0);
     drag(page.sliders()->speed()->slider(), -30);
-    EXPECT_LT(std::abs(*page.charts()->course(true)->valueAt(2, 30.0)), std::abs(before));
+    EXPECT_LT(std::abs(*page.charts()->course(true)->valueAt(0, 30.0)), std::abs(before));
 }
 
 TEST_F(InertiaMomentsPageTest, ThePointsOfTheHodographsFollowTheInput) {
