@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "plot/plot_painter.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 
@@ -10,19 +11,23 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double strokeLength = 18.0;
 constexpr double inset = 5.0;
 
-constexpr double strokeWidth = 2.6;
+double strokeLength() {
+    return 18.0 * strokeScale();
+}
+double strokeWidth() {
+    return 2.6 * strokeScale();
+}
 constexpr int wrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 /// A stroke whose dashes fill the short sample evenly; Qt's own end in a sliver.
 QPen samplePen(const QColor& colour, Qt::PenStyle style) {
-    QPen pen(colour, strokeWidth, style, Qt::FlatCap);
+    QPen pen(colour, strokeWidth(), style, Qt::FlatCap);
     if (style == Qt::DashLine) {
-        pen.setDashPattern({7.0 / strokeWidth, 4.0 / strokeWidth});  // 7 + 4 + 7 = strokeLength
+        pen.setDashPattern({7.0 / 2.6, 4.0 / 2.6});  // 7 + 4 + 7 of 18
     } else if (style == Qt::DotLine) {
-        pen.setDashPattern({2.4 / strokeWidth, 2.8 / strokeWidth});  // four dots
+        pen.setDashPattern({2.4 / 2.6, 2.8 / 2.6});  // four dots
     }
     return pen;
 }
@@ -48,7 +53,7 @@ void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape s
 
 QSize LegendItem::sizeHint() const {
     const QFontMetricsF metrics(itemFont());
-    return {static_cast<int>(std::ceil(strokeLength + 3 * inset + textWidth(itemFont(), text()))),
+    return {static_cast<int>(std::ceil(strokeLength() + 3 * inset + textWidth(itemFont(), text()))),
             static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
 }
 
@@ -57,7 +62,7 @@ int LegendItem::heightForWidth(int width) const {
     if (width >= whole.width()) {
         return whole.height();
     }
-    const QRectF room(0.0, 0.0, width - 2.0 * inset - strokeLength, 1e4);
+    const QRectF room(0.0, 0.0, width - 2.0 * inset - strokeLength(), 1e4);
     return static_cast<int>(
                std::ceil(QFontMetricsF(itemFont()).boundingRect(room, wrapped, text()).height())) +
            Theme::gap;
@@ -67,9 +72,9 @@ bool LegendItem::isElided() const {
     return height() < heightForWidth(width()) ||
            (width() < sizeHint().width() &&
             QFontMetricsF(itemFont())
-                    .boundingRect(QRectF(0.0, 0.0, width() - 2.0 * inset - strokeLength, 1e4),
+                    .boundingRect(QRectF(0.0, 0.0, width() - 2.0 * inset - strokeLength(), 1e4),
                                   wrapped, text())
-                    .width() > width() - 2.0 * inset - strokeLength);
+                    .width() > width() - 2.0 * inset - strokeLength());
 }
 
 void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
@@ -84,21 +89,25 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     painter.setRenderHint(QPainter::Antialiasing);
     if (shape_ == plot::Shape::Points || shape_ == plot::Shape::Rings) {
         const bool hollow = shape_ == plot::Shape::Rings;
-        painter.setPen(hollow ? QPen(stroke, 1.6) : QPen(Qt::NoPen));
+        painter.setPen(hollow ? QPen(stroke, 1.6 * strokeScale()) : QPen(Qt::NoPen));
         painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(stroke));
-        painter.drawEllipse(QPointF(rect.left() + inset + strokeLength / 2.0, middle), 3.6, 3.6);
+        const double radius = strokeScale() * (hollow ? 4.6 : 3.6);
+        painter.drawEllipse(QPointF(rect.left() + inset + strokeLength() / 2.0, middle), radius,
+                            radius);
     } else if (pen_ == Qt::NoPen) {
-        painter.fillRect(QRectF(rect.left() + inset, middle - 5.0, strokeLength, 10.0), stroke);
+        painter.fillRect(QRectF(rect.left() + inset, middle - 0.275 * strokeLength(),
+                                strokeLength(), 0.55 * strokeLength()),
+                         stroke);
     } else {
         painter.setPen(samplePen(stroke, pen_));
         painter.drawLine(QPointF(rect.left() + inset, middle),
-                         QPointF(rect.left() + inset + strokeLength, middle));
+                         QPointF(rect.left() + inset + strokeLength(), middle));
     }
     QFont font = itemFont();
     font.setStrikeOut(!isChecked());
     painter.setFont(font);
     painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
-    const QRectF room = rect.adjusted(2 * inset + strokeLength, 0, 0, 0);
+    const QRectF room = rect.adjusted(2 * inset + strokeLength(), 0, 0, 0);
     if (isElided()) {
         painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(text(), Qt::ElideMiddle,

@@ -24,8 +24,16 @@ using plot::Side;
 
 namespace {
 
-constexpr int labelGap = 6;
 constexpr double titleGap = 2.0;  // from a title to the edge, pixels
+/// From a label to what it names, for text of the designed size.
+double labelGap() {
+    return Theme::withText(6);
+}
+/// Above the chart: the highest number stands half over it, below the legend.
+double topGap() {
+    constexpr int line = 14;
+    return 6.0 + std::max(0, Theme::withText(line) - line);
+}
 // Pixels that a tick label needs, for text of the designed size.
 double columnPerTick() {
     return Theme::withText(56);
@@ -42,6 +50,11 @@ void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen, c
     painter.setPen(pen);
     painter.setBrush(fill);
     paintDisc(painter, at, radius);
+}
+
+/// Of the dots of points; rings leave room for a dot in them.
+double pointRadius(Shape shape) {
+    return strokeScale() * (shape == Shape::Rings ? 5.4 : 3.6);
 }
 
 QColor veil(QColor colour, float opacity) {
@@ -64,9 +77,9 @@ void moveAxis(QValueAxis& axis, double low, double high, double step) {
 }
 
 /// The ground of a label, over whatever is drawn there.
-void drawVeil(QPainter& painter, const QRectF& box) {
+void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.86F) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(veil(Theme::instance().panel(), 0.86F));
+    painter.setBrush(veil(Theme::instance().panel(), opacity));
     painter.drawRoundedRect(box, 3, 3);
 }
 
@@ -78,6 +91,25 @@ QSizeF labelSize(const QFont& font, const QString& text) {
 }
 
 }  // namespace
+
+double strokeScale() {
+    constexpr int whole = 1000;
+    return std::max(1.0, 0.5 + 0.5 * Theme::withText(whole) / whole);
+}
+
+PlotTitle::PlotTitle(const QString& title, double width) {
+    for (const int size : {Theme::baseSize, Theme::smallSize + 1, Theme::smallSize}) {
+        font = Theme::font(size, true);
+        if (textWidth(font, title) <= width) {
+            break;
+        }
+    }
+    const double line = std::ceil(QFontMetricsF(Theme::font(Theme::baseSize, true)).height());
+    const QRectF room(0.0, 0.0, std::max(1.0, width), 1e4);
+    height = std::max(
+        line, std::ceil(QFontMetricsF(font).boundingRect(room, PlotTitle::flags, title).height()));
+    this->width = textWidth(font, title);
+}
 
 PlotPainter::PlotPainter(PlotData& data)
     : data_(data), scene_(std::make_unique<QGraphicsScene>()), chart_(new QChart) {
@@ -122,8 +154,8 @@ PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
         for (const double tick : scale.ticks(height, rowPerTick())) {
             widest = std::max(widest, textWidth(font, scale.tickText(tick, data_.locale)));
         }
-        const double title = scale.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap;
-        return std::ceil(widest + title + 2 * labelGap);
+        const double title = scale.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap();
+        return std::ceil(widest + title + 2 * labelGap());
     };
     const double left = margin(data_.left);
     const auto lastLabel = [&] {  // stands half beyond the axis
@@ -132,14 +164,14 @@ PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
     };
     return {left, data_.sideUsed(Side::Right)
                       ? margin(data_.right)
-                      : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + 2.0)};
+                      : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + labelGap())};
 }
 
 double PlotPainter::heightOfArea() const {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double bottom =
-        std::ceil(metrics.height() * (data_.x.spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
-    return std::max(20.0, size_.height() - data_.headerHeight - labelGap - bottom);
+        std::ceil(metrics.height() * (data_.x.spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap());
+    return std::max(20.0, size_.height() - data_.headerHeight - topGap() - bottom);
 }
 
 void PlotPainter::chooseColumns(double pixels) {
@@ -153,13 +185,13 @@ void PlotPainter::layoutArea(const QSizeF& size, const Margins& least) {
     const Margins own = margins(size);
     const double left = std::max(own.left, least.left);
     const double right = std::max(own.right, least.right);
-    data_.area = QRectF(left, data_.headerHeight + labelGap,
+    data_.area = QRectF(left, data_.headerHeight + topGap(),
                         std::max(20.0, size_.width() - left - right), heightOfArea());
     data_.flatRoom = size_.width() - 2.0 * titleGap;
     // Not down into the row of the other title.
     const double below = data_.x.spec.title.isEmpty()
                              ? 0.0
-                             : QFontMetricsF(Theme::font(Theme::smallSize)).height() + labelGap;
+                             : QFontMetricsF(Theme::font(Theme::smallSize)).height() + labelGap();
     data_.uprightRoom = size_.height() - data_.headerHeight - below - titleGap;
     if (data_.equalScale) {
         data_.equalise();
@@ -211,13 +243,12 @@ void PlotPainter::layoutAxes() {
 
 void PlotPainter::paintAxes(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(Theme::font(Theme::baseSize, true));
-    painter.setPen(Theme::instance().text());
-    const double row = std::ceil(painter.fontMetrics().height()) + Theme::gap;
     const double room = size_.width() - 2.0 * Theme::margin;
-    painter.drawText(
-        QRectF(Theme::margin, Theme::gap, room, row), Qt::AlignLeft | Qt::AlignVCenter,
-        painter.fontMetrics().elidedText(data_.title, Qt::ElideRight, static_cast<int>(room)));
+    const PlotTitle title(data_.title, room);
+    painter.setFont(title.font);
+    painter.setPen(Theme::instance().text());
+    painter.drawText(QRectF(Theme::margin, Theme::gap, room, title.height + Theme::gap),
+                     PlotTitle::flags, data_.title);
     if (!data_.image.isNull()) {
         const QRectF& values = data_.imageValues;
         painter.save();
@@ -255,7 +286,8 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
         const QColor ink = Theme::instance().curve(curve.style.colour);
         const QColor colour = veil(ink, 0.55F);
         const QPen pen(colour, 1.2, Qt::DashLine, Qt::FlatCap, Qt::BevelJoin);
-        painter.setPen(QPen(veil(ink, 0.32F), std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
+        painter.setPen(QPen(veil(ink, 0.32F),
+                            strokeScale() * std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
                             Qt::FlatCap, Qt::BevelJoin));
         for (const QPolygonF& stretch : data_.stretchesOf(*ghost)) {
             painter.drawPolyline(stretch);
@@ -264,7 +296,8 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
             paintBars(painter, *ghost, pen, Qt::NoBrush);
         } else if (ghost->style.shape != Shape::Line) {
             for (std::size_t i = 0; i < ghost->x.size(); ++i) {
-                dot(painter, pixel(*ghost, i), 3.6, QPen(colour, 1.2), Qt::NoBrush);
+                dot(painter, pixel(*ghost, i), pointRadius(ghost->style.shape), QPen(colour, 1.2),
+                    Qt::NoBrush);
             }
         }
     }
@@ -311,7 +344,8 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
         candidates[static_cast<std::size_t>(i)] = used.translated(0.0, free * i / heights);
     }
     const QRectF box = places.place(candidates);
-    drawVeil(painter, box);
+    // The line of the present value may pass wherever it is.
+    drawVeil(painter, box, 0.96F);
     painter.setPen(Theme::instance().mutedText());
     painter.drawText(box.adjusted(1, 0, -1, 0), flags, band.text);
 }
@@ -338,7 +372,7 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
             if (own) {
                 painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
             }
-            box.moveTop(area.bottom() + labelGap);
+            box.moveTop(area.bottom() + labelGap());
             box.moveLeft(std::min(x - wide / 2.0, size_.width() - wide));
         } else {
             const double y = area.bottom() - scale.fraction(tick) * area.height();
@@ -346,7 +380,7 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
                 painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
             }
             box.moveTop(y - metrics.height() / 2.0);
-            box.moveLeft(edge == Qt::LeftEdge ? side - labelGap - wide : side + labelGap);
+            box.moveLeft(edge == Qt::LeftEdge ? side - labelGap() - wide : side + labelGap());
         }
         // Of labels that would touch the first counts; a scale of its own has the weightiest first.
         const QRectF room = box.adjusted(-3.0, 0.0, 3.0, 0.0);
@@ -377,13 +411,14 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
         from + half, std::min(flat ? area.center().x() : area.center().y(), from + room - half));
     const QRectF box(-half, 0.0, 2.0 * half, metrics.height());
     if (flat) {
-        painter.drawText(box.translated(middle, area.bottom() + 1.5 * labelGap + metrics.height()),
-                         Qt::AlignCenter | Qt::TextDontClip, title);
+        painter.drawText(
+            box.translated(middle, area.bottom() + 1.5 * labelGap() + metrics.height()),
+            Qt::AlignCenter | Qt::TextDontClip, title);
         return;
     }
     painter.save();
-    painter.translate(edge == Qt::LeftEdge ? labelGap : size_.width() - labelGap - metrics.height(),
-                      middle);
+    painter.translate(
+        edge == Qt::LeftEdge ? labelGap() : size_.width() - labelGap() - metrics.height(), middle);
     painter.rotate(-90.0);
     painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, title);
     painter.restore();
@@ -399,8 +434,9 @@ void PlotPainter::paintCurves(QPainter& painter) const {
         if (curve.shown) {
             // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
             // a smooth curve.
-            painter.setPen(QPen(Theme::instance().curve(curve.style.colour), curve.style.width,
-                                curve.style.pen, Qt::FlatCap, Qt::BevelJoin));
+            painter.setPen(QPen(Theme::instance().curve(curve.style.colour),
+                                strokeScale() * curve.style.width, curve.style.pen, Qt::FlatCap,
+                                Qt::BevelJoin));
             for (const QPolygonF& stretch : curve.stretches) {
                 painter.drawPolyline(stretch);
             }
@@ -424,7 +460,7 @@ void PlotPainter::paintCurves(QImage& picture) const {
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown && !curve.stretches.empty()) {
             brush.draw(curve.stretches, ratio, Theme::instance().curve(curve.style.colour),
-                       curve.style.width * ratio, curve.style.pen);
+                       strokeScale() * curve.style.width * ratio, curve.style.pen);
         }
     }
     if (any([this](const PlotCurve& curve) {
@@ -455,9 +491,10 @@ void PlotPainter::paintShades(QPainter& painter) const {
 
 void PlotPainter::paintPoints(QPainter& painter) const {
     const Theme& theme = Theme::instance();
+    const double reach = strokeScale() * 4.0;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(data_.area.adjusted(-4, -4, 4, 4));
+    painter.setClipRect(data_.area.adjusted(-reach, -reach, reach, reach));
     for (const PlotCurve& curve : data_.curves) {
         if (!curve.shown) {
             continue;
@@ -469,13 +506,14 @@ void PlotPainter::paintPoints(QPainter& painter) const {
             paintSpreads(painter, curve);
         } else if (curve.style.shape != Shape::Line) {
             const bool hollow = curve.style.shape == Shape::Rings;
-            const QPen pen(hollow ? colour : theme.panel(), hollow ? 1.6 : 1.0);
+            const QPen pen(hollow ? colour : theme.panel(), strokeScale() * (hollow ? 1.6 : 1.0));
             paintSpreads(painter, curve);
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
-                dot(painter, pixel(curve, i), 3.6, pen, hollow ? theme.panel() : colour);
+                dot(painter, pixel(curve, i), pointRadius(curve.style.shape), pen,
+                    hollow ? theme.panel() : colour);
             }
         } else if (const auto at = shrunkTo(curve)) {
-            dot(painter, *at, 3.0, Qt::NoPen, colour);
+            dot(painter, *at, strokeScale() * 3.0, Qt::NoPen, colour);
         }
     }
     painter.restore();
@@ -573,7 +611,7 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     paintLines(painter);
     if (data_.presentX) {
         const double x = across(*data_.presentX);
-        painter.setPen(QPen(theme.accent(), 1.4));
+        painter.setPen(QPen(theme.accent(), strokeScale() * 1.4));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
         for (const PlotCurve& curve : data_.curves) {
             const auto y = curve.shown ? data_.valueAt(curve, *data_.presentX) : std::nullopt;
@@ -606,7 +644,8 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
 void PlotPainter::paintLines(QPainter& painter) const {
     for (const plot::Line& line : data_.lines) {
         const bool muted = line.colour == plot::Line::muted;
-        painter.setPen(QPen(colourOf(line), 1.2, muted ? Qt::DotLine : Qt::DashLine));
+        painter.setPen(
+            QPen(colourOf(line), strokeScale() * 1.2, muted ? Qt::DotLine : Qt::DashLine));
         painter.drawLine(strokeOf(line));
     }
 }
@@ -641,7 +680,7 @@ LabelPlaces PlotPainter::drawnPlaces() const {
                                 .normalized()
                                 .adjusted(-room, -room, room, room));
         };
-        constexpr double radius = 4.0;
+        const double radius = pointRadius(curve.style.shape) + 0.4;
         for (std::size_t i = 0; curve.style.shape != Shape::Line && i < curve.x.size(); ++i) {
             if (curve.style.shape == Shape::Bars) {
                 const double middle = curve.x[i] + curve.style.barShift;
@@ -705,7 +744,7 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
         return;
     }
     const QString text =
-        QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap);
+        QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap());
     const QSizeF size = labelSize(font, text);
     constexpr int steps = 6;
     constexpr double away = 2.0;
@@ -747,7 +786,7 @@ void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
     constexpr double arrow = 8.0;  // pixels
     const QString text = QFontMetricsF(font).elidedText(
         line.text + QLatin1Char(' ') + scale.readout(line.at, data_.locale), Qt::ElideRight,
-        area.width() - arrow - 2.0 * labelGap);
+        area.width() - arrow - 2.0 * labelGap());
     const QSizeF size = labelSize(font, text);
     // At the edge that it lies beyond, the arrow's point on that.
     const double sign = sideBeyond(line);
@@ -755,9 +794,10 @@ void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
     std::vector<QRectF> candidates;
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
-        const double along =
-            flat ? area.left() + labelGap + part * (area.width() - size.width() - 2.0 * labelGap)
-                 : area.top() + labelGap + part * (area.height() - size.height() - 2.0 * labelGap);
+        const double along = flat ? area.left() + labelGap() +
+                                        part * (area.width() - size.width() - 2.0 * labelGap())
+                                  : area.top() + labelGap() +
+                                        part * (area.height() - size.height() - 2.0 * labelGap());
         const double away = arrow + 2.0;
         candidates.emplace_back(
             flat ? QPointF(along,
@@ -781,7 +821,7 @@ void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
 }
 
 double PlotPainter::radiusOf(const plot::Mark& mark) {
-    return mark.ring ? 7.0 : 3.6;
+    return strokeScale() * (mark.ring ? 7.0 : 3.6);
 }
 
 bool PlotPainter::isSeen(const plot::Mark& mark) const {
@@ -794,7 +834,7 @@ void PlotPainter::paintMarks(QPainter& painter) const {
         if (isSeen(mark)) {
             const QColor colour = theme.curve(mark.colour);
             dot(painter, data_.toPixel(mark.x, mark.y, mark.side), radiusOf(mark),
-                QPen(mark.ring ? colour : theme.panel(), mark.ring ? 2.0 : 1.2),
+                QPen(mark.ring ? colour : theme.panel(), strokeScale() * (mark.ring ? 2.0 : 1.2)),
                 mark.ring ? QBrush() : QBrush(colour));
         }
     }
@@ -876,7 +916,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
              colour});
         const QPointF point = data_.toPixel(at, *y, curve.style.side);
         if (area.contains(point)) {
-            dot(painter, point, 3.4, QPen(theme.panel(), 1.2), colour);
+            dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);
         }
     }
     paintRows(painter, rows, QPointF(x, area.top()), QPointF(10, 6), 0.93F);
@@ -889,7 +929,7 @@ void PlotPainter::paintPointReadout(QPainter& painter) const {
     if (!data_.area.adjusted(-1, -1, 1, 1).contains(at)) {
         return;
     }
-    dot(painter, at, 5.0, QPen(theme.text(), 1.6), theme.curve(curve.style.colour));
+    dot(painter, at, strokeScale() * 5.0, QPen(theme.text(), 1.6), theme.curve(curve.style.colour));
     std::vector<Row> rows;
     for (const QString& text :
          curve.texts[static_cast<qsizetype>(data_.pointRead->second)].split(QLatin1Char('\n'))) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFont>
 #include <QLineF>
 #include <array>
 #include <memory>
@@ -18,6 +19,21 @@ class QValueAxis;
 namespace ravnoves {
 
 class LabelPlaces;
+
+/// Curves and dots get wider with the text, half as fast.
+double strokeScale();
+
+/// How a title stands in a row of this width: in smaller type before it takes several lines.
+struct PlotTitle {
+    static constexpr int flags =
+        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap | Qt::TextWrapAnywhere;
+
+    PlotTitle(const QString& title, double width);
+
+    QFont font;
+    double height = 0.0;
+    double width = 0.0;  ///< in one line
+};
 
 /// Paints what a plot shows onto any device: grid and linear axes by Qt Charts, all else by hand.
 /// What rests (axes), what moves (curves) and what goes on top are painted apart.

@@ -391,41 +391,62 @@ void PlotView::showTheme() {
 void PlotView::layoutHeader() {
     const double header = data_.headerHeight;
     // Title and legend in one row where they fit, else the legend flows in rows below the title.
-    const QFontMetricsF metrics(Theme::font(Theme::baseSize, true));
-    const double row = std::ceil(metrics.height()) + Theme::gap;
-    const double titleWidth = metrics.horizontalAdvance(data_.title) + 2 * Theme::margin;
-    double legendWidth = 0.0;
-    if (referenceItem_ != nullptr && referenceItem_->isHidden() == data_.hasGhosts()) {
-        referenceItem_->setVisible(data_.hasGhosts());
-        showLegend();
-    }
-    const QList<LegendItem*> items = shownLegend();
-    for (const LegendItem* item : items) {
-        legendWidth += item->sizeHint().width();
-    }
-    const double right = width() - Theme::space;
-    const bool oneRow = titleWidth + legendWidth <= right;
-    const double x0 = Theme::margin - Theme::gap;
-    double x = oneRow ? right - legendWidth : x0;
-    double y = Theme::gap + (oneRow ? 0.0 : row);
-    double below = y + row;  // the row
-    for (LegendItem* item : items) {
-        const int itemWidth = std::min(item->sizeHint().width(), static_cast<int>(right - x0));
-        if (!oneRow && x + itemWidth > right && x > Theme::margin) {
-            x = x0;
-            y = below;
+    const auto placed = [](PlotView& plot) {
+        const PlotTitle title(plot.data_.title, plot.width() - 2.0 * Theme::margin);
+        const double row =
+            std::ceil(QFontMetricsF(Theme::font(Theme::baseSize, true)).height()) + Theme::gap;
+        double legendWidth = 0.0;
+        if (plot.referenceItem_ != nullptr &&
+            plot.referenceItem_->isHidden() == plot.data_.hasGhosts()) {
+            plot.referenceItem_->setVisible(plot.data_.hasGhosts());
+            plot.showLegend();
         }
-        // A name that is longer than a row takes as many as it needs.
-        const double itemHeight = std::max<double>(row, item->heightForWidth(itemWidth));
-        item->setGeometry(QRectF(x, y, itemWidth, itemHeight).toAlignedRect());
-        x += itemWidth;
-        below = std::max(below, y + itemHeight);
+        const QList<LegendItem*> items = plot.shownLegend();
+        for (const LegendItem* item : items) {
+            legendWidth += item->sizeHint().width();
+        }
+        const double right = plot.width() - Theme::space;
+        const bool oneRow = title.width + 2.0 * Theme::margin + legendWidth <= right;
+        const double x0 = Theme::margin - Theme::gap;
+        double x = oneRow ? right - legendWidth : x0;
+        double y = Theme::gap + (oneRow ? 0.0 : title.height + Theme::gap);
+        double below = items.empty() ? y + (oneRow ? row : 0.0) : y + row;  // the row
+        for (LegendItem* item : items) {
+            const int itemWidth = std::min(item->sizeHint().width(), static_cast<int>(right - x0));
+            if (!oneRow && x + itemWidth > right && x > Theme::margin) {
+                x = x0;
+                y = below;
+            }
+            // A name that is longer than a row takes as many as it needs.
+            const double itemHeight = std::max<double>(row, item->heightForWidth(itemWidth));
+            item->setGeometry(QRectF(x, y, itemWidth, itemHeight).toAlignedRect());
+            x += itemWidth;
+            below = std::max(below, y + itemHeight);
+        }
+        if (legendWidth == 0.0 && plot.data_.title.isEmpty()) {
+            below = Theme::gap;
+        }
+        return below + plot.keyHeight();
+    };
+    double highest = placed(*this);
+    // Charts beside each other begin at one height.
+    QList<PlotView*> row;
+    if (parentWidget() != nullptr && !isHidden()) {
+        row = parentWidget()->findChildren<PlotView*>(Qt::FindDirectChildrenOnly);
+        row.removeIf([this](const PlotView* other) {
+            return other->isHidden() || other->y() != y() || other->height() != height() ||
+                   other->x() == x();
+        });
     }
-    data_.headerHeight = below;
-    if (legendWidth == 0.0 && data_.title.isEmpty()) {
-        data_.headerHeight = Theme::gap;
+    for (PlotView* other : row) {
+        highest = std::max(highest, placed(*other));
     }
-    data_.headerHeight += keyHeight();
+    data_.headerHeight = highest;
+    for (PlotView* other : row) {
+        if (other->data_.headerHeight != highest) {
+            other->chartChanged();
+        }
+    }
     if (data_.headerHeight != header) {
         updateGeometry();
         update();

@@ -16,6 +16,7 @@
 #include "plot/legend_item.h"
 #include "plot/model/ticks.h"
 #include "plot/picture_file.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 namespace {
@@ -348,6 +349,60 @@ TEST_F(PlotViewTest, WhatStandsOverOneAnotherBeginsAtOnePixel) {
     plots.pop_back();
     plots[0]->setCurve(0, {0, 1}, {0, 1});
     plots[0]->grab();
+}
+
+TEST_F(PlotViewTest, ChartsBesideEachOtherBeginAtOneHeight) {
+    QWidget page;
+    page.resize(500, 300);
+    PlotView one(QStringLiteral("One"), &page);
+    PlotView other(QStringLiteral("Other"), &page);
+    one.setGeometry(0, 0, 250, 300);
+    other.setGeometry(250, 0, 250, 300);
+    one.addCurve({.name = QStringLiteral("a")});
+    for (const char* name : {"a rather long name", "and another one", "and a third"}) {
+        other.addCurve({.name = QString::fromLatin1(name), .colour = 1});
+    }
+    test::showAt(page, {500, 300});
+    page.grab();
+    page.grab();  // the first one's header follows the other's
+    EXPECT_EQ(one.plotArea().top(), other.plotArea().top());
+    const double beside = one.plotArea().top();
+    other.move(250, 20);  // no longer in the row
+    one.setTitle(QStringLiteral("1"));
+    page.grab();
+    EXPECT_LT(one.plotArea().top(), beside);
+}
+
+TEST_F(PlotViewTest, ATitleTakesLinesRatherThanLoseItsEnd) {
+    const double before = plot.plotArea().top();
+    plot.setTitle(
+        QStringLiteral("Moment about the crank with an error of the gears, for several "
+                       "engines, each at its own speed and with its own shaft"));
+    plot.grab();
+    EXPECT_GT(plot.plotArea().top(), before + 8.0);
+}
+
+TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
+    plot.setCurveStyle(curve, {.name = QStringLiteral("sine"), .width = 4.0});
+    plot.grab();
+    const double gap = plot.plotArea().top() - plot.data().headerHeight;
+    const auto inked = [&] {  // pixels of the curve across its highest point
+        const QImage image = plot.grab().toImage();
+        const QPoint peak = plot.toPixel(90, 100).toPoint();
+        int rows = 0;
+        for (int dy = -6; dy <= 6; ++dy) {
+            rows += image.pixelColor(peak + QPoint(0, dy)).lightness() < 180 ? 1 : 0;
+        }
+        return rows;
+    };
+    const int thin = inked();
+    Theme::instance().setTextScale(2.0);
+    plot.resetZoom();
+    const int thick = inked();
+    const double wide = plot.plotArea().top() - plot.data().headerHeight;
+    Theme::instance().setTextScale(1.0);
+    EXPECT_GT(thick, thin);
+    EXPECT_GE(wide, gap + 12.0);
 }
 
 TEST_F(PlotViewTest, TheGridStandsWhereTheValuesAre) {
