@@ -241,15 +241,18 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
-    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
-                     tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
-    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
-                     shownDigits(envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
-                         shownNumber(envelope.height(), units::mm, 0));
+    drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6, -8, -6),
+                          Qt::AlignTop | Qt::AlignLeft,
+                          tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
+    drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6, -8, -6),
+                          Qt::AlignTop | Qt::AlignRight,
+                          shownDigits(envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
+                              shownNumber(envelope.height(), units::mm, 0));
     if (!buildable) {
+        const double row = std::max(16.0, painter.fontMetrics().height() + 1.0);
         painter.setPen(theme.error());
-        painter.drawText(QRectF(rect()).adjusted(8, 22, -8, -6), Qt::AlignTop | Qt::AlignRight,
-                         tr("cannot be built"));
+        drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6 + row, -8, -6),
+                              Qt::AlignTop | Qt::AlignRight, tr("cannot be built"));
     }
     // Legend of the arrows.
     const std::vector<std::pair<QString, QColor>> names{{tr("Pⱼ₁"), theme.error()},

@@ -165,6 +165,31 @@ void EngineView::paintEvent(QPaintEvent* /*event*/) {
     drawFocus(painter);
 }
 
+namespace {
+
+/// Over all rods; pistons one behind the other share a place.
+void paintNumbers(QPainter& painter, const std::vector<QPointF>& places) {
+    const double near = 0.8 * painter.fontMetrics().height();
+    std::vector<bool> told(places.size(), false);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        QStringList numbers;
+        for (std::size_t other = i; other < places.size(); ++other) {
+            const QPointF away = places[other] - places[i];
+            if (!told[other] && std::hypot(away.x(), away.y()) < near) {
+                told[other] = true;
+                numbers << QString::number(other + 1);
+            }
+        }
+        if (!numbers.isEmpty()) {
+            constexpr QPointF reach(200.0, 50.0);
+            drawing::drawWithHalo(painter, QRectF(places[i] - reach, places[i] + reach),
+                                  Qt::AlignCenter, numbers.join(QStringLiteral(", ")));
+        }
+    }
+}
+
+}  // namespace
+
 void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::instance();
     const Engine& engine = model_->result().engine;
@@ -244,9 +269,6 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());
         paintDisc(painter, piston, 0.5 * thick);
-        painter.setPen(theme.text());
-        drawing::drawCentred(painter, frame.at(pose.piston_pin + axial * 0.3 * radius),
-                             QString::number(i + 1));
     }
     // The big ends of master rods reach to the knuckle pins.
     for (const CylinderPose& pose : poses) {
@@ -271,6 +293,13 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         painter.setBrush(drawing::bankColour(banks[i]));
         paintDisc(painter, frame.at(poses[i].crankpin), 0.5 * thick + 1.0);
     }
+    std::vector<QPointF> crowns;
+    crowns.reserve(poses.size());
+    for (const CylinderPose& pose : poses) {
+        crowns.push_back(frame.at(pose.piston_pin + pose.axis_direction * 0.3 * radius));
+    }
+    painter.setPen(theme.text());
+    paintNumbers(painter, crowns);
 }
 
 double EngineView::Side::height(double angle) const {

@@ -100,6 +100,17 @@ void drawCentred(QPainter& painter, const QPointF& middle, const QString& text) 
     painter.drawText(QRectF(middle - reach, middle + reach), Qt::AlignCenter, text);
 }
 
+void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QString& text) {
+    QColor ground = Theme::instance().panel();
+    ground.setAlphaF(0.86F);
+    const QPen ink = painter.pen();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(painter.boundingRect(room, flags, text).adjusted(-2, 0, 2, 0), 3, 3);
+    painter.setPen(ink);
+    painter.drawText(room, flags, text);
+}
+
 QColor bankColour(int bank) {
     constexpr int colours[] = {2, 1, 3, 4};
     return Theme::instance().curve(colours[bank % 4]);

@@ -52,6 +52,9 @@ void drawTurning(QPainter& painter, const QPointF& centre, double radius, double
 /// A text with its middle at a point.
 void drawCentred(QPainter& painter, const QPointF& middle, const QString& text);
 
+/// A text with the ground round its letters, so that lines behind it do not cross them.
+void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QString& text);
+
 /// Colours of bank 1, bank 2, … and of metal parts in the present theme.
 QColor bankColour(int bank);
 QColor metal();
