@@ -31,7 +31,7 @@ double labelGap() {
 }
 /// Above the chart: the highest number stands half over it, below the legend.
 double topGap() {
-    constexpr int line = 14;
+    constexpr int line = 8;
     return 6.0 + std::max(0, Theme::withText(line) - line);
 }
 // Pixels that a tick label needs, for text of the designed size.

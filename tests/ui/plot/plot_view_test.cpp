@@ -402,7 +402,7 @@ TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
     const double wide = plot.plotArea().top() - plot.data().headerHeight;
     Theme::instance().setTextScale(1.0);
     EXPECT_GT(thick, thin);
-    EXPECT_GE(wide, gap + 12.0);
+    EXPECT_GE(wide, gap + 6.0);
 }
 
 TEST_F(PlotViewTest, TheGridStandsWhereTheValuesAre) {
