@@ -64,10 +64,6 @@
         <translation>Оппозитный, %1</translation>
     </message>
     <message>
-        <source>Still needed: %1</source>
-        <translation>Ещё нужно: %1</translation>
-    </message>
-    <message>
         <source>On each of the %1 crankpins.</source>
         <translation>На каждую шатунную шейку (всего %1).</translation>
     </message>
@@ -295,6 +291,10 @@
     <message>
         <source>For each of the %1 pairs of crankpins split by %2, half of it on either.</source>
         <translation>На каждую пару шеек, разведённых на %2 (пар: %1), по половине на шейку.</translation>
+    </message>
+    <message>
+        <source>The bob weight still needs: %1</source>
+        <translation>Для груза ещё нужны: %1</translation>
     </message>
 </context>
 <context>
@@ -1205,10 +1205,6 @@
         <translation>годится: %1</translation>
     </message>
     <message>
-        <source>%1 plug: a plug of these dimensions weighs %2, but %3 was typed. Weigh it.</source>
-        <translation>%1: пробка таких размеров весит %2, а введено %3. Взвесьте её.</translation>
-    </message>
-    <message>
         <source>After equals nominal: balanced.</source>
         <translation>После равно номиналу: уравновешено.</translation>
     </message>
@@ -1248,10 +1244,6 @@
     <message>
         <source>Bob weight with the nearest option: %1.</source>
         <translation>Груз при ближайшем варианте: %1.</translation>
-    </message>
-    <message>
-        <source>%1 plug: solid it weighs %2, but %3 was typed. Give its bore or weigh it.</source>
-        <translation>%1: сплошная пробка весит %2, а введено %3. Укажите расточку или взвесьте.</translation>
     </message>
     <message>
         <source>%1: %2 of 8 weighed; nominal counts until all are.</source>
@@ -1723,7 +1715,7 @@
     </message>
     <message>
         <source>Most off steel plug Δmₚₘ</source>
-        <translation>Предел со стальной Δmₚₘ</translation>
+        <translation>Предел съёма со стальной Δmₚₘ</translation>
     </message>
     <message>
         <source>Most off aluminium plug Δmₐₘ</source>
@@ -1900,6 +1892,14 @@
     <message>
         <source>Bob weight then</source>
         <translation>Балансировочный груз при этом</translation>
+    </message>
+    <message>
+        <source>%1 plug: solid it weighs %2, but sheet 2 says %3. Give its bore or weigh it.</source>
+        <translation>%1: сплошная пробка весит %2, а на листе 2 стоит %3. Укажите расточку или взвесьте.</translation>
+    </message>
+    <message>
+        <source>%1 plug: a plug of these dimensions weighs %2, but sheet 2 says %3. Weigh it.</source>
+        <translation>%1: пробка таких размеров весит %2, а на листе 2 стоит %3. Взвесьте её.</translation>
     </message>
 </context>
 <context>
@@ -4547,7 +4547,7 @@
     </message>
     <message>
         <source>Error &amp;waves</source>
-        <translation>Вол&amp;н погрешности</translation>
+        <translation>Чис&amp;ло волн погрешности</translation>
     </message>
     <message>
         <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
@@ -6303,10 +6303,6 @@
         <translation>преобразование Фурье нужной длины</translation>
     </message>
     <message>
-        <source>the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
-        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
-    </message>
-    <message>
         <source>the mechanism is too near locking for the accuracy asked</source>
         <translation>механизм слишком близок к заклиниванию для заданной точности</translation>
     </message>
@@ -6443,10 +6439,6 @@
         <translation>3 члена</translation>
     </message>
     <message>
-        <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 - λ(1 + K)</source>
-        <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
-    </message>
-    <message>
         <source>float</source>
         <translation>float</translation>
     </message>
@@ -6479,10 +6471,6 @@
         <translation>точная, синусы хранятся</translation>
     </message>
     <message>
-        <source>near locking the error grows as the rounding divided by 1 - λ(1 + K): nine digits are left at 1 - λ(1 + K) = 1e-6</source>
-        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
-    </message>
-    <message>
         <source>Slider-crank kinematics</source>
         <translation>Кинематика КШМ</translation>
     </message>
@@ -6497,10 +6485,6 @@
     <message>
         <source>s, s′ and s″ at one crank angle</source>
         <translation>s, s′ и s″ при одном угле кривошипа</translation>
-    </message>
-    <message>
-        <source>the closure |crankpin - pin| = L solved by Newton&apos;s method, derivatives by differences</source>
-        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
     </message>
     <message>
         <source>points of one turn at λ = 0.265</source>
@@ -7622,6 +7606,22 @@
         <source>What scatters is known to a few digits itself, so five thousandths of the standard deviation do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
         <translation>То, что рассеивается, само известно до нескольких цифр, так что пяти тысячных стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
     </message>
+    <message>
+        <source>the number of points grows as 1/√(1 − λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
+    </message>
+    <message>
+        <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 − λ(1 + K)</source>
+        <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
+    </message>
+    <message>
+        <source>near locking the error grows as the rounding divided by 1 − λ(1 + K): nine digits are left at 1 − λ(1 + K) = 10⁻⁶</source>
+        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
+    </message>
+    <message>
+        <source>the closure |crankpin − pin| = L solved by Newton&apos;s method, derivatives by differences</source>
+        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::AnswerView</name>
@@ -7951,12 +7951,6 @@ but nothing can be built</source>
         <translation>Пересобрать</translation>
     </message>
     <message>
-        <source>
-%2 less at %1° cannot be built</source>
-        <translation>
-на %2 меньше при %1° — построить нельзя</translation>
-    </message>
-    <message>
         <source>Least range %2 at %1°</source>
         <translation>Наименьший размах %2 при&#xa0;%1°</translation>
     </message>
@@ -7975,6 +7969,10 @@ but nothing can be built</source>
     <message>
         <source>Moment on the mounts with the shaft, Mᵤₚ + Mₛ</source>
         <translation>Момент на опорах с валом, Mᵤₚ + Mₛ</translation>
+    </message>
+    <message>
+        <source>%2 less at %1° – cannot be built</source>
+        <translation>на %2 меньше при %1° — построить нельзя</translation>
     </message>
 </context>
 <context>
@@ -9205,11 +9203,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>The guide exists, but cannot be made: with a relief of %1 a profile error of %2 changes its moment by up to %3.</source>
-        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 погрешность профиля %2 меняет её момент до %3.</translation>
+        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 погрешность профиля %2 меняет её момент на величину до %3.</translation>
     </message>
     <message>
         <source>The guide exists: relief %1; a profile error of %2 changes its moment by up to %3.</source>
-        <translation>Направляющая существует: перепад %1; погрешность профиля %2 меняет её момент до %3.</translation>
+        <translation>Направляющая существует: перепад %1; погрешность профиля %2 меняет её момент на величину до %3.</translation>
     </message>
     <message>
         <source>Moment error from %1</source>
@@ -9362,10 +9360,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>одного колена</translation>
     </message>
     <message>
-        <source>It is the mass</source>
-        <translation>Это масса</translation>
-    </message>
-    <message>
         <source>Where rods share a crankpin, a throw carries the mass of one cylinder once for each of them. Choosing the other way changes the number, not the engine.</source>
         <translation>Если шатунная шейка общая, колено несёт массу одного цилиндра по разу для каждого шатуна. Другой способ задания меняет число, а не двигатель.</translation>
     </message>
@@ -9376,6 +9370,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>At the crank radius, with the share of rigid rods</source>
         <translation>На радиусе кривошипа, с долей твёрдых шатунов</translation>
+    </message>
+    <message>
+        <source>Mass given</source>
+        <translation>Задана масса</translation>
     </message>
 </context>
 <context>
@@ -10006,12 +10004,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Найдено</translation>
     </message>
     <message>
-        <source>&amp;Take it over</source>
-        <translation>&amp;Взять найденное</translation>
-    </message>
-    <message>
         <source>Sets c and ρ₀ to the values found</source>
         <translation>Задаёт найденные c и ρ₀</translation>
+    </message>
+    <message>
+        <source>Use &amp;these values</source>
+        <translation>&amp;Взять найденное</translation>
     </message>
 </context>
 <context>
@@ -10915,18 +10913,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         </translation>
     </message>
     <message>
-        <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2&#xa0;% наибольшего)</translation>
-    </message>
-    <message>
-        <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Two-term is not enough: order %1.</source>
-        <translation>Двух членов мало: порядок %1.</translation>
-    </message>
-    <message>
         <source>On a throw, rods: %1, g</source>
         <translation>Колено, ×%1, г</translation>
     </message>
@@ -11077,6 +11063,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
         <translation>Вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
+    </message>
+    <message>
+        <source>%1 of order %2</source>
+        <translation>%1 порядка %2</translation>
+    </message>
+    <message>
+        <source>%1 is left out (%2 % of the largest)</source>
+        <translation>%1: не входит (%2 % наибольшего)</translation>
+    </message>
+    <message>
+        <source>%1 is %2 % off</source>
+        <translation>%1: ошибка %2 %</translation>
+    </message>
+    <message>
+        <source>Two-term is not enough: %1.</source>
+        <translation>Двух членов мало: %1.</translation>
     </message>
 </context>
 <context>
@@ -11766,7 +11768,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::MatchingSheet</name>
     <message>
         <source>may go</source>
-        <translation>куда</translation>
+        <translation>подбор</translation>
     </message>
     <message>
         <source>with it</source>
@@ -11815,6 +11817,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Looking for the best placing…</source>
         <translation>Ищется лучшая расстановка…</translation>
+    </message>
+    <message>
+        <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
+        <translation>Куда можно поставить деталь при подборе — везде: в любой цилиндр; ряд: в своём ряду; идёт: вместе со своим поршнем или шатуном; стоит: где стояла.</translation>
     </message>
 </context>
 <context>
@@ -12354,6 +12360,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
         <translation>Наибольшие: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>порядок</translation>
     </message>
 </context>
 <context>
@@ -14546,10 +14556,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Лучшее место (%1): %2 при %3.</translation>
     </message>
     <message>
-        <source>%1 at %2 cannot be built.</source>
-        <translation>%1 при %2 построить нельзя.</translation>
-    </message>
-    <message>
         <source>Least bad over the band of speeds: %1 at the worst one. Here: %2</source>
         <translation>Наименее плохо по диапазону частот: %1 при худшей из них. Здесь: %2</translation>
     </message>
@@ -14596,6 +14602,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>box %1</source>
         <translation>габарит %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 – cannot be built.</source>
+        <translation>%1 при %2 — построить нельзя.</translation>
     </message>
 </context>
 <context>
@@ -14712,10 +14722,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Границы для оси вала</translation>
     </message>
     <message>
-        <source>Beside what the shaft must clear: for example a wall of the crankcase. What is empty does not limit. The sizes of the engine are on the Inputs tab.</source>
-        <translation>Помимо того, что вал не должен задевать: например, стенка картера. Пустое поле не ограничивает. Размеры двигателя — на вкладке «Данные».</translation>
-    </message>
-    <message>
         <source>Best α of each l; thick: can be built</source>
         <translation>Лучший α; толсто — можно построить</translation>
     </message>
@@ -14814,6 +14820,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Places that can be built and that no other beats in range, RMS and size at once, each to one part in a million. Click to go to one.</source>
         <translation>Места, которые можно построить и которых ни одно другое не лучше сразу по размаху, СКЗ и габариту; каждое с точностью до миллионной доли. Щелчок переносит вал туда.</translation>
+    </message>
+    <message>
+        <source>Besides what the shaft must clear: for example a wall of the crankcase. What is empty does not limit. The sizes of the engine are on the Inputs tab.</source>
+        <translation>Помимо того, что вал не должен задевать: например, стенка картера. Пустое поле не ограничивает. Размеры двигателя — на вкладке «Данные».</translation>
     </message>
 </context>
 <context>

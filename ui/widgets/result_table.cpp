@@ -164,6 +164,9 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new Wr
     number_ = ++made;
     setHorizontalHeader(header_);
     connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
+    // What is left blank below the last whole row must not be moved as if it were a row.
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
+            qOverload<>(&QWidget::update));
     setToolTip(
         tr("Ctrl+C copies the selected cells, or the whole table if no more than one is "
            "selected."));
@@ -549,6 +552,9 @@ void ResultTable::wrapHeadings() {
         setSmall(false);
         int wanted = numbers();
         for (const int column : stretched_) {
+            if (isColumnHidden(column)) {
+                continue;
+            }
             wanted +=
                 column == 0 ? widestText(*this, column, room / 2) : leastOfWords(*this, column);
         }
@@ -558,6 +564,9 @@ void ResultTable::wrapHeadings() {
     if (wraps_) {
         int wanted = numbers();
         for (const int column : stretched_) {
+            if (isColumnHidden(column)) {
+                continue;
+            }
             const int words = column == 0 ? widestText(*this, column, room / 2) : 0;
             wanted += std::max(leastOfWords(*this, column), words);
         }
