@@ -337,11 +337,17 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     const QRectF used =
         painter.boundingRect(room, flags, band.text).adjusted(-besideLabel, 0, besideLabel, 0);
     // At the top, or where fewer curves pass.
-    constexpr int heights = 8;
-    std::array<QRectF, heights + 1> candidates;
+    constexpr int heights = 16;
+    std::vector<QRectF> candidates;
     for (int i = 0; i <= heights; ++i) {
         const double free = std::max(0.0, room.height() - used.height());
-        candidates[static_cast<std::size_t>(i)] = used.translated(0.0, free * i / heights);
+        const QRectF candidate = used.translated(0.0, free * i / heights);
+        if (!places.meetsLabel(candidate)) {
+            candidates.push_back(candidate);
+        }
+    }
+    if (candidates.empty()) {
+        return;  // the values in it say more
     }
     const QRectF box = places.place(candidates);
     // The line of the present value may pass wherever it is.

@@ -89,9 +89,9 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
 void WeighInSheet::buildGrid() {
     auto* grid = new QGridLayout;
     columnOf(this)->addLayout(grid);
-    grid->setHorizontalSpacing(Theme::gap);
+    grid->setHorizontalSpacing(Theme::gap / 2);  // "1568.52" is seen whole
     grid->setVerticalSpacing(2);
-    grid->setColumnMinimumWidth(0, Theme::withText(58));
+    grid->setColumnMinimumWidth(0, Theme::withText(50));
     for (int row = 0; row < rows; ++row) {
         put(grid, row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
             row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);

@@ -110,6 +110,9 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
            "with its piston or rod, stays: where it is."),
         grid->parentWidget());
     words->setObjectName(QStringLiteral("moves_words"));
+    QSizePolicy policy = words->sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // the columns are those of the cells
+    words->setSizePolicy(policy);
     grid->addWidget(words, row + 1, 0, 1, -1);
 }
 

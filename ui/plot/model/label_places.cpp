@@ -112,6 +112,12 @@ double LabelPlaces::covered(const QRectF& label) const {
     return sum + perLabel * static_cast<double>(over);
 }
 
+bool LabelPlaces::meetsLabel(const QRectF& label) const {
+    const QRectF there = moved(label);
+    return std::any_of(labels_.begin(), labels_.end(),
+                       [&](const QRectF& other) { return other.intersects(there); });
+}
+
 QRectF LabelPlaces::moved(QRectF label) const {
     label.moveLeft(std::max(area_.left(), std::min(label.left(), area_.right() - label.width())));
     label.moveTop(std::max(area_.top(), std::min(label.top(), area_.bottom() - label.height())));
