@@ -136,6 +136,17 @@ class Scrolled final : public QScrollArea {
             }
             around_->viewport()->installEventFilter(this);
         }
+        // A bar that comes and goes with what is asked for asks again: not for ever.
+        constexpr int mostAsks = 4;
+        const auto* label = qobject_cast<const QLabel*>(widget());
+        const QString text = label != nullptr ? label->text() : QString();
+        if (around_->size() != askedIn_ || text != askedOf_) {
+            askedIn_ = around_->size();
+            askedOf_ = text;
+            asks_ = 0;
+        } else if (asks_ >= mostAsks) {
+            return;
+        }
         QWidget* column = around_->widget();
         for (QWidget* each = this; each != column; each = each->parentWidget()) {
             each->updateGeometry();  // no layout keeps what it was told before
@@ -146,12 +157,16 @@ class Scrolled final : public QScrollArea {
         const int asked = std::clamp(now + spare, least, std::max(least, textHeight() + 2));
         if (asked != now) {
             asked_ = asked;
+            ++asks_;
             updateGeometry();
         }
     }
 
     QPointer<QScrollArea> around_;  ///< that the column of the text scrolls in
     int asked_ = 0;                 ///< height
+    int asks_ = 0;                  ///< changes of that in one place for one text
+    QSize askedIn_;
+    QString askedOf_;
 
     bool isOver() const { return verticalScrollBar()->maximum() > 0; }
     bool hasStop() const {
