@@ -127,6 +127,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::renew() {
+    const QWidget* at = focusWidget();
+    const QString field =
+        at != nullptr && documents_->isAncestorOf(at) ? at->objectName() : QString();
     unsetLocale();
     {
         const QSignalBlocker quiet(documents_);
@@ -151,8 +154,13 @@ void MainWindow::renew() {
     documents_->show();
     if (atStart) {
         showStart();
-    } else {
-        showCurrent();
+        return;
+    }
+    showCurrent();
+    // One goes on where one was. Only a field that is seen keeps the focus; Qt would show it later.
+    centralWidget()->show();
+    if (auto* again = field.isEmpty() ? nullptr : currentPage()->findChild<QWidget*>(field)) {
+        again->setFocus();
     }
 }
 

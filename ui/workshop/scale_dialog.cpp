@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <QtSerialPort/QSerialPortInfo>
 
@@ -70,24 +69,11 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
 
     connect(reader_, &ScaleReader::connectionChanged, this, &ScaleDialog::showConnection);
     connect(reader_, &ScaleReader::lineRead, this, &ScaleDialog::showLine);
-    const QWidget* at = parent->focusWidget();
-    connect(this, &QDialog::finished, parent,
-            [this, parent, field = at != nullptr ? at->objectName() : QString(),
-             before = reader->settings().resolution] {
-                if (reader_->settings().resolution == before) {
-                    return;
-                }
-                Preferences::instance().tell();  // the pages say what it means for them
-                // They are made anew, and shown some events later: the weights go on where they
-                // were.
-                QTimer::singleShot(100, parent, [parent, field] {
-                    for (QWidget* again : parent->findChildren<QWidget*>(field)) {
-                        if (!field.isEmpty() && again->isVisible()) {
-                            again->setFocus();
-                        }
-                    }
-                });
-            });
+    connect(this, &QDialog::finished, parent, [this, before = reader->settings().resolution] {
+        if (reader_->settings().resolution != before) {
+            Preferences::instance().tell();  // the pages say what it means for them
+        }
+    });
     showConnection();
 }
 

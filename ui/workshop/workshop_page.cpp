@@ -249,7 +249,7 @@ void WorkshopPage::showEvent(QShowEvent* event) {
     // One types at once, and the page's keys work: they ask for a focus on it.
     QTimer::singleShot(0, this, [this] {
         if (isVisible() && QApplication::activeModalWidget() == nullptr &&
-            !isAncestorOf(QApplication::focusWidget())) {
+            !isAncestorOf(window()->focusWidget())) {
             forms_.at(sheets_->currentIndex())->order().constFirst()->setFocus();
         }
     });

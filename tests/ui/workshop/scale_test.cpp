@@ -293,7 +293,7 @@ TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
     // The page says what the last digit means for the bob weight.
     EXPECT_TRUE(comes([&] {
         window->activateWindow();
-        return window->isActiveWindow();
+        return focus() == "mass_piston_1";
     }));
     EXPECT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json")),
               QString());
