@@ -21,7 +21,6 @@
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
-#include "methods/whole_rows.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/text_width.h"
@@ -34,6 +33,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -272,7 +272,7 @@ QWidget* MethodsPage::buildResults() {
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
     inside->setSpacing(Theme::gap);
-    table_ = new WithWholeRows<ResultTable>(panel);
+    table_ = new ResultTable(panel);
     table_->setObjectName(QStringLiteral("methods_table"));
     table_->setAccessibleName(tr("Methods as measured"));
     table_->setShownRows(6);  // further ones never cost a chart

@@ -18,13 +18,13 @@
 #include <span>
 
 #include "methods/model/method_words.h"
-#include "methods/whole_rows.h"
 #include "text/csv_format.h"
 #include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"
+#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 

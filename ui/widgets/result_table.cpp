@@ -159,14 +159,12 @@ class DifferenceDelegate final : public QStyledItemDelegate {
 
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new WrappedHeader(this)) {
+ResultTable::ResultTable(QWidget* parent)
+    : WithWholeRows(parent), header_(new WrappedHeader(this)) {
     static int made = 0;
     number_ = ++made;
     setHorizontalHeader(header_);
     connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
-    // What is left blank below the last whole row must not be moved as if it were a row.
-    connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
-            qOverload<>(&QWidget::update));
     setToolTip(
         tr("Ctrl+C copies the selected cells, or the whole table if no more than one is "
            "selected."));
@@ -817,20 +815,8 @@ void ResultTable::copySelection() {
     QApplication::clipboard()->setText(joined(QLatin1Char('\t'), hasSelection()));
 }
 
-int ResultTable::wholeRows() const {
-    const int room = viewport()->height();
-    const int last = rowAt(room - 1);
-    if (last < 1 || verticalScrollBar()->maximum() == 0) {
-        return room;
-    }
-    const int top = rowViewportPosition(last);
-    return top > 0 && top + rowHeight(last) > room ? top : room;
-}
-
 void ResultTable::paintEvent(QPaintEvent* event) {
-    // No row is shown in part.
-    QPaintEvent whole(event->region().intersected(QRect(0, 0, viewport()->width(), wholeRows())));
-    QTableWidget::paintEvent(&whole);
+    WithWholeRows::paintEvent(event);
     if (hasFocus()) {
         QPainter painter(viewport());
         painter.setPen(Theme::instance().accent());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "text/result_tips.h"
+#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -15,8 +16,9 @@ class WrappedHeader;
 
 /// A read-only table of results whose selection, or whole, is copied as text (tabs, for a
 /// spreadsheet) or CSV. Where it has too little room its headings go on a second line, then it
-/// scrolls from one whole column to the next.
-class ResultTable : public QTableWidget {
+/// scrolls from one whole column to the next; no row is
+/// shown in part.
+class ResultTable : public WithWholeRows<QTableWidget> {
     Q_OBJECT
 
   public:
@@ -95,8 +97,6 @@ class ResultTable : public QTableWidget {
     void wrapHeadings();
     /// Where it scrolled sideways else.
     void setSmall(bool isSmall);
-    /// The height of the rows that are in sight from top to bottom.
-    int wholeRows() const;
     int headingWidth(int column) const;
     int padding() const;
     /// Words never give way to numbers altogether: the table scrolls sideways instead.

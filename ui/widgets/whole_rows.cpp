@@ -1,4 +1,4 @@
-#include "methods/whole_rows.h"
+#include "widgets/whole_rows.h"
 
 #include <QHeaderView>
 #include <QtMath>
@@ -17,6 +17,9 @@ constexpr int cellPadding = 8;
 
 QRegion wholeRows(const QTableView& table) {
     QRect room = table.viewport()->rect();
+    if (table.verticalScrollBar()->maximum() == 0) {
+        return room;
+    }
     const int row = table.rowAt(room.bottom());
     const int top = row < 0 ? 0 : table.rowViewportPosition(row);
     if (top > 0 && top + table.rowHeight(row) > room.height()) {
