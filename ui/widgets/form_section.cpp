@@ -122,7 +122,9 @@ class Scrolled final : public QScrollArea {
         verticalScrollBar()->setSingleStep(line);
     }
 
-    int textHeight() const { return widget()->heightForWidth(std::max(1, width() - 2)); }
+    int textHeight(int wider = 0) const {
+        return widget()->heightForWidth(std::max(1, width() + wider - 2));
+    }
 
     /// All its height where the column that it is in has room for that, without a scroll bar.
     void askForHeight() {
@@ -136,37 +138,25 @@ class Scrolled final : public QScrollArea {
             }
             around_->viewport()->installEventFilter(this);
         }
-        // A bar that comes and goes with what is asked for asks again: not for ever.
-        constexpr int mostAsks = 4;
-        const auto* label = qobject_cast<const QLabel*>(widget());
-        const QString text = label != nullptr ? label->text() : QString();
-        if (around_->size() != askedIn_ || text != askedOf_) {
-            askedIn_ = around_->size();
-            askedOf_ = text;
-            asks_ = 0;
-        } else if (asks_ >= mostAsks) {
-            return;
-        }
         QWidget* column = around_->widget();
         for (QWidget* each = this; each != column; each = each->parentWidget()) {
             each->updateGeometry();  // no layout keeps what it was told before
         }
         const int now = sizeHint().height();
-        const int spare = around_->viewport()->height() - column->heightForWidth(column->width());
+        // As if the column had no bar: one that came and went with the answer would ask for ever.
+        const QSize room = around_->maximumViewportSize();
+        const int wider = std::max(0, room.width() - column->width());
+        const int spare = room.height() - column->heightForWidth(column->width() + wider);
         const int least = minimumHeight();
-        const int asked = std::clamp(now + spare, least, std::max(least, textHeight() + 2));
+        const int asked = std::clamp(now + spare, least, std::max(least, textHeight(wider) + 2));
         if (asked != now) {
             asked_ = asked;
-            ++asks_;
             updateGeometry();
         }
     }
 
     QPointer<QScrollArea> around_;  ///< that the column of the text scrolls in
     int asked_ = 0;                 ///< height
-    int asks_ = 0;                  ///< changes of that in one place for one text
-    QSize askedIn_;
-    QString askedOf_;
 
     bool isOver() const { return verticalScrollBar()->maximum() > 0; }
     bool hasStop() const {
