@@ -335,8 +335,10 @@ class UnitBeside final : public QObject {
   private:
     void show() {
         const QString instead = field_->placeholderText();
+        // "needed" and "?" wait for a number of that unit.
+        const bool waits = instead == shownText({"V8", "needed"}) || instead == QLatin1String("?");
         const bool bare = field_->text().isEmpty() && !field_->hasFocus() && !instead.isEmpty() &&
-                          instead != shownText({"V8", "needed"}) && !readFormNumber(instead);
+                          !waits && !readFormNumber(instead);
         if (bare != unit_->isHidden()) {
             unit_->setHidden(bare);
         }
