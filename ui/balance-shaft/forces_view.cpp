@@ -108,6 +108,8 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     gearTable_ = addTable(tables, tr("Effect of gear error and play"),
                           {tr("Gears"), tr("Value"), tr("Unit")});
     grid->setRowStretch(1, 1);
+    constexpr int chartHeight = 230;  ///< designed pixels with which their curves are read
+    grid->setRowMinimumHeight(1, Theme::withText(chartHeight));
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
 
@@ -152,8 +154,8 @@ void ForcesView::showEvent(QShowEvent* event) {
 void ForcesView::showLocus() {
     const ForcesModel forces(model_);
     const ForcesModel::Loci loci = forces.loci();
-    locus_->setXAxis({tr("across, kN"), -loci.reach, loci.reach});
-    locus_->setYRange(PlotView::Side::Left, -loci.reach, loci.reach);
+    locus_->setXAxis({tr("across, kN"), -loci.across, loci.across});
+    locus_->setYRange(PlotView::Side::Left, loci.lowest, loci.highest);
     locus_->setCurve(first_, loci.first.x, loci.first.y);
     locus_->setCurve(both_, loci.both.x, loci.both.y);
     locus_->setCurve(shaft_, loci.withShaft.x, loci.withShaft.y);

@@ -368,11 +368,21 @@ void InertiaMomentsCharts::showHodograph(Hodograph& hodograph, bool force) {
     showTrace(hodograph.plot, allOrders, picture.all);
     showTrace(hodograph.plot, leftOver, picture.left);
     // With hysteresis, so that the axes rest while a slider moves.
-    if (picture.reach > hodograph.reach || picture.reach < 0.45 * hodograph.reach) {
-        hodograph.reach = engine_curves::niceReach(1.08 * picture.reach);
+    const auto fills = [](const engine_curves::Interval& axis, const engine_curves::Interval& now) {
+        return now.span() > 0.6 * axis.span();
+    };
+    if (!hodograph.x.holds(picture.x) || !hodograph.y.holds(picture.y) ||
+        (!fills(hodograph.x, picture.x) && !fills(hodograph.y, picture.y))) {
+        // As much room on either axis: both have one scale.
+        const double room = 0.08 * std::max(picture.x.span(), picture.y.span());
+        const auto with = [room](const engine_curves::Interval& of) {
+            return engine_curves::Interval{of.low - room, of.high + room};
+        };
+        hodograph.x = with(picture.x);
+        hodograph.y = with(picture.y);
         hodograph.plot->setXAxis(
-            {force ? tr("Fx, N") : tr("Mx, N·m"), -hodograph.reach, hodograph.reach});
-        hodograph.plot->setYRange(PlotView::Side::Left, -hodograph.reach, hodograph.reach);
+            {force ? tr("Fx, N") : tr("Mx, N·m"), hodograph.x.low, hodograph.x.high});
+        hodograph.plot->setYRange(PlotView::Side::Left, hodograph.y.low, hodograph.y.high);
     }
 }
 

@@ -3,6 +3,8 @@
 #include <QWidget>
 #include <array>
 
+#include "inertia-moments/model/engine_curves.h"
+
 class QTabWidget;
 
 namespace ravnoves {
@@ -38,7 +40,8 @@ class InertiaMomentsCharts : public QWidget {
   private:
     struct Hodograph {
         PlotView* plot = nullptr;
-        double reach = 0.0;  ///< of its axes
+        engine_curves::Interval x;  ///< that its axes were given
+        engine_curves::Interval y;
     };
 
     /// Where the window is too low for both, the orders' moments are one more tab.

@@ -39,8 +39,8 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     model.goToBestRange();
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_range_buildable.shaft_angle / degree);
     EXPECT_TRUE(model.result().is_buildable);
-    EXPECT_TRUE(
-        model.bestRangeText().contains(QStringLiteral("43.1\u00A0N·m less at 50.65° – cannot be built")))
+    EXPECT_TRUE(model.bestRangeText().contains(
+        QStringLiteral("43.1\u00A0N·m less at 50.65° – cannot be built")))
         << model.bestRangeText().toStdString();
     model.goToBestRms();
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);
@@ -245,7 +245,11 @@ TEST(ForcesModel, LociAreThoseOfTheRows) {
     for (std::size_t i = 0; i < loci.first.x.size(); ++i) {
         across = std::max(across, std::abs(loci.first.x[i]));
         along = std::max(along, std::abs(loci.first.y[i]));
-        EXPECT_LE(std::hypot(loci.both.x[i], loci.both.y[i]), std::sqrt(2.0) * loci.reach);
+        for (const auto* locus : {&loci.first, &loci.both, &loci.withShaft}) {
+            EXPECT_LE(std::abs(locus->x[i]), loci.across);
+            EXPECT_GE(locus->y[i], loci.lowest);
+            EXPECT_LE(locus->y[i], loci.highest);
+        }
     }
     const double force = model.result().inertia_force_1_max / 1000.0;
     EXPECT_NEAR(across, 0.3 * force, 1e-3 * force);

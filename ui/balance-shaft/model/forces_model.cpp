@@ -25,7 +25,11 @@ ForceLocus inKilonewtons(ForceLocus locus) {
 
 ForcesModel::Loci ForcesModel::loci() const {
     const balance_shaft::CrankBalance balance = balance_shaft::crank_balance(model_->solver());
-    return {1.15 * std::max(balance.across, balance.along + balance.second_order) / units::kN,
+    const auto room = [](double force) { return 1.15 * force / units::kN; };
+    const double along = std::max(balance.along, balance.with_shaft);
+    return {room(balance.across),
+            -room(std::max(along, balance.second_order)),
+            room(along + balance.second_order),
             inKilonewtons(balance_shaft::crank_only_locus(balance)),
             inKilonewtons(balance_shaft::crank_only_locus_with_second_order(balance)),
             inKilonewtons(balance_shaft::shaft_locus(balance))};

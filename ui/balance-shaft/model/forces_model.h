@@ -18,7 +18,10 @@ class ForcesModel {
   public:
     /// Where the tip of the force runs, kN.
     struct Loci {
-        double reach = 0.0;  ///< half the width of a picture that holds them all
+        // A picture that holds them all, with some room.
+        double across = 0.0;  ///< half its width
+        double lowest = 0.0;
+        double highest = 0.0;
         balance_shaft::ForceLocus first;
         balance_shaft::ForceLocus both;  ///< first and second order
         balance_shaft::ForceLocus withShaft;

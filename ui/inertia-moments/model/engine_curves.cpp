@@ -37,6 +37,12 @@ Trace ellipse(const RotatingPair& pair) {
     return trace;
 }
 
+void include(Interval& interval, const std::vector<double>& values) {
+    for (const double value : values) {
+        interval = {std::min(interval.low, value), std::max(interval.high, value)};
+    }
+}
+
 }  // namespace
 
 double Trace::reach() const {
@@ -213,11 +219,16 @@ Hodograph hodograph(const Result& result, bool force) {
     if (isBalanced(result, force)) {
         picture.left = turnOf(result.remaining_curves, force, nothing);
     }
-    const double reach = std::max(
-        {picture.first.reach(), picture.second.reach(), picture.all.reach(), picture.left.reach()});
+    for (const Trace* trace : {&picture.first, &picture.second, &picture.all, &picture.left}) {
+        include(picture.x, trace->x);
+        include(picture.y, trace->y);
+    }
     // Rounding of a balanced engine is not a picture.
     const double least = std::max(1e3 * roundingOf(result.exact.order(1), force), 1e-9);
-    picture.reach = std::max(reach > least ? reach : 1.0, least);
+    if (std::max(picture.x.span(), picture.y.span()) <= least) {
+        const double reach = std::max(1.0, least);
+        picture.x = picture.y = {-reach, reach};
+    }
     return picture;
 }
 
@@ -225,19 +236,6 @@ Roll roll(const Result& result) {
     const WrenchCurves& curves = result.curves;
     return {twoTurns(2 * curves.crank_angle.size() - 1), twice(curves.roll),
             twice(curves.inertia_roll), twice(curves.reaction_torque)};
-}
-
-double niceReach(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-        return 1.0;
-    }
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 3.0, 5.0, 6.0}) {
-        if (value <= step * power) {
-            return step * power;
-        }
-    }
-    return 10.0 * power;
 }
 
 }  // namespace ravnoves::engine_curves

@@ -14,6 +14,15 @@ struct Trace {
     double reach() const;  ///< the largest |x| or |y|
 };
 
+/// What an axis shows.
+struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+
+    double span() const { return high - low; }
+    bool holds(const Interval& other) const { return low <= other.low && other.high <= high; }
+};
+
 /// True where the first two orders have no moment but a force: an engine in one plane.
 bool hasForcesOnly(const inertia_moments::Result& result);
 
@@ -36,8 +45,11 @@ struct Hodograph {
     Trace first;
     Trace second;
     Trace all;
-    Trace left;          ///< with rotating masses, counterweights and shafts; empty without them
-    double reach = 0.0;  ///< of all of them; above 0, and above what is only rounding
+    Trace left;  ///< with rotating masses, counterweights and shafts; empty without them
+    /// From the least to the largest of all of them, with the origin; wider and higher than what is
+    /// only rounding.
+    Interval x;
+    Interval y;
 };
 Hodograph hodograph(const inertia_moments::Result& result, bool force);
 
@@ -61,8 +73,5 @@ struct Roll {
     std::vector<double> reactionTorque;
 };
 Roll roll(const inertia_moments::Result& result);
-
-/// The next 1, 2, 3, 5 or 6 times a power of ten: reaches that small plots have round ticks for.
-double niceReach(double value);
 
 }  // namespace ravnoves::engine_curves
