@@ -167,24 +167,49 @@ void EngineView::paintEvent(QPaintEvent* /*event*/) {
 
 namespace {
 
-/// Over all rods; pistons one behind the other share a place.
+/// Over all rods. Numbers that would cover one another, as of pistons one behind the other, stand
+/// together in the middle of their places.
 void paintNumbers(QPainter& painter, const std::vector<QPointF>& places) {
-    const double near = 0.8 * painter.fontMetrics().height();
-    std::vector<bool> told(places.size(), false);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        QStringList numbers;
-        for (std::size_t other = i; other < places.size(); ++other) {
-            const QPointF away = places[other] - places[i];
-            if (!told[other] && std::hypot(away.x(), away.y()) < near) {
-                told[other] = true;
-                numbers << QString::number(other + 1);
-            }
-        }
-        if (!numbers.isEmpty()) {
+    struct Label {
+        QPointF sum;
+        std::vector<int> numbers;
+
+        QRectF room(QPainter& painter) const {
             constexpr QPointF reach(200.0, 50.0);
-            drawing::drawWithHalo(painter, QRectF(places[i] - reach, places[i] + reach),
-                                  Qt::AlignCenter, numbers.join(QStringLiteral(", ")));
+            const QPointF middle = sum / static_cast<double>(numbers.size());
+            return painter.boundingRect(QRectF(middle - reach, middle + reach), Qt::AlignCenter,
+                                        text());
         }
+        QString text() const {
+            QStringList words;
+            for (const int number : numbers) {
+                words << QString::number(number);
+            }
+            return words.join(QStringLiteral(", "));
+        }
+    };
+    std::vector<Label> labels;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        labels.push_back({places[i], {static_cast<int>(i) + 1}});
+    }
+    for (std::size_t i = 0; i < labels.size();) {
+        const QRectF room = labels[i].room(painter);
+        const auto covered =
+            std::find_if(labels.begin() + static_cast<std::ptrdiff_t>(i) + 1, labels.end(),
+                         [&](const Label& other) { return other.room(painter).intersects(room); });
+        if (covered == labels.end()) {
+            ++i;
+            continue;
+        }
+        labels[i].sum += covered->sum;
+        std::vector<int>& numbers = labels[i].numbers;
+        numbers.insert(numbers.end(), covered->numbers.begin(), covered->numbers.end());
+        std::sort(numbers.begin(), numbers.end());
+        labels.erase(covered);
+        i = 0;  // what is wider may cover others
+    }
+    for (const Label& label : labels) {
+        drawing::drawWithHalo(painter, label.room(painter), Qt::AlignCenter, label.text());
     }
 }
 
@@ -293,10 +318,13 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         painter.setBrush(drawing::bankColour(banks[i]));
         paintDisc(painter, frame.at(poses[i].crankpin), 0.5 * thick + 1.0);
     }
+    // On the piston; where it is smaller than its number, above it, off the rod.
+    const double letters = 0.5 * painter.fontMetrics().height() / frame.pixelsPerUnit;
+    const double up = letters < 0.45 * radius ? 0.3 * radius : 0.6 * radius + letters;
     std::vector<QPointF> crowns;
     crowns.reserve(poses.size());
     for (const CylinderPose& pose : poses) {
-        crowns.push_back(frame.at(pose.piston_pin + pose.axis_direction * 0.3 * radius));
+        crowns.push_back(frame.at(pose.piston_pin + pose.axis_direction * up));
     }
     painter.setPen(theme.text());
     paintNumbers(painter, crowns);

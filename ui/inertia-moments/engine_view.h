@@ -19,9 +19,9 @@ class EngineView : public MechanismPicture {
   public:
     explicit EngineView(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override { return {320, 160}; }
+    QSize sizeHint() const override { return {320, Theme::withText(160)}; }
     /// Large texts leave it less height: the tables below it need theirs.
-    QSize minimumSizeHint() const override { return {Theme::withText(200), 120}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(120)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -104,9 +104,10 @@ void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QStrin
     QColor ground = Theme::instance().panel();
     ground.setAlphaF(0.86F);
     const QPen ink = painter.pen();
+    const QRectF letters = painter.boundingRect(room, flags, text);  // none without a pen
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
-    painter.drawRoundedRect(painter.boundingRect(room, flags, text).adjusted(-2, 0, 2, 0), 3, 3);
+    painter.drawRoundedRect(letters.adjusted(-2, 0, 2, 0), 3, 3);
     painter.setPen(ink);
     painter.drawText(room, flags, text);
 }

@@ -10,6 +10,7 @@
 
 #include "events.h"
 #include "painted.h"
+#include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
@@ -52,6 +53,18 @@ TEST(MechanismPicture, TheFrameOfTheFocusIsOnTheScreenAlone) {
     ASSERT_TRUE(picture.hasFocus());
     EXPECT_NE(picture.grab().toImage(), screen);
     EXPECT_EQ(onPaper(), paper);
+}
+
+TEST(Drawing, WordsStandOnTheirOwnGround) {
+    QImage lines(60, 30, QImage::Format_RGB32);
+    lines.fill(Qt::black);
+    QPainter painter(&lines);
+    painter.setPen(Qt::black);
+    drawing::drawWithHalo(painter, lines.rect(), Qt::AlignCenter, u"1"_s);
+    painter.end();
+    const QColor ground = Theme::instance().panel();
+    EXPECT_GT(lines.pixelColor(26, 15).lightness(), ground.lightness() / 2);
+    EXPECT_EQ(lines.pixelColor(2, 15), Qt::black);
 }
 
 class Written final : public QWidget {
