@@ -5,8 +5,11 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QStackedWidget>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTimer>
+#include <algorithm>
 #include <functional>
 
 namespace ravnoves {
@@ -47,7 +50,19 @@ class Keeper final : public QObject {
         QByteArray key;  ///< of the owner's properties
         QString shown;
         std::function<void(const QString&)> show;
+        int depth = 0;  ///< of pages of tabs that it stands in
     };
+
+    int depthOf(const QWidget* widget) const {
+        int depth = 0;
+        for (const QWidget* each = widget; each != page_; each = each->parentWidget()) {
+            depth += qobject_cast<const QStackedWidget*>(each) != nullptr &&
+                             qobject_cast<const QTabWidget*>(each->parentWidget()) != nullptr
+                         ? 1
+                         : 0;
+        }
+        return depth;
+    }
 
     QList<Text> texts() const {
         QList<Text> all;
@@ -55,6 +70,7 @@ class Keeper final : public QObject {
             if (!each->isVisibleTo(page_)) {
                 continue;
             }
+            const qsizetype before = all.size();
             if (auto* label = qobject_cast<QLabel*>(each)) {
                 if (label->buddy() != nullptr) {
                     all.push_back({label, {}, label->text(), [label](const QString& text) {
@@ -71,6 +87,9 @@ class Keeper final : public QObject {
                                    [bar, i](const QString& text) { bar->setTabText(i, text); }});
                 }
             }
+            for (qsizetype i = before; i < all.size(); ++i) {
+                all[i].depth = depthOf(each);
+            }
         }
         return all;
     }
@@ -83,6 +102,22 @@ class Keeper final : public QObject {
                 used += at < 0 ? QString() : menu->text().mid(at + 1, 1).toLower();
             }
         }
+        // What stands on the page with any tab in front comes first: it keeps its letters when the
+        // tabs change.
+        QList<Text> all = texts();
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Text& a, const Text& b) { return a.depth < b.depth; });
+        for (auto from = all.cbegin(); from != all.cend();) {
+            const auto to = std::find_if(from, all.cend(), [depth = from->depth](const Text& text) {
+                return text.depth != depth;
+            });
+            separate(from, to, used);
+            from = to;
+        }
+    }
+
+    using Place = QList<Text>::const_iterator;
+    static void separate(Place from, Place to, QString& used) {
         QList<Text> late;
         const auto give = [](const Text& text, const QString& given) {
             text.owner->setProperty(givenKey + text.key, given);
@@ -90,7 +125,8 @@ class Keeper final : public QObject {
                 text.show(given);
             }
         };
-        for (Text& text : texts()) {
+        for (; from != to; ++from) {
+            const Text& text = *from;
             if (text.owner->property(givenKey + text.key).toString() != text.shown) {
                 text.owner->setProperty(wantedKey + text.key, text.shown);
             }

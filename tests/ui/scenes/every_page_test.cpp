@@ -235,6 +235,27 @@ TEST_P(EveryPage, SaysWhatItsPlotsAndPicturesShow) {
     });
 }
 
+TEST_P(EveryPage, ItsTabsKeepTheirLettersWhicheverIsInFront) {
+    QMap<const QTabBar*, QStringList> letters;
+    onEveryTab([&] {
+        for (const QTabBar* bar : reachable<QTabBar>()) {
+            bool isInTab = false;
+            for (const QWidget* each = bar->parentWidget()->parentWidget(); each != nullptr;
+                 each = each->parentWidget()) {
+                isInTab = isInTab || qobject_cast<const QTabWidget*>(each) != nullptr;
+            }
+            QStringList texts;
+            for (int i = 0; i < bar->count() && !isInTab; ++i) {
+                texts << bar->tabText(i);
+            }
+            if (!isInTab && !letters.contains(bar)) {
+                letters[bar] = texts;
+            }
+            EXPECT_EQ(letters.value(bar), texts);
+        }
+    });
+}
+
 TEST_P(EveryPage, HasNoMnemonicTwice) {
     onEveryTab([&] {
         QMap<QChar, QStringList> uses;
