@@ -231,7 +231,8 @@ class NamedRow final : public QWidget {
         QWidget::resizeEvent(event);
         arrange();
         // Once the other rows have their widths.
-        QMetaObject::invokeMethod(this, [this] { arrange(); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { arrange(); }, Qt::QueuedConnection);
     }
     bool event(QEvent* event) override {
         const bool done = QWidget::event(event);
@@ -402,7 +403,29 @@ void TroubleLine::watch(EntryField* field, bool named) {
 void TroubleLine::say(const QString& text, bool isTrouble) {
     colourText(this, isTrouble ? Theme::instance().error() : Theme::instance().mutedText());
     setText(text);
-    setVisible(!text.isEmpty());
+    if (text.isEmpty() != isHidden()) {
+        if (QGuiApplication::mouseButtons() == Qt::NoButton) {
+            showText();
+        } else if (!waits_) {
+            waits_ = true;
+            setMinimumHeight(isHidden() ? 0 : height());
+            qApp->installEventFilter(this);
+        }
+    }
+}
+
+bool TroubleLine::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease) {
+        waits_ = false;
+        qApp->removeEventFilter(this);
+        QMetaObject::invokeMethod(this, &TroubleLine::showText, Qt::QueuedConnection);
+    }
+    return QLabel::eventFilter(watched, event);
+}
+
+void TroubleLine::showText() {
+    setMinimumHeight(0);
+    setVisible(!text().isEmpty());
 }
 
 void makeCell(QWidget* field) {

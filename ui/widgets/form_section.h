@@ -10,7 +10,9 @@
 
 namespace ravnoves {
 
-/// A line in which fields say why their text is refused; hidden while there is nothing to say.
+/// A line in which fields say why their text is refused; hidden while there is nothing to say. It
+/// comes and goes while no button of the mouse is down: a press that leaves a field still meets
+/// what it was made for.
 class TroubleLine : public QLabel {
     Q_OBJECT
 
@@ -22,8 +24,14 @@ class TroubleLine : public QLabel {
     /// @param isTrouble  false: nothing is wrong, it says what was done
     void say(const QString& text, bool isTrouble = true);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    void showText();
+
     QList<EntryField*> fields_;
+    bool waits_ = false;  ///< for the button of the mouse
 };
 
 /// The width in which a choice shows the longest of its entries; of other fields what they hint.

@@ -5,9 +5,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyleOptionSlider>
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,18 @@ namespace {
 
 constexpr int leastSlider = 116;  ///< designed pixels with which a slider can be used
 
+class Slider final : public QSlider {
+  public:
+    using QSlider::QSlider;
+
+    bool isHandle(const QPoint& at) const {
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        return style()->hitTestComplexControl(QStyle::CC_Slider, &option, at, this) ==
+               QStyle::SC_SliderHandle;
+    }
+};
+
 }  // namespace
 
 ValueSlider::ValueSlider(const QString& label, double min, double max, double step, double pageStep,
@@ -42,7 +56,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     grid_->setVerticalSpacing(0);
     grid_->setColumnStretch(1, 1);
     label_ = new QLabel(label, this);
-    slider_ = new QSlider(Qt::Horizontal, this);
+    slider_ = new Slider(Qt::Horizontal, this);
     box_ = new DecimalSpinBox(this);
     const ShownUnit shown = shownUnit(unit);
     unit_ = shown.name;
@@ -241,7 +255,12 @@ void ValueSlider::edit(double value) {
 }
 
 bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == slider_ && event->type() == QEvent::MouseButtonDblClick) {
+    if (watched == slider_ && event->type() == QEvent::MouseButtonPress) {
+        const auto* press = static_cast<QMouseEvent*>(event);
+        gripped_ = static_cast<Slider*>(slider_)->isHandle(press->position().toPoint());
+    }
+    // Two clicks beside the handle are two steps towards them.
+    if (watched == slider_ && event->type() == QEvent::MouseButtonDblClick && gripped_) {
         box_->setFocus(Qt::MouseFocusReason);
         box_->selectAll();
         return true;

@@ -67,6 +67,7 @@ class ValueSlider : public QWidget {
     QGridLayout* grid_;
     QLabel* label_;
     QSlider* slider_;
+    bool gripped_ = false;  ///< the last press was on the handle
     DecimalSpinBox* box_;
     TroubleLine* trouble_;
     QString unit_;

@@ -190,7 +190,22 @@ TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
 
 TEST_F(ValueSliderTest, DoubleClickGoesToTheBoxToType) {
     slider.activateWindow();
-    QTest::mouseDClick(slider.slider(), Qt::LeftButton, {}, slider.slider()->rect().center());
+    // Two clicks beside the handle are two steps.
+    const QPoint beside(slider.slider()->width() - 10, slider.slider()->height() / 2);
+    const auto clickTwice = [&](const QPoint& at) {
+        QTest::mouseClick(slider.slider(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(slider.slider(), Qt::LeftButton, {}, at);
+        QTest::mouseRelease(slider.slider(), Qt::LeftButton, {}, at);
+    };
+    clickTwice(beside);
+    EXPECT_FALSE(slider.box()->hasFocus());
+    EXPECT_GT(slider.value(), 45.0);
+    slider.setValue(45.0);
+    const QSlider* track = slider.slider();
+    const QPoint handle(QStyle::sliderPositionFromValue(track->minimum(), track->maximum(),
+                                                        track->value(), track->width()),
+                        track->height() / 2);
+    clickTwice(handle);
     EXPECT_TRUE(slider.box()->hasFocus());
     QTest::keyClicks(slider.box(), QStringLiteral("50,6"));
     EXPECT_DOUBLE_EQ(slider.value(), 45.0);  // not while typing

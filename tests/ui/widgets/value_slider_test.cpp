@@ -64,6 +64,28 @@ TEST_F(ValueSliderRefusal, StaysWhenTheFieldIsLeftAndGoesWhenTheSliderMoves) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
+TEST_F(ValueSliderRefusal, ComesAndGoesWhileNoButtonIsDown) {
+    type(QStringLiteral("400"));
+    const auto room = [&] { return slider.sizeHint().height(); };
+    const int before = room();
+    QTest::mousePress(&other, Qt::LeftButton);
+    QApplication::processEvents();
+    EXPECT_FALSE(slider.trouble().isEmpty());
+    EXPECT_EQ(room(), before);
+    QTest::mouseRelease(&other, Qt::LeftButton);
+    QApplication::processEvents();
+    const int below = room();
+    EXPECT_GT(below, before);
+    QTest::mousePress(slider.slider(), Qt::LeftButton);
+    slider.setValue(50.0);
+    QApplication::processEvents();
+    EXPECT_EQ(slider.trouble(), QString());
+    EXPECT_GE(room(), below);
+    QTest::mouseRelease(slider.slider(), Qt::LeftButton);
+    QApplication::processEvents();
+    EXPECT_EQ(room(), before);
+}
+
 TEST_F(ValueSliderRefusal, QuotesTheWholeTextAndTakesNoPartOfIt) {
     for (const char* text : {"abc50,65", "50,65abc", "5o", "1 000", "50.65 kg", "1,2.3"}) {
         const QString typed = QString::fromUtf8(text);
