@@ -2,6 +2,8 @@
 
 #include <QColor>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 /// The colour of what a shaft does: blue where it helps, orange where it harms, the more the
@@ -9,8 +11,13 @@ namespace ravnoves {
 /// @param part  from −1, helps most, over 0, no change, to 1, harms most
 QColor changeColour(double part);
 
-inline constexpr double colourBarHeight = 10.0;    ///< of the key to these colours, pixels
-inline constexpr double longestColourBar = 460.0;  ///< pixels
+/// Of the key to these colours, pixels.
+inline double colourBarHeight() {
+    return Theme::withText(10);
+}
+inline double longestColourBar() {
+    return Theme::withText(460);
+}
 
 /// From one colour to another, 0…1.
 QColor mixedColour(const QColor& from, const QColor& to, double part);

@@ -13,6 +13,7 @@
 #include "numerics/constants.h"
 #include "numerics/units.h"
 #include "plot/picture_file.h"
+#include "plot/plot_painter.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -25,7 +26,10 @@ namespace {
 
 constexpr double handleRadius = 6.5;
 constexpr double reach = 13.0;  ///< of the pointer, pixels
-constexpr double glyphRadius = 5.5;
+/// Of a marker's sign.
+double glyphRadius() {
+    return 5.5 * strokeScale();
+}
 constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
 constexpr double swatch = 20.0;
 
@@ -86,7 +90,7 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 /// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
 /// triangle, over a band of speeds a square; hollow where it cannot be built.
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker,
-               double r = glyphRadius) {
+               double r = glyphRadius()) {
     const Theme& theme = Theme::instance();
     QPainterPath shape;
     if (marker.worst) {
@@ -294,7 +298,7 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double row = std::ceil(metrics.height()) + 3.0;
     double x = Theme::margin;
-    double y = map_->levels().empty() ? 0.0 : colourBarHeight + row + 2.0;
+    double y = map_->levels().empty() ? 0.0 : colourBarHeight() + row + 2.0;
     for (KeyEntry& entry : entries) {
         const double wide = swatch + 4.0 + metrics.horizontalAdvance(entry.text) + 12.0;
         if (x + wide > width() - Theme::space && x > Theme::margin) {
@@ -312,7 +316,7 @@ double ShaftMapPlot::keyHeight() const {
     const double bar =
         map_->levels().empty()
             ? 0.0
-            : colourBarHeight + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
+            : colourBarHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
     return entries.empty() ? bar : entries.back().rect.bottom() + 2.0;
 }
 
@@ -339,12 +343,12 @@ void ShaftMapPlot::paintKey(QPainter& painter) const {
     painter.setFont(Theme::font(Theme::smallSize));
     if (!levels.empty()) {
         const std::vector<QRgb> colours = bandColours(levels);
-        const double whole = std::min(width() - 2.0 * Theme::margin, longestColourBar);
+        const double whole = std::min(width() - 2.0 * Theme::margin, longestColourBar());
         const double each = whole / static_cast<double>(colours.size());
-        const QRectF bar(Theme::margin, top, whole, colourBarHeight);
+        const QRectF bar(Theme::margin, top, whole, colourBarHeight());
         for (std::size_t i = 0; i < colours.size(); ++i) {
             painter.fillRect(QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5,
-                                    colourBarHeight),
+                                    colourBarHeight()),
                              QColor(colours[i]));
         }
         painter.setPen(QPen(theme.border(), 1.0));
@@ -398,22 +402,68 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     paintBlocked(painter);
     labelMarkers();  // first: the contours' numbers give way to theirs
     paintContours(painter);
-    // Those of the criterion shown lie on top; what would hide behind another is larger.
-    std::vector<const ShaftMapModel::Marker*> markers;
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        markers.push_back(&marker);
-    }
-    std::stable_partition(markers.begin(), markers.end(),
-                          [&](const auto* each) { return each->criterion != map_->criterion(); });
-    for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
-        const QPointF at = pixelOf((*marker)->position);
-        const bool isHidden = std::any_of(std::next(marker), markers.end(), [&](const auto* other) {
-            const QPointF away = pixelOf(other->position) - at;
-            return std::hypot(away.x(), away.y()) < 1.3 * glyphRadius;
-        });
-        drawGlyph(painter, at, **marker, isHidden ? 1.8 * glyphRadius : glyphRadius);
-    }
+    paintMarkers(painter);
     painter.restore();
+}
+
+std::vector<QPointF> ShaftMapPlot::signPlaces() const {
+    const auto& markers = map_->markers();
+    std::vector<QPointF> places;
+    places.reserve(markers.size());
+    for (const ShaftMapModel::Marker& marker : markers) {
+        places.push_back(pixelOf(marker.position));
+    }
+    const double apart = 2.7 * glyphRadius();
+    const QRectF inside = plotArea().adjusted(apart, apart, -apart, -apart);
+    constexpr int rounds = 40;  // what is left then may touch
+    bool moved = inside.isValid();
+    for (int round = 0; round < rounds && moved; ++round) {
+        moved = false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            for (std::size_t other = i + 1; other < places.size(); ++other) {
+                QPointF way = places[other] - places[i];
+                const double distance = std::hypot(way.x(), way.y());
+                constexpr double same = 0.5;
+                if (distance >= apart - same || !inside.contains(places[i]) ||
+                    !inside.contains(places[other])) {
+                    continue;
+                }
+                way = distance < same ? QPointF(0.0, 1.0) : way / distance;
+                places[i] -= 0.5 * (apart - distance) * way;
+                places[other] += 0.5 * (apart - distance) * way;
+                moved = true;
+            }
+        }
+    }
+    return places;
+}
+
+void ShaftMapPlot::paintMarkers(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const auto& markers = map_->markers();
+    const std::vector<QPointF> places = signPlaces();
+    // A sign that stands beside its place has a line to it.
+    constexpr double beside = 3.0;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const QPointF at = pixelOf(markers[i].position);
+        if (const QPointF away = places[i] - at; std::hypot(away.x(), away.y()) > beside) {
+            painter.setPen(QPen(theme.panel(), 3.2 * strokeScale()));
+            painter.drawLine(at, places[i]);
+            painter.setPen(QPen(theme.text(), 1.2 * strokeScale()));
+            painter.drawLine(at, places[i]);
+            painter.setPen(QPen(theme.panel(), 1.0));
+            painter.setBrush(theme.text());
+            painter.drawEllipse(at, 2.6 * strokeScale(), 2.6 * strokeScale());
+        }
+    }
+    // Those of the criterion shown lie on top.
+    for (const bool shown : {false, true}) {
+        for (std::size_t i = 0; i < markers.size(); ++i) {
+            if ((markers[i].criterion == map_->criterion()) == shown) {
+                drawGlyph(painter, places[i], markers[i]);
+            }
+        }
+    }
 }
 
 void ShaftMapPlot::paintBlocked(QPainter& painter) const {
@@ -471,24 +521,27 @@ void ShaftMapPlot::paintLabels(QPainter& painter) const {
 
 void ShaftMapPlot::labelMarkers() {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize, true));
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        labels_.push_back({QRectF(pixelOf(marker.position) - QPointF(9, 9), QSizeF(18, 18)), {}});
+    const std::vector<QPointF> places = signPlaces();
+    const double half = glyphRadius() + 3.5;
+    for (const QPointF& place : places) {
+        labels_.push_back({QRectF(place - QPointF(half, half), 2.0 * QSizeF(half, half)), {}});
     }
     // No number under the handle, as it stands now.
     const double room = handleRadius + 2.0;
     labels_.push_back(
         {QRectF(pixelOf(map_->present()) - QPointF(room, room), QSizeF(2.0 * room, 2.0 * room)),
          {}});
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const ShaftMapModel::Marker& marker = map_->markers()[i];
         const auto change = marker.worst ? marker.worst : map_->change(marker.criteria);
         if (!change || marker.criterion != map_->criterion()) {
             continue;
         }
-        const QPointF at = pixelOf(marker.position);
+        const QPointF at = places[i];
         const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
                              fixedNumber(100.0 * *change, 1, QLocale()) + QStringLiteral(" %");
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
-        const double away = 2.0 * glyphRadius;
+        const double away = 2.0 * glyphRadius();
         const std::array corners{
             QPointF(away, -size.height() / 2),
             QPointF(-away - size.width(), -size.height() / 2),
@@ -600,7 +653,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     if (chosen_ && *chosen_ < map_->markers().size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(Theme::instance().accent(), 2.0));
-        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0, 12.0);
+        painter.drawEllipse(signPlaces()[*chosen_], 12.0 * strokeScale(), 12.0 * strokeScale());
     }
     painter.restore();
 }
@@ -708,11 +761,16 @@ bool ShaftMapPlot::isHandle(const QPointF& pixel) const {
 const ShaftMapModel::Marker* ShaftMapPlot::markerAt(const QPointF& pixel) const {
     const ShaftMapModel::Marker* found = nullptr;
     double nearest = reach;
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        const QPointF away = pixel - pixelOf(marker.position);
-        if (const double distance = std::hypot(away.x(), away.y()); distance < nearest) {
-            nearest = distance;
-            found = &marker;
+    const auto& markers = map_->markers();
+    const std::vector<QPointF> signs = signPlaces();
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        // The sign is what is seen; its place counts too.
+        for (const QPointF& place : {signs[i], pixelOf(markers[i].position)}) {
+            const QPointF away = pixel - place;
+            if (const double distance = std::hypot(away.x(), away.y()); distance < nearest) {
+                nearest = distance;
+                found = &markers[i];
+            }
         }
     }
     return found;

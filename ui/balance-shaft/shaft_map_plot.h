@@ -21,7 +21,7 @@ class ShaftMapPlot : public PlotView {
 
     /// Both axes have one scale, so a map that is low is small.
     QSize minimumSizeHint() const override {
-        return PlotView::minimumSizeHint() + QSize(0, Theme::withText(80));
+        return PlotView::minimumSizeHint() + QSize(0, Theme::withText(120));
     }
     /// Where a place (m) is drawn.
     QPointF pixelOf(const ShaftMapModel::Position& position) const;
@@ -68,6 +68,8 @@ class ShaftMapPlot : public PlotView {
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
+    /// Where the signs of the markers are drawn: those of places near one another stand apart.
+    std::vector<QPointF> signPlaces() const;
     std::vector<KeyEntry> keyEntries() const;
     void paintKey(QPainter& painter) const;
     /// Too low for the key's signs.
@@ -75,6 +77,7 @@ class ShaftMapPlot : public PlotView {
     QString signsInWords() const;
     void paintBlocked(QPainter& painter) const;
     void paintContours(QPainter& painter);
+    void paintMarkers(QPainter& painter) const;
     void labelMarkers();
     void labelContours(const std::vector<QPolygonF>& lines);
     void paintLabels(QPainter& painter) const;

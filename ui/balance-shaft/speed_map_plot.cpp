@@ -96,7 +96,7 @@ QStringList SpeedMapPlot::barTexts() const {
 }
 
 double SpeedMapPlot::keyHeight() const {
-    return map_ ? colourBarHeight + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 6.0
+    return map_ ? colourBarHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 6.0
                 : 0.0;
 }
 
@@ -106,14 +106,15 @@ void SpeedMapPlot::paintBar(QPainter& painter) const {
     const double first = marks.front().part;
     const double last = std::max(marks.back().part, first + 0.5);
     const double top = keyTop();
-    const double width = std::min(this->width() - 4.0 * Theme::margin, longestColourBar);
-    const QRectF bar(2.0 * Theme::margin, top, width, colourBarHeight);
+    const double width = std::min(this->width() - 4.0 * Theme::margin, longestColourBar());
+    const QRectF bar(2.0 * Theme::margin, top, width, colourBarHeight());
     const auto x = [&](double part) {
         return bar.left() + (part - first) / (last - first) * bar.width();
     };
     for (int pixel = 0; pixel < static_cast<int>(bar.width()); ++pixel) {
         const double part = first + (last - first) * (pixel + 0.5) / bar.width();
-        painter.fillRect(QRectF(bar.left() + pixel, top, 1.5, colourBarHeight), changeColour(part));
+        painter.fillRect(QRectF(bar.left() + pixel, top, 1.5, colourBarHeight()),
+                         changeColour(part));
     }
     painter.setPen(QPen(theme.border(), 1.0));
     painter.setBrush(Qt::NoBrush);
