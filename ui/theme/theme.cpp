@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QLineEdit>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QScreen>
@@ -88,6 +89,13 @@ class DenseTabs : public QProxyStyle {
     QRect subElementRect(SubElement element, const QStyleOption* option,
                          const QWidget* widget) const override {
         const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+        // Numbers leave their cursor room at the right; what stands in their place goes with them.
+        if (const auto* line = qobject_cast<const QLineEdit*>(widget);
+            element == SE_LineEditContents && line != nullptr && line->text().isEmpty() &&
+            line->alignment().testFlag(Qt::AlignRight)) {
+            constexpr int cursor = 2;
+            return rect.adjusted(0, 0, -cursor, 0);
+        }
         return element == SE_TabBarTabText ? rect.adjusted(-2, 0, 2, 0) : rect;
     }
 
