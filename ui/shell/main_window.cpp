@@ -186,8 +186,8 @@ void MainWindow::buildNavigation() {
     navigation->setFixedWidth(Theme::withText(navigationWidth));
     navigation->setAutoFillBackground(true);
     auto* column = new QVBoxLayout(navigation);
-    column->setContentsMargins(Theme::gap, Theme::space, Theme::gap, Theme::space);
-    column->setSpacing(Theme::gap);
+    column->setContentsMargins(Theme::gap, Theme::gap, Theme::gap, Theme::gap);
+    column->setSpacing(2);  // all are seen in a window of 540 pixels
     sceneGroup_ = new QActionGroup(this);
     sceneGroup_->addAction(startAction_);
     // In a window that is too low for all of them they scroll; what is open or has the focus is
@@ -240,13 +240,15 @@ void MainWindow::buildNavigation() {
     area->setWidgetResizable(true);
     area->setWidget(navigation);
     area->setFixedWidth(navigation->minimumWidth());
-    const QScrollBar* bar = area->verticalScrollBar();
+    QScrollBar* bar = area->verticalScrollBar();
     connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
         area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
     });
-    const auto showChecked = [area, navigation] {
+    const auto showChecked = [area, navigation, bar] {
         for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
             if (button->isChecked()) {
+                // From the top: the window was lower while it was laid out.
+                bar->setValue(0);
                 area->ensureWidgetVisible(button, 0, Theme::gap);
             }
         }
