@@ -32,8 +32,8 @@ using methods::WorkPoint;
 namespace {
 
 constexpr float shadeAlpha = 0.10F;
-constexpr int pairWidth = 560;     ///< designed pixels of two charts side by side
-constexpr int foldedHeight = 280;  ///< designed pixels of one above the other, with its legend
+constexpr int pairWidth = 640;     ///< designed pixels of two charts side by side
+constexpr int foldedHeight = 310;  ///< designed pixels of one above the other, with its legend
 
 QColor shade(QColor colour, float alpha) {
     colour.setAlphaF(alpha);

@@ -281,6 +281,8 @@ QWidget* MethodsPage::buildResults() {
     connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this,
             &MethodsPage::fitTableSoon);
     connect(plots_, &MethodPlots::foldChanged, this, &MethodsPage::fitTableSoon);
+    connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
+            [this] { followsRow_ = false; });
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
@@ -427,6 +429,7 @@ void MethodsPage::showTable() {
         const auto used =
             std::find_if(all.begin(), all.end(), [](const MethodRow& row) { return row.in_use; });
         table_->setCurrentCell(static_cast<int>(used - all.begin()), Method);
+        followsRow_ = true;
     }
     chooseRow();
     showRunning();
@@ -487,6 +490,9 @@ void MethodsPage::fitTable() {
             ? table_->horizontalHeader()->sizeHint().height() + table_->verticalHeader()->length() +
                   2 + (hasBar ? table_->horizontalScrollBar()->sizeHint().height() : 0)
             : 0);
+    if (followsRow_) {
+        table_->scrollTo(table_->currentIndex());
+    }
     isFitting_ = false;
 }
 

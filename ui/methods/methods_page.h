@@ -79,6 +79,7 @@ class MethodsPage : public ScenePage {
     QTabWidget* tabs_ = nullptr;
     MethodPlots* plots_ = nullptr;
     ResultTable* table_ = nullptr;
+    bool followsRow_ = true;  ///< the row chosen stays in sight until a hand scrolls
     bool isFitting_ = false;
     const methods::Kernel* tableOf_ = nullptr;  ///< the kernel in the table
     QLabel* limits_ = nullptr;

@@ -37,7 +37,8 @@ WrappedHeader::WrappedHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, pare
 void WrappedHeader::fitLines() {
     int lines = 1;
     for (int section = 0; section < count(); ++section) {
-        lines = std::max(lines, static_cast<int>(linesOf(section).size()));
+        lines = std::max(lines,
+                         isSectionHidden(section) ? 1 : static_cast<int>(linesOf(section).size()));
     }
     if (std::exchange(lines_, lines) != lines) {
         // The table lays itself out anew, which no section that is being resized may wait for.

@@ -118,6 +118,14 @@ TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
         measure();
         EXPECT_GT(page.plots()->workPlot()->plotArea().height(), 100.0) << kernel;
         EXPECT_GE(page.table()->height(), 150) << kernel;
+        const QTableWidget* table = page.table();
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                return table->viewport()->rect().contains(
+                    table->visualItemRect(table->currentItem()));
+            },
+            test::patience))
+            << kernel;
     }
 }
 
