@@ -77,11 +77,16 @@ void moveAxis(QValueAxis& axis, double low, double high, double step) {
 }
 
 /// The ground of a label, over whatever is drawn there.
-void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.86F) {
+void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.92F) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(veil(Theme::instance().panel(), opacity));
     painter.drawRoundedRect(box, 3, 3);
 }
+
+/// A dashed curve on a wider one: its dashes, as long as the gaps that show the other, clear the
+/// ground on both sides. So both are told apart whatever their colours. In widths of the curve.
+constexpr double cleared = 2.3;
+constexpr double dashOnAnother = 5.0;
 
 constexpr double besideLabel = 3.0;  // pixels of a label's ground left and right of it
 
@@ -440,9 +445,19 @@ void PlotPainter::paintCurves(QPainter& painter) const {
         if (curve.shown) {
             // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
             // a smooth curve.
-            painter.setPen(QPen(Theme::instance().curve(curve.style.colour),
-                                strokeScale() * curve.style.width, curve.style.pen, Qt::FlatCap,
-                                Qt::BevelJoin));
+            QPen pen(Theme::instance().curve(curve.style.colour), strokeScale() * curve.style.width,
+                     curve.style.pen, Qt::FlatCap, Qt::BevelJoin);
+            if (data_.liesOnAnother(curve)) {
+                QPen ground(Theme::instance().panel(), cleared * pen.widthF(), Qt::SolidLine,
+                            Qt::FlatCap, Qt::BevelJoin);
+                ground.setDashPattern({dashOnAnother / cleared, dashOnAnother / cleared});
+                pen.setDashPattern({dashOnAnother, dashOnAnother});
+                painter.setPen(ground);
+                for (const QPolygonF& stretch : curve.stretches) {
+                    painter.drawPolyline(stretch);
+                }
+            }
+            painter.setPen(pen);
             for (const QPolygonF& stretch : curve.stretches) {
                 painter.drawPolyline(stretch);
             }
@@ -465,8 +480,16 @@ void PlotPainter::paintCurves(QImage& picture) const {
                     QRectF(data_.area.topLeft() * ratio, data_.area.size() * ratio).toRect());
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown && !curve.stretches.empty()) {
-            brush.draw(curve.stretches, ratio, Theme::instance().curve(curve.style.colour),
-                       strokeScale() * curve.style.width * ratio, curve.style.pen);
+            const double width = strokeScale() * curve.style.width * ratio;
+            const QColor colour = Theme::instance().curve(curve.style.colour);
+            if (data_.liesOnAnother(curve)) {
+                const QList<qreal> dashes{dashOnAnother * width, dashOnAnother * width};
+                brush.draw(curve.stretches, ratio, Theme::instance().panel(), cleared * width,
+                           dashes);
+                brush.draw(curve.stretches, ratio, colour, width, dashes);
+            } else {
+                brush.draw(curve.stretches, ratio, colour, width, curve.style.pen);
+            }
         }
     }
     if (any([this](const PlotCurve& curve) {
@@ -622,8 +645,9 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
         for (const PlotCurve& curve : data_.curves) {
             const auto y = curve.shown ? data_.valueAt(curve, *data_.presentX) : std::nullopt;
             if (y) {
-                dot(painter, data_.toPixel(*data_.presentX, *y, curve.style.side), 4.5,
-                    QPen(theme.panel(), 1.5), theme.curve(curve.style.colour));
+                dot(painter, data_.toPixel(*data_.presentX, *y, curve.style.side),
+                    strokeScale() * 4.5, QPen(theme.panel(), strokeScale() * 1.5),
+                    theme.curve(curve.style.colour));
             }
         }
     }
@@ -752,7 +776,7 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
     const QString text =
         QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap());
     const QSizeF size = labelSize(font, text);
-    constexpr int steps = 6;
+    constexpr int steps = 16;
     constexpr double away = 2.0;
     std::vector<QRectF> candidates;
     for (int i = 0; i <= steps; ++i) {
@@ -772,7 +796,7 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
     const QRectF box = places.place(candidates);
     painter.setFont(font);
     drawVeil(painter, box);
-    painter.setPen(colourOf(line));
+    painter.setPen(Theme::instance().readable(colourOf(line)));
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
@@ -822,7 +846,7 @@ void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
                              : QPointF(sign > 0.0 ? area.right() : area.left(), box.center().y());
     painter.drawPolygon(QPolygonF{tip, tip - arrow * ahead + 0.5 * arrow * across,
                                   tip - arrow * ahead - 0.5 * arrow * across});
-    painter.setPen(colourOf(line));
+    painter.setPen(Theme::instance().readable(colourOf(line)));
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
@@ -882,7 +906,7 @@ void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlac
     }
     painter.setFont(font);
     drawVeil(painter, box);
-    painter.setPen(colour);
+    painter.setPen(Theme::instance().readable(colour));
     painter.drawText(box, Qt::AlignCenter, mark.text);
 }
 
@@ -919,7 +943,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
                          : QString()) +
                  (was ? QStringLiteral("  (%1: %2)").arg(data_.referenceName, shown(*was))
                       : QString()),
-             colour});
+             theme.readable(colour)});
         const QPointF point = data_.toPixel(at, *y, curve.style.side);
         if (area.contains(point)) {
             dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);

@@ -420,6 +420,37 @@ QColor Theme::curve(int i) const {
     return QColor(dark_ ? dark[index] : light[index]);
 }
 
+namespace {
+
+/// Of light that a colour sends back, as WCAG counts it.
+double luminance(const QColor& colour) {
+    const auto linear = [](double part) {
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+}  // namespace
+
+QColor Theme::readable(const QColor& colour) const {
+    constexpr double enough = 4.6;  // WCAG asks for 4.5 of small letters
+    const double ground = luminance(panel());
+    const auto contrast = [ground](const QColor& of) {
+        const double light = luminance(of);
+        return (std::max(light, ground) + 0.05) / (std::min(light, ground) + 0.05);
+    };
+    QColor mixed = colour;
+    for (int part = 1; part <= 10 && contrast(mixed) < enough; ++part) {
+        const float share = 0.1F * static_cast<float>(part);
+        const auto mix = [share](float a, float b) { return a + share * (b - a); };
+        mixed = QColor::fromRgbF(mix(colour.redF(), text().redF()),
+                                 mix(colour.greenF(), text().greenF()),
+                                 mix(colour.blueF(), text().blueF()));
+    }
+    return mixed;
+}
+
 void Theme::apply() {
     dark_ = mode_ == Mode::Dark || (mode_ == Mode::System && desktopDark_);
     QPalette palette;

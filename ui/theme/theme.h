@@ -43,6 +43,9 @@ class Theme : public QObject {
     /// Colour number i of the curves: distinguishable with colour-blind eyes, light and dark.
     QColor curve(int i) const;
     static constexpr int curveColours = 8;
+    /// A colour for small letters on a panel: the same, or nearer to that of the text until they
+    /// are read.
+    QColor readable(const QColor& colour) const;
 
     // Type scale, pixels.
     static constexpr int smallSize = 11;

@@ -111,6 +111,7 @@ TEST_P(CurveColours, StandOutFromThePanel) {
     constexpr double graphical = 3.0;  // WCAG 2.1, 1.4.11
     for (int i = 0; i < Theme::curveColours; ++i) {
         EXPECT_GE(contrast(theme.curve(i), theme.panel()), graphical) << i;
+        EXPECT_GE(contrast(theme.readable(theme.curve(i)), theme.panel()), 4.5) << i;
     }
 }
 

@@ -79,6 +79,16 @@ TEST(LineBrush, DrawsWhatQtDraws) {
     }
 }
 
+TEST(LineBrush, DashesAreAsLongAsAsked) {
+    QImage image(40, 9, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    LineBrush(image, image.rect())
+        .draw({QPolygonF{{0.0, 4.5}, {40.0, 4.5}}}, 1.0, Qt::black, 5.0, QList<qreal>{10.0, 10.0});
+    EXPECT_EQ(image.pixelColor(5, 4), Qt::black);
+    EXPECT_EQ(image.pixelColor(15, 4), Qt::white);
+    EXPECT_EQ(image.pixelColor(25, 3), Qt::black);
+}
+
 TEST(LineBrush, CoversAsMuchAsTheLineIsWide) {
     for (const QPointF& end : {QPointF(200, 50), QPointF(50, 130), QPointF(170, 140)}) {
         const QPointF begin(50, 50);

@@ -306,6 +306,24 @@ TEST_F(PlotDataTest, EqualScaleWidensTheAxisWithRoom) {
     EXPECT_TRUE(data.zoomed);
 }
 
+TEST_F(PlotDataTest, KnowsDashesOverAWiderCurve) {
+    data.curves.resize(2);
+    PlotCurve& wide = data.curves[0];
+    PlotCurve& dashed = data.curves[1];
+    for (PlotCurve* each : {&wide, &dashed}) {
+        each->set({0, 1}, {2, 3}, data.x, data.left);
+    }
+    wide.style.width = 2.8;
+    dashed.style.width = 1.4;
+    data.thinCurves();
+    EXPECT_FALSE(data.liesOnAnother(dashed));
+    dashed.style.pen = Qt::DashLine;
+    EXPECT_TRUE(data.liesOnAnother(dashed));
+    EXPECT_FALSE(data.liesOnAnother(wide));
+    wide.shown = false;
+    EXPECT_FALSE(data.liesOnAnother(dashed));
+}
+
 TEST_F(PlotDataTest, ReadsTheNearestPointAndStepsInARound) {
     EXPECT_FALSE(data.readsPoints());
     set({1, 5, 9}, {1, 5, 9});

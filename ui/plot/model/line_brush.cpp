@@ -39,21 +39,29 @@ LineBrush::LineBrush(QImage& picture, const QRect& clip)
 
 void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
                      double width, Qt::PenStyle style) {
-    if (clip_.isEmpty() || style == Qt::NoPen) {
+    if (style == Qt::NoPen) {
+        return;
+    }
+    QList<qreal> dashes = QPen(colour, width, style).dashPattern();
+    for (qreal& part : dashes) {
+        part *= width;
+    }
+    draw(lines, scale, colour, width, dashes);
+}
+
+void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
+                     double width, const QList<qreal>& dashes) {
+    if (clip_.isEmpty()) {
         return;
     }
     half_ = 0.5 * std::max(1.0, width);
-    QList<qreal> pattern = QPen(colour, width, style).dashPattern();
-    for (qreal& part : pattern) {
-        part *= width;
-    }
     QPolygonF line;
     for (const QPolygonF& each : lines) {
         line.resize(each.size());
         std::transform(each.begin(), each.end(), line.begin(), [&](const QPointF& point) {
             return point * scale - QPointF(clip_.topLeft());
         });
-        pattern.isEmpty() ? mark(line) : markDashes(line, pattern);
+        dashes.isEmpty() ? mark(line) : markDashes(line, dashes);
     }
     ink(colour);
 }

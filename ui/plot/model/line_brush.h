@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QImage>
+#include <QList>
 #include <QPolygonF>
 #include <QRect>
 #include <cstdint>
@@ -25,6 +26,9 @@ class LineBrush {
     /// @param style  dashes count in widths, as Qt's do
     void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
               Qt::PenStyle style = Qt::SolidLine);
+    /// @param dashes  pixels of the picture: dash, gap, …; none: a solid line
+    void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
+              const QList<qreal>& dashes);
 
   private:
     void markDashes(const QPolygonF& line, const QList<qreal>& pattern);

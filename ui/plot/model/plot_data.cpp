@@ -145,6 +145,23 @@ void includeGhosts(const PlotData& data, Side side, PlotScale& follower) {
 
 }  // namespace
 
+bool PlotData::liesOnAnother(const PlotCurve& curve) const {
+    if (curve.style.pen != Qt::DashLine) {
+        return false;
+    }
+    constexpr double wider = 1.25;
+    for (const PlotCurve& other : curves) {
+        if (&other == &curve) {
+            break;  // what comes later lies over it
+        }
+        if (other.shown && !other.stretches.empty() && other.style.pen == Qt::SolidLine &&
+            other.style.width > wider * curve.style.width) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void PlotData::fitScales() {
     if (zoomed) {
         return;

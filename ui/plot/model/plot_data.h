@@ -166,6 +166,8 @@ struct PlotData {
         return spreadShown && curve.shown && curve.hasSpread();
     }
     bool hasSpread() const;
+    /// Dashed over a wider curve that it may coincide with.
+    bool liesOnAnother(const PlotCurve& curve) const;
 
     QPointF toPixel(double valueX, double valueY, Side side = Side::Left) const;
     double xAt(double pixelX) const;
