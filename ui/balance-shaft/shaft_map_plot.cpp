@@ -239,7 +239,7 @@ void ShaftMapPlot::showImage() {
 // The key.
 
 bool ShaftMapPlot::isLow() const {
-    constexpr int enough = 330;  // pixels for the key beside the map
+    constexpr int enough = 290;  // pixels for the key beside the map
     return height() < Theme::withText(enough);
 }
 

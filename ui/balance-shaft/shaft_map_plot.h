@@ -36,6 +36,8 @@ class ShaftMapPlot : public PlotView {
         bool isBold = false;
     };
     const std::vector<Label>& labels() const { return labels_; }
+    /// Where the signs of the markers are drawn: those of places near one another stand apart.
+    std::vector<QPointF> signPlaces() const;
 
   Q_SIGNALS:
     /// What is under the pointer, in words; empty where it left.
@@ -68,8 +70,6 @@ class ShaftMapPlot : public PlotView {
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
-    /// Where the signs of the markers are drawn: those of places near one another stand apart.
-    std::vector<QPointF> signPlaces() const;
     std::vector<KeyEntry> keyEntries() const;
     void paintKey(QPainter& painter) const;
     /// Too low for the key's signs.
