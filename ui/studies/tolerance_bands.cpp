@@ -100,7 +100,7 @@ void sayOfBands(PlotView& plot, bool isMarked, const QString& tip) {
     if (text.endsWith(mark) != isMarked) {
         isMarked ? void(text += mark) : text.chop(mark.size());
         entry->setText(text);
-        plot.setTitle(plot.title());  // it takes another room
+        plot.setCurveStyle(0, plot.data().curve(0).style);  // it takes another room
     }
 }
 

@@ -174,6 +174,8 @@ TEST_F(Bands, AreThoseOfTheSamplesWhenTheHandRests) {
     EXPECT_NEAR(sides().second, 0.0, 2e-3);
     // Slopes say nothing of the top; it is marked, and why.
     EXPECT_TRUE(entry->text().endsWith(u"⚠"_s));
+    QApplication::processEvents();
+    EXPECT_FALSE(entry->isElided());
     EXPECT_TRUE(entry->toolTip().contains(u"512"_s));
     EXPECT_TRUE(entry->toolTip().contains(u"curved along “"_s)) << qPrintable(entry->toolTip());
     int marked = 0;
