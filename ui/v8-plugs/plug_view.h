@@ -16,7 +16,7 @@ class PlugView : public QWidget {
     explicit PlugView(V8PlugsModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {300, minimumSizeHint().height()}; }
-    QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(130)}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(160)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
