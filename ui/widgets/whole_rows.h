@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-/// Where a table shows whole rows: all of it but a row that its lower edge would cut.
+/// Where a table shows whole rows: all of it but rows that its edges would cut.
 QRegion wholeRows(const QTableView& table);
 
 /// Makes rows as high as their words need in these columns, where they wrap; the current row stays
@@ -16,7 +16,7 @@ void fitRowsToWords(QTableView& table, const QList<int>& columns);
 /// The width that its longest word needs, as the table writes it.
 int longestWord(const QTableView& table, int column);
 
-/// A table that scrolls by whole rows and paints none that its lower edge cuts.
+/// A table that scrolls by whole rows and paints none that its edges cut.
 template <typename Table>
 class WithWholeRows : public Table {
   public:

@@ -183,5 +183,20 @@ TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
     EXPECT_EQ(shown(0.0000123), u"± 0"_s);
 }
 
+TEST(WholeRows, AreWholeAtTheEndOfUnequalOnes) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s});
+    table.setRows(QVector<QStringList>(12, QStringList(u"x"_s)));
+    for (int row = 0; row < 12; row += 3) {
+        table.verticalHeader()->resizeSection(row, 47);
+    }
+    for (const int height : {120, 133, 146, 159}) {
+        test::showAt(table, {200, height});
+        table.scrollToBottom();
+        const int top = wholeRows(table).boundingRect().top();
+        EXPECT_EQ(table.rowViewportPosition(table.rowAt(top)), top) << height;
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves
