@@ -33,7 +33,7 @@ NewCaseDialog::NewCaseDialog(const QString& scene, QWidget* parent)
         return made;
     };
     scenes_ = list(tr("&Scene"), QStringLiteral("new-scenes"), 0);
-    scenes_->setIconSize(QSize(28, 28));
+    scenes_->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
     beginnings_ = list(tr("&Begin with"), QStringLiteral("new-beginnings"), 1);
     beginnings_->setWordWrap(true);
     for (const SceneInfo& info : sceneList()) {

@@ -162,15 +162,14 @@ QWidget* ToleranceWindow::makeInputs() {
             editor->view()->horizontalHeader()->resizeSection(typed, Theme::withText(72));
         }
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
+        editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
     };
     auto* top = new QHBoxLayout;
     top->addWidget(headingLabel(tr("Inputs and their tolerances"), holder), 1);
-    auto* presets = new QToolButton(holder);
-    presets->setText(tr("&Usual ones"));
+    auto* presets = new QPushButton(tr("&Usual ones"), holder);
     presets->setObjectName(QStringLiteral("presets"));
-    presets->setPopupMode(QToolButton::InstantPopup);
-    presets->setFocusPolicy(Qt::TabFocus);
+    presets->setAutoDefault(false);
     auto* menu = new QMenu(presets);
     const auto add = [&](const QString& text, StudyModel::Preset preset) {
         menu->addAction(text, model_, [this, preset] { model_->take(preset); });
