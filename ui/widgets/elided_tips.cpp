@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QHelpEvent>
+#include <QLineEdit>
 #include <QPointer>
 #include <QStyle>
 #include <QStyleOptionComboBox>
@@ -107,6 +108,13 @@ class ElidedTips : public QObject {
                         ? plot->title()
                         : elidedAxis(*plot, at),
                     plot->toolTip()};
+        }
+        if (const auto* line = qobject_cast<const QLineEdit*>(widget)) {
+            constexpr int margins = 8;
+            const bool isCut =
+                line->text().isEmpty() &&
+                isElided(line->placeholderText(), line->font(), line->width() - margins);
+            return {isCut ? line->placeholderText() : QString(), line->toolTip()};
         }
         if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
             return {elidedChoice(*box), box->toolTip()};

@@ -82,7 +82,6 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     text_ = new QLineEdit(this);
     text_->setObjectName(QStringLiteral("journal_search"));
     text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
-    text_->setToolTip(text_->placeholderText());  // where it has no room
     text_->setClearButtonEnabled(true);
     add(tr("&Search"), text_, 1);
     from_ = new CheckedField(dayTrouble, this);

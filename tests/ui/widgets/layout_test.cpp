@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "events.h"
 #include "theme/theme.h"
+#include "widgets/elided_tips.h"
 #include "widgets/form_section.h"
 #include "widgets/page_columns.h"
 
@@ -89,6 +92,23 @@ TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {
     EXPECT_LT(tabs.minimumSizeHint().height(), 200);
     tabs.setCurrentIndex(1);
     EXPECT_GT(tabs.minimumSizeHint().height(), 600);
+}
+
+TEST(ElidedTips, SayWhatAFieldHasNoRoomToHint) {
+    showElidedTips();
+    QLineEdit field;
+    field.setPlaceholderText(u"engine or crankshaft number, customer, technician"_s);
+    test::showAt(field, {120, 30});
+    const auto tip = [&] {
+        QHelpEvent help(QEvent::ToolTip, {10, 10}, field.mapToGlobal(QPoint(10, 10)));
+        QApplication::sendEvent(&field, &help);
+        return QToolTip::text();
+    };
+    field.setText(u"7"_s);
+    EXPECT_NE(tip(), field.placeholderText());
+    field.clear();
+    EXPECT_EQ(tip(), field.placeholderText());
+    QToolTip::hideText();
 }
 
 }  // namespace

@@ -516,10 +516,12 @@ QString ElasticHingeModel::motionsText() const {
             return;
         }
         if (motion->end == MotionEnd::completed) {
-            lines << tr("%1: %2…%3, drift %4")
-                         .arg(name, significant(motion->min_speed, units::rad_per_s, 5),
-                              withItsUnit(motion->max_speed, units::rad_per_s, 5),
-                              powerText(motion->energy_drift, QLocale(), 1));
+            QString line = tr("%1: %2…%3, drift %4")
+                               .arg(name, significant(motion->min_speed, units::rad_per_s, 5),
+                                    withItsUnit(motion->max_speed, units::rad_per_s, 5),
+                                    powerText(motion->energy_drift, QLocale(), 1));
+            // No number stands alone in a line.
+            lines << line.replace(line.lastIndexOf(QLatin1Char(' ')), 1, QChar::Nbsp);
         } else if (motion->end != MotionEnd::cancelled) {
             lines << name + QStringLiteral(": ") + messageText(motion->reason);
         }
