@@ -209,6 +209,7 @@ constexpr std::pair<const char*, const char*> words[]{
     {"spring_travel", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "travel of the spring")},
     {"steel-machined", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "today's steel plugs machined")},
     {"steel-to-aluminium", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "aluminium plugs")},
+    {"step", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "step of the curves")},
     {"stretched", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "spring stretched")},
     {"sum", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "sum")},
     {"tdc_angle", QT_TRANSLATE_NOOP("ravnoves::ResultWords", "φ at TDC")},
