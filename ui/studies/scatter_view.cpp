@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/plot_painter.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "text/csv_format.h"
@@ -67,10 +68,10 @@ void CloudPlot::paintGround(QPainter& painter) {
     painter.setClipRect(plotArea());
     painter.setRenderHint(QPainter::Antialiasing);
     QColor colour = Theme::instance().curve(2);
-    colour.setAlphaF(x_.size() > few ? 0.4F : 0.8F);
+    colour.setAlphaF(x_.size() > few ? 0.6F : 0.85F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    const double radius = x_.size() > few ? 1.6 : 2.4;
+    const double radius = strokeScale() * (x_.size() > few ? 1.8 : 2.4);
     for (std::size_t i = 0; i < x_.size(); ++i) {
         painter.drawEllipse(toPixel(x_[i], y_[i]), radius, radius);
     }

@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStandardItemModel>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -361,7 +362,17 @@ void ToleranceWindow::showStudy() {
     samples_->setEnabled(studies::is_sampled(study.method));
 }
 
+namespace {
+
+/// Qt fits the titles of tabs to the room that there was before the window had its own.
+void fitTitles(const QTabWidget* tabs) {
+    tabs->tabBar()->setElideMode(tabs->tabBar()->elideMode());
+}
+
+}  // namespace
+
 void ToleranceWindow::showAnswers() {
+    fitTitles(tabs_);
     const StudyAnswers* answers = model_->answers();
     QVector<QStringList> rows;
     QStringList lines;
@@ -502,6 +513,8 @@ void ToleranceWindow::showChosen() {
 void ToleranceWindow::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
     model_->setWatched(true);
+    QMetaObject::invokeMethod(
+        tabs_, [this] { fitTitles(tabs_); }, Qt::QueuedConnection);
 }
 
 void ToleranceWindow::hideEvent(QHideEvent* event) {
