@@ -70,11 +70,8 @@ HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent) : QTabWidget(p
     connect(this, &QTabWidget::currentChanged, this, &HingePlots::refresh);
     connect(model, &SceneModel::changed, this, &HingePlots::refresh);
     connect(model, &ElasticHingeModel::viewChanged, this, &HingePlots::refresh);
-    connect(model, &ElasticHingeModel::motionsChanged, this, [this] {
-        if (tabs_[currentIndex()] == tabs_.back()) {
-            tabs_.back()->refresh();
-        }
-    });
+    // In front or not: on the page of a reference nobody changes the tab again.
+    connect(model, &ElasticHingeModel::motionsChanged, this, [this] { tabs_.back()->refresh(); });
     connect(model, &ElasticHingeModel::crankAngleChanged, this,
             [this] { tabs_[currentIndex()]->showAngle(); });
     refresh();

@@ -1,7 +1,5 @@
 #include "shell/comparison.h"
 
-#include <QShowEvent>
-#include <QTabWidget>
 #include <algorithm>
 
 #include "case-file/input_error.h"
@@ -11,6 +9,7 @@
 #include "shell/scene_page.h"
 #include "text/error_text.h"
 #include "widgets/compared_figure.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -25,6 +24,12 @@ QList<Part*> partsOf(const ScenePage& page) {
     std::sort(parts.begin(), parts.end(),
               [](const Part* a, const Part* b) { return a->number() < b->number(); });
     return parts;
+}
+
+template <typename Part>
+QList<QWidget*> asWidgets(const ScenePage& page) {
+    const QList<Part*> parts = page.findChildren<Part*>();
+    return {parts.begin(), parts.end()};
 }
 
 template <typename Part>
@@ -103,21 +108,10 @@ void Comparison::connectParts(const QString& name) {
 
 void Comparison::fill() {
     stale_ = false;
-    const auto tabWidgets = twin_->findChildren<QTabWidget*>();
-    for (QTabWidget* tabs : tabWidgets) {
-        for (int i = 0; i < tabs->count(); ++i) {
-            QWidget* tab = tabs->widget(i);
-            const bool shows = qobject_cast<PlotView*>(tab) != nullptr ||
-                               qobject_cast<ResultTable*>(tab) != nullptr ||
-                               tab->findChild<PlotView*>() != nullptr ||
-                               tab->findChild<ResultTable*>() != nullptr;
-            if (shows) {
-                tabs->setCurrentIndex(i);
-                QShowEvent shown;
-                QCoreApplication::sendEvent(tab, &shown);
-            }
-        }
-    }
+    QList<QWidget*> parts;
+    parts << asWidgets<PlotView>(*twin_) << asWidgets<ResultTable>(*twin_)
+          << asWidgets<ComparedFigure>(*twin_);
+    fillUnseen(*twin_, parts);
 }
 
 }  // namespace ravnoves

@@ -3,14 +3,12 @@
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QPointer>
-#include <QShowEvent>
 #include <QTabWidget>
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
 #include <limits>
 #include <mutex>
-#include <set>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
@@ -149,7 +147,7 @@ struct ToleranceBands::Run {
     std::vector<std::pair<QPointer<ResultTable>, QPointer<ResultTable>>> tables;
     /// Plots of what the twin computes in the background.
     std::vector<std::pair<QPointer<PlotView>, QPointer<PlotView>>> slow;
-    std::set<QWidget*> shown;  ///< what of the twin fills itself when it is shown
+    QList<QWidget*> shown;  ///< the plots and tables of the twin
 
     std::vector<std::vector<std::vector<double>>> x;  ///< by plot and curve
     std::vector<std::vector<Stretch>> curves;         ///< likewise
@@ -661,20 +659,11 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
     }
     run->plots = seen<PlotView>(*page_, *twin_);
     run->tables = seen<ResultTable>(*page_, *twin_);
-    const auto show = [&](QWidget* part) {
-        showTabOf(part);
-        for (QWidget* around = part->parentWidget(); around != nullptr && around != twin_.get();
-             around = around->parentWidget()) {
-            if (QByteArray(around->metaObject()->className()).startsWith("ravnoves::")) {
-                run->shown.insert(around);
-            }
-        }
-    };
     for (const auto& [plot, twin] : run->plots) {
-        show(twin);
+        run->shown.append(twin);
     }
     for (const auto& [table, twin] : run->tables) {
-        show(twin);
+        run->shown.append(twin);
     }
     if (!load(*run, 0, 0.0)) {
         return nullptr;
@@ -710,10 +699,7 @@ bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
 void ToleranceBands::fill(const Run& run) {
     const AllDigits digits;
     twin_->model()->takeView(*page_->model());
-    for (QWidget* part : run.shown) {
-        QShowEvent shown;
-        QCoreApplication::sendEvent(part, &shown);
-    }
+    fillUnseen(*twin_, run.shown);
 }
 
 void ToleranceBands::cancelTwin() {

@@ -1,9 +1,11 @@
 #include "widgets/page_columns.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QResizeEvent>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShowEvent>
 #include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
@@ -247,6 +249,25 @@ void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const 
     QScrollArea* area = scrolled(view, tabs);
     area->setObjectName(name);
     tabs->addTab(area, title);
+}
+
+void fillUnseen(const QWidget& page, const QList<QWidget*>& parts) {
+    QList<QWidget*> around;
+    for (QWidget* part : parts) {
+        showTabOf(part);
+        for (QWidget* view = part->parentWidget(); view != nullptr && view != &page;
+             view = view->parentWidget()) {
+            // Ours alone: a scroll area or a splitter passes nothing on to what lies in it.
+            if (QByteArray(view->metaObject()->className()).startsWith("ravnoves::") &&
+                !around.contains(view)) {
+                around.append(view);
+            }
+        }
+    }
+    for (QWidget* view : around) {
+        QShowEvent shown;
+        QCoreApplication::sendEvent(view, &shown);
+    }
 }
 
 void showTabOf(QWidget* view) {

@@ -118,6 +118,10 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
     for (std::size_t p = 0; p < plots.size(); ++p) {
         SCOPED_TRACE(plots[p]->title().toStdString());
         const PlotData& data = plots[p]->data();
+        const auto isDrawn = [](const PlotCurve& curve) { return !curve.x.empty(); };
+        const bool hasCurves = std::any_of(kept[p].begin(), kept[p].end(), isDrawn) &&
+                               std::any_of(data.curves.begin(), data.curves.end(), isDrawn);
+        const int before = ghosts;
         for (std::size_t c = 0; c < data.curves.size(); ++c) {
             const PlotCurve* ghost = data.ghostOf(data.curves[c]);
             if (ghost == nullptr) {
@@ -128,6 +132,7 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
             EXPECT_EQ(ghost->y, kept[p][c].y) << c;
             moved += ghost->y != data.curves[c].y ? 1 : 0;
         }
+        EXPECT_TRUE(ghosts > before || !hasCurves);
     }
     EXPECT_GT(ghosts, 0);
     EXPECT_GT(moved, 0);
@@ -174,11 +179,18 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
     for (std::size_t t = 0; t < tables.size(); ++t) {
         SCOPED_TRACE(tables[t]->accessibleName().toStdString());
         const ResultTable& table = *tables[t];
+        const int comparedBefore = compared;
+        int numbers = 0;
         for (int row = 0; row < table.rowCount() && row < static_cast<int>(kept[t].size()); ++row) {
             for (int column = 1; column < columns[t]; ++column) {
                 const QStringList found = table.differenceAt(row, column);
                 const auto& was = kept[t][static_cast<std::size_t>(row)];
                 const Cell& cell = was[static_cast<std::size_t>(column)];
+                numbers += cell.name == table.item(row, 0)->text() &&
+                                   readShownNumber(cell.text).has_value() &&
+                                   readShownNumber(table.item(row, column)->text()).has_value()
+                               ? 1
+                               : 0;
                 if (found.isEmpty() || cell.name != table.item(row, 0)->text()) {
                     continue;
                 }
@@ -202,6 +214,7 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
                 other += wanted != 0.0 ? 1 : 0;
             }
         }
+        EXPECT_TRUE(compared > comparedBefore || numbers == 0);
         // The whole table is copied with them.
         if (table.reference() != nullptr && table.rowCount() > 0) {
             const QStringList lines = table.asText().split(u'\n');
