@@ -3,7 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
-#include <QEvent>
+#include <QFocusEvent>
 #include <QPointer>
 #include <QSlider>
 
@@ -11,14 +11,22 @@ namespace ravnoves {
 
 namespace {
 
+/// The wheel turns the field that the user went to, by a click, a key or its letter. One that merely
+/// has the focus, for it is the first of a page that came to the front, is not turned: nobody meant it.
 class WheelGuard : public QObject {
   public:
     using QObject::QObject;
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        const QEvent::Type type = event->type();
-        if (type != QEvent::Wheel && type != QEvent::Polish) {
-            return false;
+        switch (event->type()) {
+            case QEvent::Wheel:
+            case QEvent::Polish:
+            case QEvent::FocusIn:
+            case QEvent::MouseButtonPress:
+            case QEvent::KeyPress:
+                break;
+            default:
+                return false;
         }
         if (qobject_cast<QComboBox*>(watched) == nullptr &&
             qobject_cast<QAbstractSpinBox*>(watched) == nullptr &&
@@ -26,18 +34,46 @@ class WheelGuard : public QObject {
             return false;
         }
         auto* widget = static_cast<QWidget*>(watched);
-        if (type == QEvent::Polish) {
-            if (widget->focusPolicy() == Qt::WheelFocus) {
-                widget->setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
-            }
-            return false;
+        switch (event->type()) {
+            case QEvent::Polish:
+                if (widget->focusPolicy() == Qt::WheelFocus) {
+                    widget->setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
+                }
+                return false;
+            case QEvent::FocusIn:
+                noteFocus(widget, static_cast<QFocusEvent*>(event)->reason());
+                return false;
+            case QEvent::Wheel:
+                if (widget->hasFocus() && chosen_ == widget) {
+                    return false;
+                }
+                event->ignore();
+                return true;
+            default:
+                chosen_ = widget;
+                return false;
         }
-        if (widget->hasFocus()) {
-            return false;
-        }
-        event->ignore();
-        return true;
     }
+
+  private:
+    void noteFocus(QWidget* widget, Qt::FocusReason reason) {
+        switch (reason) {
+            case Qt::MouseFocusReason:
+            case Qt::TabFocusReason:
+            case Qt::BacktabFocusReason:
+            case Qt::ShortcutFocusReason:
+                chosen_ = widget;
+                break;
+            case Qt::ActiveWindowFocusReason:
+            case Qt::PopupFocusReason:
+            case Qt::MenuBarFocusReason:
+                break;  // it comes back to where it was
+            default:
+                chosen_.clear();
+        }
+    }
+
+    QPointer<QWidget> chosen_;
 };
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
     EXPECT_NEAR(model->shaftAngleDeg(), 45.1, 1e-9);
     QTest::keyClick(page.angleSlider()->slider(), Qt::Key_PageUp);
     EXPECT_NEAR(model->shaftAngleDeg(), 55.1, 1e-9);
-    page.angleSlider()->slider()->setFocus();
+    page.angleSlider()->slider()->setFocus(Qt::TabFocusReason);
     test::turnWheel(page.angleSlider()->slider(), QPoint(20, 8), -1);
     EXPECT_LT(model->shaftAngleDeg(), 55.1);
     auto* box = page.angleSlider()->box();

@@ -151,7 +151,7 @@ TEST_F(ElasticHingePageTest, KeysAndWheelMoveTheSliders) {
     EXPECT_NEAR(model->input().lambda, 0.31, 1e-12);
     QTest::keyClick(slider, Qt::Key_PageUp);
     EXPECT_NEAR(model->input().lambda, 0.41, 1e-12);
-    slider->setFocus();
+    slider->setFocus(Qt::TabFocusReason);
     test::turnWheel(slider, QPoint(20, 8), -1);
     EXPECT_LT(model->input().lambda, 0.41);
     auto* stiffness = find<QSlider>("stiffness_kN_m_slider");

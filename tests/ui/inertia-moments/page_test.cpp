@@ -107,7 +107,7 @@ TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
     drag(page.sliders()->reference()->slider(), 20);
     EXPECT_GT(model->referenceMm(), 2.0);
     QTest::keyClick(page.sliders()->speed()->slider(), Qt::Key_Right);
-    page.sliders()->speed()->slider()->setFocus();
+    page.sliders()->speed()->slider()->setFocus(Qt::TabFocusReason);
     test::turnWheel(page.sliders()->speed()->slider(), QPoint(20, 8), 1);
     auto* box = page.sliders()->offset()->box();
     box->setFocus();

@@ -202,7 +202,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     EXPECT_NE(field->trouble(), QString());
     EXPECT_EQ(model->value(), 0.9999);
     QTest::keyClick(field, Qt::Key_Escape);
-    slider->setFocus();
+    slider->setFocus(Qt::TabFocusReason);
     test::turnWheel(slider, QPoint(20, y), -1);
     EXPECT_LT(model->value(), 0.9999);
     QTest::mouseClick(find<QPushButton>("take_case"), Qt::LeftButton);

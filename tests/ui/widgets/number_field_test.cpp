@@ -179,7 +179,7 @@ TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
 }
 
 TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
-    slider.slider()->setFocus();
+    slider.slider()->setFocus(Qt::TabFocusReason);
     test::turnWheel(slider.slider(), slider.slider()->rect().center(), 1);
     EXPECT_GT(slider.value(), 45.0);
     const double before = slider.value();
@@ -219,7 +219,7 @@ TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
     EXPECT_NEAR(slider.slider()->value(), 1000, 1);
 }
 
-TEST(WheelGuard, TheWheelChangesOnlyWhatHasTheFocus) {
+TEST(WheelGuard, TheWheelChangesOnlyWhereTheUserWent) {
     guardWheel();
     QWidget window;
     auto* column = new QVBoxLayout(&window);
@@ -248,10 +248,18 @@ TEST(WheelGuard, TheWheelChangesOnlyWhatHasTheFocus) {
     // A real turn of the wheel would give them the focus first.
     EXPECT_EQ(choice->focusPolicy(), Qt::StrongFocus);
     EXPECT_EQ(box->focusPolicy(), Qt::StrongFocus);
-    choice->setFocus();
+    // The focus of a page that came to the front is not the user's.
+    for (QWidget* each : {static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) {
+        each->setFocus();
+        turn();
+        EXPECT_EQ(choice->currentIndex(), 0);
+        EXPECT_EQ(slider->value(), 0);
+    }
+    choice->setFocus(Qt::TabFocusReason);
     turn();
     EXPECT_EQ(choice->currentIndex(), 1);
     box->setFocus();
+    QTest::keyClick(box, Qt::Key_Left);
     turn();
     EXPECT_EQ(choice->currentIndex(), 1);
     EXPECT_EQ(box->value(), 1.0);
