@@ -95,6 +95,8 @@ MainWindow::MainWindow(First first) {
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
+    // A text is refused, and stays so, without a step of any history.
+    connect(qApp, &QApplication::focusChanged, documents_, [this] { updateHistoryActions(); });
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
@@ -124,6 +126,7 @@ MainWindow::MainWindow(First first) {
 MainWindow::~MainWindow() {
     // The field with the focus reports what was typed, and the title follows: while there is one.
     hide();
+    disconnect(qApp, nullptr, documents_, nullptr);
 }
 
 void MainWindow::renew() {
@@ -327,7 +330,13 @@ void MainWindow::buildMenus() {
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo,
-                [this] { currentPage()->model()->undo(); });
+                [this] {
+                    // What is refused is the newest of all, and in no history.
+                    if (!takeBackRefused(currentPage())) {
+                        currentPage()->model()->undo();
+                    }
+                    updateHistoryActions();
+                });
     redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
                 [this] { currentPage()->model()->redo(); });
     redo_->setShortcuts(
@@ -702,10 +711,11 @@ void MainWindow::updateHistoryActions() {
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
     // What is typed or still being solved is in no history yet; undo takes it back.
-    const bool isUnderWay = model.isTyped() || model.isSolving();
+    const bool isUnderWay =
+        model.isTyped() || model.isSolving() || !refusedEntries(currentPage()).isEmpty();
     show(undo_, isUnderWay || history.canUndo(), tr("&Undo"),
          isUnderWay ? QString() : history.undoText());
-    show(redo_, !isUnderWay && history.canRedo(), tr("&Redo"), history.redoText());
+    show(redo_, !model.isTyped() && !model.isSolving() && history.canRedo(), tr("&Redo"), history.redoText());
 }
 
 void MainWindow::updateSceneActions() {

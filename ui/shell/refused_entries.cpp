@@ -1,6 +1,7 @@
 #include "shell/refused_entries.h"
 
 #include <QCoreApplication>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -40,6 +41,21 @@ QStringList refusedEntries(const QWidget* part) {
         }
     }
     return refused;
+}
+
+bool takeBackRefused(const QWidget* part) {
+    EntryField* taken = nullptr;
+    for (EntryField* field : entriesOfPage(part)) {
+        if (!field->trouble().isEmpty() && (taken == nullptr || field->hasFocus())) {
+            taken = field;
+        }
+    }
+    if (taken == nullptr) {
+        return false;
+    }
+    QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QCoreApplication::sendEvent(taken, &escape);
+    return true;
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {

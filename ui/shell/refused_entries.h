@@ -15,6 +15,10 @@ QList<EntryField*> entriesOfPage(const QWidget* part);
 /// "Crank radius r, mm: The value must be greater than 0 mm."
 QStringList refusedEntries(const QWidget* part);
 
+/// Takes one of them back, that with the focus first: the value that it had stands there again, as
+/// after Escape. @return false where there is none
+bool takeBackRefused(const QWidget* part);
+
 /// Says which entries of that page are refused and that the values before them are used.
 /// @param title  what is about to be done
 /// @return true where there are none, or the user wants to go on without them

@@ -147,6 +147,26 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_EQ(model().notes(), QStringLiteral("Measured on Monday"));
 }
 
+TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
+    auto* field = test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
+    const QList<QAction*> actions = window.findChildren<QAction*>();
+    QAction* undo = *std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+        return action->shortcut() == QKeySequence::Undo;
+    });
+    const QString shown = field->text();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("-7"));
+    QTest::keyClick(field, Qt::Key_Tab);
+    ASSERT_FALSE(field->trouble().isEmpty());
+    EXPECT_FALSE(model().history()->canUndo());
+    ASSERT_TRUE(undo->isEnabled());
+    undo->trigger();
+    EXPECT_EQ(field->trouble(), QString());
+    EXPECT_EQ(field->text(), shown);
+    EXPECT_FALSE(undo->isEnabled());
+}
+
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
     const auto dialog = [this] {
         press(Qt::Key_I);
@@ -228,8 +248,13 @@ TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRefused) {
     // Another value alone does not.
     ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=80")), QString());
     EXPECT_EQ(radius()->text(), QStringLiteral("abc"));
+    // What is refused is the newest: undo takes back that alone.
+    const int steps = model().history()->index();
     press(Qt::Key_Z);
     isBack();
+    EXPECT_EQ(model().history()->index(), steps);
+    press(Qt::Key_Z);
+    EXPECT_EQ(model().history()->index(), steps - 1);
     refuse("crank_radius_mm", "");
     press(Qt::Key_Y);
     isBack();
