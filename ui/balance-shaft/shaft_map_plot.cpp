@@ -146,7 +146,7 @@ void drawHatch(QPainter& painter, const QRectF& box) {
     }
 }
 
-QString percentText(double fraction) {
+QString levelText(double fraction) {
     const double percent = 100.0 * fraction;
     // Levels are round numbers: as many digits as they have.
     QString text = QLocale().toString(std::abs(percent), 'g', 4);
@@ -368,7 +368,7 @@ void ShaftMapPlot::paintKey(QPainter& painter) const {
             painter.setPen(QPen(theme.text(), zero ? 2.4 : 1.0));
             painter.drawLine(QPointF(x, zero ? top - 1.0 : bar.bottom() - 3.0),
                              QPointF(x, bar.bottom() + (zero ? 2.0 : 1.0)));
-            const QString text = percentText(levels[i]);
+            const QString text = levelText(levels[i]);
             const double wide = metrics.horizontalAdvance(text) + metrics.averageCharWidth() + 6.0;
             const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
             if (std::none_of(taken.begin(), taken.end(),
@@ -538,8 +538,7 @@ void ShaftMapPlot::labelMarkers() {
             continue;
         }
         const QPointF at = places[i];
-        const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
-                             fixedNumber(100.0 * *change, 1, QLocale()) + QStringLiteral(" %");
+        const QString text = signedPercentText(*change);
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
         const double away = 2.0 * glyphRadius();
         const std::array corners{
@@ -603,7 +602,7 @@ void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
         if (i % each != zero % each) {
             continue;
         }
-        const QString text = percentText(contours[i].level) + QStringLiteral(" %");
+        const QString text = withUnit(levelText(contours[i].level), unitText("%"));
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
         static_cast<void>(std::any_of(turns.begin(), turns.end(), [&](double turn) {
             const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
@@ -734,8 +733,7 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
     const ShaftMap* map = map_->map();
     const auto change = map != nullptr ? map_->change(map->study.at(present)) : std::nullopt;
     if (change) {
-        const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
-                             fixedNumber(100.0 * *change, 2, QLocale()) + QStringLiteral(" %");
+        const QString text = signedPercentText(*change, 2);
         const QFontMetricsF metrics(painter.font());
         const QSizeF size(metrics.horizontalAdvance(text) + 12.0, metrics.height() + 4.0);
         QRectF box(axis + QPointF(12.0, -8.0 - size.height()), size);

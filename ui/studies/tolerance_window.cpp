@@ -65,8 +65,7 @@ std::optional<double> tidied(const std::optional<double>& value, const StudyAnsw
 }
 
 QString percent(const std::optional<double>& share, int decimals = 1) {
-    return share ? fixedNumber(100.0 * *share, decimals, QLocale()) + QStringLiteral(" %")
-                 : QStringLiteral("–");
+    return share ? percentText(*share, decimals) : QStringLiteral("–");
 }
 
 }  // namespace

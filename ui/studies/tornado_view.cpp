@@ -21,8 +21,7 @@ void TornadoView::setBars(const QString& title, std::vector<Bar> bars) {
     bars_ = std::move(bars);
     QStringList words;
     for (const Bar& bar : bars_) {
-        words << bar.name + QStringLiteral(" ") + fixedNumber(100.0 * bar.alone, 1, QLocale()) +
-                     QStringLiteral(" %");
+        words << bar.name + QStringLiteral(" ") + percentText(bar.alone);
     }
     setAccessibleName(title_);
     setAccessibleDescription(words.join(QStringLiteral("; ")));
@@ -81,7 +80,7 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(
             QRectF(left + length(std::max(bar.alone, bar.whole)) + Theme::gap, y, valueWidth, row),
             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-            fixedNumber(100.0 * bar.alone, 1, QLocale()) + QStringLiteral(" %"));
+            percentText(bar.alone));
         y += row;
     }
     if (isCut) {

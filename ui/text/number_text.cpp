@@ -90,6 +90,15 @@ QString fixedNumber(double value, int decimals, const QLocale& locale) {
     return fixedDecimals(value, decimals, locale);
 }
 
+QString percentText(double share, int decimals) {
+    return withUnit(fixedNumber(share / units::percent, decimals, QLocale()), unitText("%"));
+}
+
+QString signedPercentText(double share, int decimals) {
+    const bool isMore = share / units::percent >= 0.5 * std::pow(10.0, -decimals);
+    return (isMore ? QStringLiteral("+") : QString()) + percentText(share, decimals);
+}
+
 QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");

@@ -37,5 +37,9 @@ QString withUnit(const QString& number, const QString& unit);
 QString fixedDecimals(double value, int decimals, const QLocale& locale);
 /// A number of a result: so many decimals, unless the user has chosen significant digits.
 QString fixedNumber(double value, int decimals, const QLocale& locale);
+/// A share as percent on one line: "12.3 %".
+QString percentText(double share, int decimals = 1);
+/// The same of a change: "+12.3 %", "−4.0 %"; what rounds to zero has no sign.
+QString signedPercentText(double share, int decimals = 1);
 
 }  // namespace ravnoves

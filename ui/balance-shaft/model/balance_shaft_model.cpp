@@ -41,8 +41,7 @@ QString percent(const std::optional<double>& fraction) {
     if (!fraction) {
         return QStringLiteral("–");
     }
-    const QString text = number(100.0 * *fraction, 1);
-    return (*fraction > 0.0 ? QStringLiteral("+") : QString()) + text + QStringLiteral("\u00A0%");
+    return signedPercentText(*fraction);
 }
 
 }  // namespace
@@ -426,8 +425,8 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         if (rounded == 0.0) {
             return percent(fraction);
         }
-        const QString size = number(std::abs(rounded), std::abs(rounded) < 100.0 ? 1 : 0) +
-                             QStringLiteral("\u00A0%");
+        const QString size =
+            percentText(std::abs(*fraction), std::abs(rounded) < 100.0 ? 1 : 0);
         return (rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
                                                : tr("%1 worse").arg(size);
     };

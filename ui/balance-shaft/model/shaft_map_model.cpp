@@ -46,12 +46,6 @@ QString degrees(double radians, int decimals = 1) {
     return fixedNumber(radians / degree, decimals, QLocale());
 }
 
-QString signedPercent(double fraction) {
-    const double percent = 100.0 * fraction;
-    return (percent >= 0.05 ? QStringLiteral("+") : QString()) +
-           fixedNumber(percent, 1, QLocale()) + QStringLiteral("\u00A0%");
-}
-
 /// The input without the shaft's place, which the map does not depend on.
 Input withoutPlace(Input input) {
     input.centre_distance = 0.0;
@@ -476,7 +470,7 @@ QString ShaftMapModel::bestText() const {
             .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
     };
     const auto value = [this](const Criteria& criteria) {
-        const QString change = signedPercent(this->change(criteria).value_or(0.0));
+        const QString change = signedPercentText(this->change(criteria).value_or(0.0));
         return criterion_ == Criterion::Both
                    ? change
                    : QStringLiteral("%1 (%2)").arg(
@@ -518,7 +512,7 @@ QStringList ShaftMapModel::placeLines(const Position& position, int decimals) co
     const Criteria criteria = study.at(position);
     const auto withChange = [&](const QString& text, double with, double without) {
         const QString value = text.arg(newtonMetres(with));
-        return without > 0.0 ? value + QStringLiteral(" (") + signedPercent(with / without - 1.0) +
+        return without > 0.0 ? value + QStringLiteral(" (") + signedPercentText(with / without - 1.0) +
                                    QLatin1Char(')')
                              : value;
     };
@@ -540,7 +534,7 @@ QString ShaftMapModel::placeText(const Position& position, int decimals) const {
 
 QString ShaftMapModel::markerText(const Marker& marker) const {
     return marker.worst ? tr("Least bad over the band of speeds: %1 at the worst one. Here: %2")
-                              .arg(signedPercent(*marker.worst), placeText(marker.position))
+                              .arg(signedPercentText(*marker.worst), placeText(marker.position))
                         : placeText(marker.position);
 }
 

@@ -86,7 +86,7 @@ QString hang(const Words& words, const Engine& engine) {
 
 QString factor(const Words& words, const Input& input, const Result& result) {
     const auto percent = [&](double share) {
-        return words.plain(100.0 * share, 2) + QStringLiteral(" %");
+        return words.plain(100.0 * share, 2) + QStringLiteral("\u00A0%");
     };
     QString text =
         input.factor.reciprocating

@@ -65,10 +65,6 @@ QString preloadUp(double length) {
     return number(std::ceil(shownValue(length, units::mm) * parts - 1e-9) / parts, decimals);
 }
 
-QString percent(double fraction, int decimals = 1) {
-    return number(100.0 * fraction, decimals) + QStringLiteral("\u00A0%");
-}
-
 /// The largest of 1, 2, 5, 10, … that is not above the value, at least 1.
 double roundFactor(double value) {
     if (!(value > 1.0)) {
@@ -401,7 +397,7 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
     }
     const QString error = withItsUnit(guide.error.amplitude, units::micrometre, 3);
     const QString relief = shownNumber(guide.relief, units::mm, 3);
-    const QString spoilt = percent(guide.error.relative);
+    const QString spoilt = percentText(guide.error.relative);
     if (guide.error.relative > poorTorque) {
         return {Level::Warning,
                 tr("The guide exists, but cannot be made: with a relief of %1 a profile error "
@@ -445,7 +441,7 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
     rows << QStringList{
         tr("Moment error from %1").arg(withItsUnit(input().profile_error, units::micrometre, 3)),
         when(there, shownDigits(guide.error.torque, units::N_m, 2) + QStringLiteral(" (") +
-                        percent(guide.error.relative) + QLatin1Char(')')),
+                        percentText(guide.error.relative) + QLatin1Char(')')),
         name(units::N_m)};
     rows << QStringList{tr("Least curvature radius"),
                         when(there, length(guide.summary().smallest_curvature_radius, 2)),

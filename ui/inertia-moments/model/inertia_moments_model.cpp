@@ -61,7 +61,7 @@ QString figure(double value) {
         return number(0.0, 0);
     }
     if (size >= 1e6 || size < 1e-4) {
-        return QLocale().toString(value, 'g', 4);
+        return trueMinus(QLocale().toString(value, 'g', 4));
     }
     const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
     return number(value, std::min(decimals, 3));

@@ -27,7 +27,7 @@ QString shownNumber(const std::string& text) {
     QString number = QString::fromStdString(text);
     if (number.contains(QLatin1Char('e'))) {
         return powerText(number.section(QLatin1Char(' '), 0, 0).toDouble(), QLocale(), 2) +
-               QStringLiteral(" %");  // only differences are so small
+               QStringLiteral("\u00A0%");  // only differences are so small
     }
     number = trueMinus(number);
     return number.replace(QLatin1Char('.'), QLocale().decimalPoint());
