@@ -13,14 +13,14 @@ namespace ravnoves::elastic_hinge {
 
 namespace {
 
-Json scaled(const std::vector<double>& values, double to_unit) {
+Json scaled(const std::vector<double>& values, const Unit& unit) {
     if (values.empty()) {
         return nullptr;
     }
     Json list = Json::array();
     for (const double value : values) {
         if (std::isfinite(value)) {
-            const double shown = value * to_unit;
+            const double shown = value / unit;
             list.push_back(shown == 0.0 ? 0.0 : shown);  // no minus before zero
         } else {
             list.push_back(nullptr);
@@ -29,8 +29,8 @@ Json scaled(const std::vector<double>& values, double to_unit) {
     return list;
 }
 
-Json optional(const std::optional<double>& value, double to_unit) {
-    return value && std::isfinite(*value) ? Json(*value * to_unit) : Json(nullptr);
+Json optional(const std::optional<double>& value, const Unit& unit) {
+    return value && std::isfinite(*value) ? Json(*value / unit) : Json(nullptr);
 }
 
 const char* name_of(Branch branch) {
@@ -41,40 +41,38 @@ Json write_branch(const BranchSummary& branch) {
     if (!branch.exists) {
         return nullptr;
     }
-    constexpr double mm = 1e3;
-    return {{"min_radius_mm", branch.min_radius * mm},
-            {"max_radius_mm", branch.max_radius * mm},
-            {"smallest_curvature_radius_mm", branch.smallest_curvature_radius * mm},
-            {"largest_roller_radius_mm", optional(branch.largest_roller_radius, mm)},
+    return {{"min_radius_mm", branch.min_radius / units::mm},
+            {"max_radius_mm", branch.max_radius / units::mm},
+            {"smallest_curvature_radius_mm", branch.smallest_curvature_radius / units::mm},
+            {"largest_roller_radius_mm", optional(branch.largest_roller_radius, units::mm)},
             {"undercut", branch.undercut},
-            {"profile_min_radius_mm", branch.profile_min_radius * mm},
-            {"profile_max_radius_mm", branch.profile_max_radius * mm},
+            {"profile_min_radius_mm", branch.profile_min_radius / units::mm},
+            {"profile_max_radius_mm", branch.profile_max_radius / units::mm},
             {"max_pressure_angle_deg", branch.max_pressure_angle / degree}};
 }
 
 Json write_guide(const Guide& guide) {
-    constexpr double mm = 1e3;
     const bool known = guide.shape != nullptr;
     const auto when = [](bool there, double value) { return there ? Json(value) : Json(nullptr); };
     const bool made = guide.feasible;
     Json object{
         {"feasible", guide.feasible},
         {"reason", guide.reason.english()},
-        {"preload_mm", when(known, guide.preload * mm)},
-        {"minimum_preload_mm", when(known, guide.minimum_preload * mm)},
-        {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, 1.0) : Json(nullptr)}};
+        {"preload_mm", when(known, guide.preload / units::mm)},
+        {"minimum_preload_mm", when(known, guide.minimum_preload / units::mm)},
+        {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, units::N_per_m) : Json(nullptr)}};
     const bool missing = guide.problem == GuideProblem::preload_too_small;
     object["first_missing_crank_angle_deg"] = when(missing, guide.first_missing_angle / degree);
     object["worst_crank_angle_deg"] = when(known, guide.worst_angle / degree);
     object["branch"] = known ? Json(name_of(guide.branch)) : Json(nullptr);
-    object["relief_mm"] = when(made, guide.relief * mm);
-    object["spring_travel_mm"] = when(made, guide.spring_travel * mm);
+    object["relief_mm"] = when(made, guide.relief / units::mm);
+    object["spring_travel_mm"] = when(made, guide.spring_travel / units::mm);
     object["largest_spring_force_N"] = when(made, guide.largest_spring_force);
     object["smallest_spring_force_N"] = when(made, guide.smallest_spring_force);
     object["largest_moment_Nm"] = when(known, guide.largest_moment);
     object["compressed"] = write_branch(guide.compressed);
     object["stretched"] = write_branch(guide.stretched);
-    object["profile_error"] = made ? Json{{"amplitude_um", guide.error.amplitude * 1e6},
+    object["profile_error"] = made ? Json{{"amplitude_um", guide.error.amplitude / units::micrometre},
                                           {"waves", guide.error.waves},
                                           {"torque_Nm", guide.error.torque},
                                           {"relative_torque", guide.error.relative},
@@ -85,9 +83,9 @@ Json write_guide(const Guide& guide) {
 
 Json write_rod_guide(const Guide& guide) {
     Json object = write_guide(guide);
-    object["hinge_angle_deg"] = scaled(guide.polar_angle, 1.0 / degree);
-    object["guide_radius_compressed_mm"] = scaled(guide.radius_compressed, 1e3);
-    object["guide_radius_stretched_mm"] = scaled(guide.radius_stretched, 1e3);
+    object["hinge_angle_deg"] = scaled(guide.polar_angle, units::degree);
+    object["guide_radius_compressed_mm"] = scaled(guide.radius_compressed, units::mm);
+    object["guide_radius_stretched_mm"] = scaled(guide.radius_stretched, units::mm);
     return object;
 }
 
@@ -99,9 +97,9 @@ Json write_proposal(const GuideProposal& proposal) {
             {"reason", ""},
             {"branch", name_of(proposal.branch)},
             {"spring", write_fields(proposal.spring)},
-            {"relief_mm", proposal.relief * 1e3},
-            {"outer_diameter_mm", proposal.outer_diameter * 1e3},
-            {"smallest_spring_length_mm", proposal.smallest_spring_length * 1e3},
+            {"relief_mm", proposal.relief / units::mm},
+            {"outer_diameter_mm", proposal.outer_diameter / units::mm},
+            {"smallest_spring_length_mm", proposal.smallest_spring_length / units::mm},
             {"largest_spring_force_N", proposal.largest_spring_force},
             {"largest_spring_energy_J", proposal.largest_spring_energy}};
 }
@@ -152,11 +150,12 @@ Json write_motions(const Input& input, const Result& result) {
     const std::pair<const char*, HingeSet> sets[] = {{"without_hinge", HingeSet::none},
                                                      {"with_crank_hinge", HingeSet::crank},
                                                      {"with_both_hinges", HingeSet::crank_and_rod}};
+    const Message locked(CORE_TEXT("elastic-hinge", "at lambda = 1 the mechanism locks"));
     for (const auto& [name, hinges] : sets) {
         const Guide& guide =
             hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod : result.crank_guide;
         if (!result.design->has_exact_kinematics()) {
-            object[name] = {{"feasible", false}, {"reason", "at lambda = 1 the mechanism locks"}};
+            object[name] = {{"feasible", false}, {"reason", locked.english()}};
         } else if (hinges != HingeSet::none && !guide.feasible) {
             object[name] = {{"feasible", false}, {"reason", guide.reason.english()}};
         } else {
@@ -185,8 +184,10 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (result.proposal) {
         json["guide_search"] = write_proposal(*result.proposal);
     } else if (input.guide_search) {
+        const Message no_spring(
+            CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed"));
         json["guide_search"] = {{"feasible", false},
-                                {"reason", "no spring is given: its free length is needed"}};
+                                {"reason", no_spring.english()}};
     }
     const double with = result.largest_side_force_with;
     const double without = result.largest_side_force_without;
@@ -200,7 +201,7 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     json["series"] = {
         {"largest_cos_psi_error", result.series_error},
         {"at_crank_angle_deg", result.series_error_angle / degree},
-        {"largest_rod_hinge_moment_error_Nm", optional(result.series_moment_error, 1.0)}};
+        {"largest_rod_hinge_moment_error_Nm", optional(result.series_moment_error, units::N_m)}};
     if (input.motion && wanted.wants("/motion")) {
         json["motion"] = write_motions(input, result);
     }
@@ -217,15 +218,15 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     const MechanismCurves& curves = result.curves;
     json["curves"] = {
         {"crank_angle_deg", result.crank_angle_deg},
-        {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, 1.0)},
-        {"crank_moment_Nm", scaled(curves.crank_moment, 1.0)},
-        {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, 1.0)},
-        {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, 1.0)},
-        {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, 1.0)},
-        {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, 1.0)},
-        {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, 1.0)},
-        {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, 1e3)},
-        {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, 1e3)}};
+        {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, units::kg_m2)},
+        {"crank_moment_Nm", scaled(curves.crank_moment, units::N_m)},
+        {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, units::N_m)},
+        {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, units::N_m)},
+        {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, units::newton)},
+        {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, units::newton)},
+        {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, units::N_m)},
+        {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, units::mm)},
+        {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, units::mm)}};
     return json;
 }
 

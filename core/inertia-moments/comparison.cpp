@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace ravnoves::inertia_moments {
 
@@ -87,11 +86,7 @@ Message describe(const Difference& difference) {
     if (difference.plane != Plane::none) {
         component = Message(planes[static_cast<int>(difference.plane)], component);
     }
-    const auto percent = [](double share) {
-        std::array<char, 64> number{};
-        std::snprintf(number.data(), number.size(), "%.1f", 100.0 * share);
-        return std::string(number.data());
-    };
+    const auto percent = [](double share) { return Number{share / units::percent, units::none, -1}; };
     if (difference.two_term == 0.0) {
         return {CORE_TEXT("inertia-moments",
                           "%1: the two-term form leaves it out, %2 % of the largest order"),

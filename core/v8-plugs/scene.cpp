@@ -81,7 +81,7 @@ Json option_json(const Result& result, OptionId id, double crank_radius, double 
                                 "bobweight_with_plugs_in_g"}) {
             json[key] = nullptr;
         }
-        json["reason"] = "the engine has no such plug";
+        json["reason"] = Message(CORE_TEXT("v8-plugs", "the engine has no such plug")).english();
         return json;
     }
     const Option& option = *found;
