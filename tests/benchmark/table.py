@@ -9,6 +9,7 @@ are measured here, on the program itself.
 """
 
 import os
+import re
 import signal
 import statistics
 import subprocess
@@ -20,7 +21,6 @@ QUICK = "--quick" in sys.argv
 BUILD = next((word for word in sys.argv[1:] if not word.startswith("-")), "build/benchmark")
 STEPS = "60" if QUICK else "500"
 RUNS = 5 if QUICK else 21
-SCENES = ["balance-shaft", "elastic-hinge", "v8-plugs", "bob-weights", "inertia-moments", "methods"]
 
 # Program of the benchmarks, its arguments, and what it finds in the environment.
 PROGRAMS = [
@@ -28,6 +28,15 @@ PROGRAMS = [
     (["bench-ui-frames", "--table", "--steps", STEPS, "--size", "1920x1080"], {}),
     (["bench-ui-frames", "--table", "--steps", STEPS], {"QT_SCALE_FACTOR": "2"}),
 ]
+
+
+def scenes_of(program):
+    """As the program lists them: a name that none has makes it say all."""
+    with tempfile.TemporaryDirectory() as home:
+        refused = subprocess.run([program, "--screenshot", os.devnull, "--scene", "?"],
+                                 env=environment(home, {}), stderr=subprocess.PIPE, text=True).stderr
+    listed = re.search(r"must be one of (.*), got \?", refused).group(1).split(", ")
+    return [scene for scene in listed if scene != "start"]
 
 
 def environment(home, more):
@@ -80,7 +89,7 @@ def start_rows():
     rival = [os.path.join(BUILD, "tests/benchmark/bench-ui-empty")]
     rows = []
     for name, command in [("start page", [program]),
-                          ("first scene", [program, "--scene", SCENES[0]])]:
+                          ("first scene", [program, "--scene", scenes_of(program)[0]])]:
         own, other = [], []
         for _ in range(RUNS):  # in turns, so that both meet the same machine
             own.append(painted(command)[0])
@@ -95,7 +104,7 @@ def memory_rows():
     program = os.path.join(BUILD, "bin/ravnoves")
     rival = painted([os.path.join(BUILD, "tests/benchmark/bench-ui-empty")], 1.0)[1]
     rows = []
-    for scene in ["start", *SCENES]:
+    for scene in ["start", *scenes_of(program)]:
         own = painted([program, "--scene", scene], 1.0 if QUICK else 3.0)[1]
         rows.append([f"memory at most, {scene}", f"{own:.0f} MB", f"{rival:.0f} MB",
                      f"{own / rival:.2f}"])

@@ -7,8 +7,11 @@ set -eu
 program=$1
 folder=$2
 shift 2
-[ $# -gt 0 ] || set -- balance-shaft elastic-hinge v8-plugs bob-weights inertia-moments methods
 export QT_QPA_PLATFORM=offscreen
+# A scene that is none makes the program name those that there are.
+# shellcheck disable=SC2046 # words
+[ $# -gt 0 ] || set -- $("$program" --screenshot /dev/null --scene '?' 2>&1 |
+    sed -n 's/^--scene: must be one of start, \(.*\), got ?$/\1/p' | tr -d ,)
 mkdir -p "$folder/single"
 
 # Size, percent of the text, scale factor.

@@ -14,8 +14,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ["balance-shaft", "bob-weights", "elastic-hinge", "inertia-moments", "numerics", "studies",
-           "v8-plugs", "workshop"]
+# Folders of core without formulas of a scene: they read, write and list, or are measured by the tests
+# of methods, each against another.
+WITHOUT_FORMULAS = {"bibliography", "case-file", "drawing", "methods", "scenes"}
+FOLDERS = sorted(path.name for path in (ROOT / "core").iterdir()
+                 if path.is_dir() and path.name not in WITHOUT_FORMULAS)
 # What is not a formula: reading, writing, words, drawings.
 PASSED_OVER = re.compile(r"scene|fields|presets|formulas|study_file|torque_table|drawing|sha256")
 CHANGES = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
