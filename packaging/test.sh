@@ -165,6 +165,7 @@ lint_desktop() {
 
 sections=(core ui run test)
 [ $quick = yes ] || sections+=(lint deb)
+[ $full = no ] || sections+=(full)
 [ $install = no ] || stage "packages" install_sections "${sections[@]}"
 
 build_and_test core-only

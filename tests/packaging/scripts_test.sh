@@ -29,7 +29,7 @@ if packaging/test.sh --no-such-option 2>/dev/null; then
 fi
 
 . packaging/common.sh
-all=$(packages_in core ui run deb test lint benchmark)
+all=$(packages_in core ui run deb test lint full benchmark)
 packages_in core | grep -x cmake >/dev/null || fault "section [core] is not read"
 packages_in ui | grep -x qt6-charts-dev >/dev/null || fault "section [ui] is not read"
 ! packages_in core | grep -i qt >/dev/null || fault "section [core] asks for Qt"
