@@ -290,16 +290,14 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
         // Wide and pale: dashes and dots are styles of curves.
         const QColor ink = Theme::instance().curve(curve.style.colour);
         const QColor colour = veil(ink, 0.55F);
-        const QPen pen(colour, 1.2, Qt::DashLine, Qt::FlatCap, Qt::BevelJoin);
         painter.setPen(QPen(veil(ink, 0.32F),
                             strokeScale() * std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
                             Qt::FlatCap, Qt::BevelJoin));
         for (const QPolygonF& stretch : data_.stretchesOf(*ghost)) {
             painter.drawPolyline(stretch);
         }
-        if (ghost->style.shape == Shape::Bars) {
-            paintBars(painter, *ghost, pen, Qt::NoBrush);
-        } else if (ghost->style.shape != Shape::Line) {
+        // Those of bars stand over them: a lower one would be out of sight below.
+        if (ghost->style.shape != Shape::Line && ghost->style.shape != Shape::Bars) {
             for (std::size_t i = 0; i < ghost->x.size(); ++i) {
                 dot(painter, pixel(*ghost, i), pointRadius(ghost->style.shape), QPen(colour, 1.2),
                     Qt::NoBrush);
@@ -532,6 +530,11 @@ void PlotPainter::paintPoints(QPainter& painter) const {
         paintErrorBars(painter, curve);
         if (curve.style.shape == Shape::Bars) {
             paintBars(painter, curve, Qt::NoPen, colour);
+            if (const PlotCurve* ghost = data_.ghostOf(curve)) {
+                const double width = strokeScale() * 1.2;
+                paintBars(painter, *ghost, QPen(theme.panel(), 2.0 * width), Qt::NoBrush);
+                paintBars(painter, *ghost, QPen(theme.text(), width, Qt::DashLine), Qt::NoBrush);
+            }
             paintSpreads(painter, curve);
         } else if (curve.style.shape != Shape::Line) {
             const bool hollow = curve.style.shape == Shape::Rings;
