@@ -224,12 +224,14 @@ void visit_fields(FieldVisitor& visitor, Reading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
     visitor.required(field::angle, reading.angle);
     visitor.number(field::bob_weight_then, reading.bob_weight);
+    visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
     visitor.required(field::angle, reading.angle);
     visitor.number(field::bob_weight_then, reading.bob_weight);
+    visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierRun& run) {

@@ -89,6 +89,7 @@ struct Reading {
     std::optional<double> unbalance;   ///< kg·m
     std::optional<double> angle;       ///< rad
     std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
+    workshop::ReadShaft shaft;
 
     friend bool operator==(const Reading&, const Reading&) = default;
 };
@@ -98,6 +99,7 @@ struct EarlierReading {
     std::optional<double> unbalance;   ///< kg·m
     std::optional<double> angle;       ///< rad
     std::optional<double> bob_weight;  ///< kg
+    workshop::ReadShaft shaft;
 
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };

@@ -37,7 +37,13 @@ struct RunResult {
     };
     std::optional<std::array<InPlane, 2>> planes;  ///< nothing while a reading is missing
 
-    /// Nothing without readings or limits.
+    /// The bob weight that it was read with where it is not the one there is now, kg, and the
+    /// crankshaft where it is another: it says nothing of this one then.
+    std::optional<double> read_with;
+    std::optional<workshop::OtherShaft> read_on;
+
+    bool holds() const { return !read_with && !read_on; }
+    /// As measured; nothing without readings or limits.
     std::optional<bool> passes() const;
 };
 
@@ -76,9 +82,10 @@ struct Result {
     /// reads in the planes or between them.
     std::optional<double> amplification;
     std::optional<std::array<PlaneResult, 2>> correction;
-    /// The bob weight that the newest readings were taken with where it is not the one there is
-    /// now, kg: they say nothing of the crankshaft then.
-    std::optional<double> read_with;
+    /// The run that is corrected; nothing where there is none.
+    const RunResult* newest() const { return runs.empty() ? nullptr : &runs.back(); }
+    /// False where its readings are of another bob weight or crankshaft.
+    bool holds() const { return newest() == nullptr || newest()->holds(); }
     std::vector<const PartField*> not_given;  ///< parts that count as 0
     /// Masses that were typed in kilograms, as it seems; kg.
     std::vector<std::pair<const PartField*, double>> in_kilograms;

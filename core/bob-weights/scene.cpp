@@ -59,6 +59,12 @@ Json runs_json(const std::vector<RunResult>& runs) {
                               {"within_tolerance", known(plane.within_tolerance)}});
         }
         list.push_back({{"planes", std::move(planes)}, {"within_tolerance", known(run.passes())}});
+        if (run.read_with) {
+            list.back()["read_with_bobweight_g"] = *run.read_with / units::gram;
+        }
+        if (run.read_on) {
+            list.back()["read_on"] = run.read_on->then;
+        }
     }
     return list;
 }
@@ -142,8 +148,12 @@ Json write_result(const Input& input, const Result& result) {
             {"planes", {plane_json((*result.correction)[0]), plane_json((*result.correction)[1])}},
             {"runs", runs_json(result.runs)},
             {"amplification", result.amplification.value()}};
-        if (result.read_with) {
-            json["correction"]["read_with_bobweight_g"] = *result.read_with / units::gram;
+        const RunResult& newest = result.runs.back();
+        if (newest.read_with) {
+            json["correction"]["read_with_bobweight_g"] = *newest.read_with / units::gram;
+        }
+        if (newest.read_on) {
+            json["correction"]["read_on"] = newest.read_on->then;
         }
     }
     return json;

@@ -331,18 +331,24 @@ void solve_correction(const Input& input, Result& result) {
                                     is_within(unbalance, limit(i))};
             }
         }
+        for (const auto& reading : readings) {
+            if (!reading.unbalance) {
+                continue;
+            }
+            if (!run.read_with &&
+                workshop::is_other_bob_weight(reading.bob_weight, result.bob_weight)) {
+                run.read_with = reading.bob_weight;
+            }
+            if (!run.read_on) {
+                run.read_on = workshop::other_shaft(reading.shaft, input.job);
+            }
+        }
         result.runs.push_back(std::move(run));
     };
     for (const EarlierRun& run : correction.earlier_runs) {
         add_run(run.readings);
     }
     add_run(correction.readings);
-    for (const Reading& reading : correction.readings) {
-        if (reading.unbalance && !result.read_with &&
-            workshop::is_other_bob_weight(reading.bob_weight, result.bob_weight)) {
-            result.read_with = reading.bob_weight;
-        }
-    }
     if (!places) {
         return;
     }

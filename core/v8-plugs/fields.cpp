@@ -239,6 +239,8 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
     visitor.number(field::rear_reading, sheet.rear_reading);
     visitor.number(field::front_bob_weight, sheet.front_bob_weight);
     visitor.number(field::rear_bob_weight, sheet.rear_bob_weight);
+    visitor.object_with_defaults(field::front_shaft, sheet.front_shaft);
+    visitor.object_with_defaults(field::rear_shaft, sheet.rear_shaft);
     visitor.number(field::front_share, sheet.front_share, 0.5);
 }
 

@@ -163,6 +163,10 @@ inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
                                        .label = CORE_TEXT("V8", "Bob weight then, rear"),
                                        .hint = bob_weight_then.hint};
 
+inline constexpr Field front_shaft{.key = "front_read_of",
+                                   .hint = workshop::field::read_shaft.hint};
+inline constexpr Field rear_shaft{.key = "rear_read_of", .hint = workshop::field::read_shaft.hint};
+
 // ------------------------------------------------------------------------- head of the card
 using workshop::field::crankshaft_number;
 using workshop::field::customer;

@@ -63,6 +63,8 @@ struct BalancingSheet {
     std::optional<double> rear_reading;      ///< kg·m
     std::optional<double> front_bob_weight;  ///< that hung on the crankpins then, kg
     std::optional<double> rear_bob_weight;   ///< kg
+    workshop::ReadShaft front_shaft;
+    workshop::ReadShaft rear_shaft;
 
     /// Nothing while grade, mass or speed are missing.
     std::optional<BalancingCheck> check() const;
@@ -71,6 +73,7 @@ struct BalancingSheet {
         for (auto* value : {&front_reading, &rear_reading, &front_bob_weight, &rear_bob_weight}) {
             value->reset();
         }
+        front_shaft = rear_shaft = {};
     }
 
     friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;

@@ -8,6 +8,7 @@
 #include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/shift.h"
 #include "v8-plugs/weigh_in.h"
+#include "workshop/job_header.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -62,6 +63,10 @@ struct Result {
 
     /// The bob weight that a reading was taken with where it is not the one to be hung now, kg.
     std::optional<double> read_with;
+    /// The crankshaft that a reading is of where it is another than the card's.
+    std::optional<workshop::OtherShaft> read_on;
+    /// False where readings are of another bob weight or crankshaft.
+    bool holds() const { return !read_with && !read_on; }
 
     /// What is to be hung on a crankpin, the plugs out of the shaft, kg; where nothing is to be
     /// done, what it is before.

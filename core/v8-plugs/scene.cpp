@@ -241,6 +241,9 @@ Json write_result(const Input& input, const Result& result) {
         if (result.read_with) {
             json["balancing"]["read_with_bobweight_g"] = *result.read_with / units::gram;
         }
+        if (result.read_on) {
+            json["balancing"]["read_on"] = result.read_on->then;
+        }
         if (result.balancing) {
             json["balancing"]["permissible_g_mm"] = result.balancing->permissible / units::gram_mm;
         }

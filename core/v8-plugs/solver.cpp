@@ -141,15 +141,19 @@ Result solve(const Input& input, bool changes_known, const workshop::SetFinder& 
         result.planes = {judge(input.tolerance, machine.front_reading),
                          judge(input.tolerance, machine.rear_reading)};
     }
-    const std::pair<std::optional<double>, std::optional<double>> readings[] = {
-        {machine.front_reading, machine.front_bob_weight},
-        {machine.rear_reading, machine.rear_bob_weight}};
-    for (const auto& [reading, bob_weight] : readings) {
+    const auto look_whose = [&](const std::optional<double>& reading,
+                                const std::optional<double>& bob_weight,
+                                const workshop::ReadShaft& shaft) {
         if (reading && !result.read_with &&
             workshop::is_other_bob_weight(bob_weight, result.hung())) {
             result.read_with = bob_weight;
         }
-    }
+        if (reading && !result.read_on) {
+            result.read_on = workshop::other_shaft(shaft, input.job);
+        }
+    };
+    look_whose(machine.front_reading, machine.front_bob_weight, machine.front_shaft);
+    look_whose(machine.rear_reading, machine.rear_bob_weight, machine.rear_shaft);
     return result;
 }
 

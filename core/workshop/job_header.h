@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "case-file/field.h"
@@ -24,6 +25,30 @@ struct JobHeader {
 
 void visit_fields(FieldVisitor& visitor, JobHeader& job);
 
+/// Whose readings of the balancing machine they are; empty for the crankshaft of the card's head.
+/// It is noted when the head becomes that of another crankshaft.
+struct ReadShaft {
+    std::string engine_number;
+    std::string crankshaft_number;
+
+    /// The head has changed: readings that do not say it yet are of the one before, if that had
+    /// another number.
+    void note(const JobHeader& before, const JobHeader& now);
+
+    friend bool operator==(const ReadShaft&, const ReadShaft&) = default;
+};
+
+void visit_fields(FieldVisitor& visitor, ReadShaft& shaft);
+
+/// What the readings are of and what the card is of, by their numbers.
+struct OtherShaft {
+    std::string then;
+    std::string now;
+};
+/// Nothing where both may be the same crankshaft: a number that is not known is no other, and one
+/// crankshaft may come into another engine.
+std::optional<OtherShaft> other_shaft(const ReadShaft& read, const JobHeader& now);
+
 namespace field {
 
 inline constexpr Field job{.key = "job", .hint = CORE_TEXT("V8", "Head of the job card.")};
@@ -33,6 +58,19 @@ inline constexpr Field engine_number{.key = "engine_number",
 inline constexpr Field crankshaft_number{.key = "crankshaft_number",
                                          .label = CORE_TEXT("V8", "Crankshaft num&ber"),
                                          .hint = CORE_TEXT("V8", "As stamped on the crankshaft.")};
+inline constexpr Field read_shaft{
+    .key = "read_of",
+    .hint = CORE_TEXT("V8",
+                      "Whose readings they are, where the head of the card has become that of "
+                      "another crankshaft since.")};
+inline constexpr Field engine_then{
+    .key = "engine_number",
+    .label = CORE_TEXT("V8", "Engine number then"),
+    .hint = CORE_TEXT("V8", "Of the engine whose crankshaft the machine read.")};
+inline constexpr Field crankshaft_then{
+    .key = "crankshaft_number",
+    .label = CORE_TEXT("V8", "Crankshaft number then"),
+    .hint = CORE_TEXT("V8", "Of the crankshaft that the machine read.")};
 inline constexpr Field customer{
     .key = "customer",
     .label = CORE_TEXT("V8", "C&ustomer"),

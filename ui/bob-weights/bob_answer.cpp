@@ -135,7 +135,7 @@ void BobAnswer::showAnswer() {
                                                                    : theme.text());
     colourText(refused_, theme.warning());
     sayOrHide(verdict_, model_->verdictText());
-    const bool isOther = model_->solution().read_with.has_value();
+    const bool isOther = !model_->solution().holds();
     colourText(verdict_, isStale || isOther ? theme.warning() : theme.text());
     sayOrHide(hang_, model_->hangText());
     sayOrHide(factor_, known ? model_->factorText() : QString());

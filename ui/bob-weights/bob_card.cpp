@@ -120,8 +120,8 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
                 << (reading.angle ? words.digits(*reading.angle, units::degree, 1) : byHand);
         }
         const auto passes = run < result.runs.size() ? result.runs[run].passes() : std::nullopt;
-        const bool isOther = result.read_with && run + 1 == result.runs.size();
-        block.rows << (row << (isOther  ? verdictText(words, otherBobWeight)
+        const QString other = run < result.runs.size() ? otherWord(result.runs[run]) : QString();
+        block.rows << (row << (!other.isEmpty() ? verdictText(words, other)
                                : passes ? verdictText(words, verdictWord(passes, std::nullopt))
                                         : byHand));
     };
@@ -207,7 +207,7 @@ void BobCard::draw(CardPage& page) const {
          words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
-    QStringList wrong{refusedText(), bob_text::otherBobWeight(words(), solution_)};
+    QStringList wrong{refusedText(), bob_text::otherReadings(words(), solution_)};
     wrong << bob_text::doubts(words(), solution_) << bob_text::shortfalls(words(), solution_);
     wrong.removeAll(QString());
     QStringList more{known ? bob_text::factor(words(), input_, solution_) : QString(),

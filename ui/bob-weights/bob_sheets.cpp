@@ -404,8 +404,8 @@ void BobMachineSheet::buildRuns() {
                             value ? std::optional(*value * field.unit) : std::nullopt);
                     });
                 doubt(made, [this, run, made] {
-                    return model_->solution().read_with && run == model_->newestRun() &&
-                           made->value();
+                    const auto& runs = model_->solution().runs;
+                    return run < runs.size() && !runs[run].holds() && made->value();
                 });
                 trouble->watch(made);
                 grid->addWidget(made, at, static_cast<int>(2 * plane) + (isAngle ? 2 : 1));
@@ -424,9 +424,9 @@ void BobMachineSheet::buildRuns() {
 
 void BobMachineSheet::buildHold() {
     line(Theme::baseSize, [this] {
-        return model_->otherBobWeightText();
+        return model_->otherReadingsText();
     })->setObjectName(QStringLiteral("other_bob_weight"));
-    addHoldButton([this] { return model_->solution().read_with.has_value(); },
+    addHoldButton([this] { return !model_->solution().holds(); },
                   [this] { model_->confirmReadings(); });
 }
 

@@ -104,7 +104,7 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     if (!correction) {
         return;
     }
-    if (!model_->solution().read_with) {
+    if (model_->solution().holds()) {
         drawHoles(painter, rim);
     }
     drawVectors(painter, rim);
@@ -173,7 +173,7 @@ void PlaneView::drawVectors(QPainter& painter, double rim) const {
     painter.setPen(Qt::NoPen);
     painter.drawPolygon(QPolygonF({{0.0, -2.0}, {4.5, 8.0}, {-4.5, 8.0}}));
     painter.restore();
-    if (model_->solution().read_with) {
+    if (!model_->solution().holds()) {
         return;  // what remains is not known
     }
     painter.setPen(QPen(theme.panel(), 1.0));

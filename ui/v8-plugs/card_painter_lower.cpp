@@ -168,7 +168,7 @@ void CardPainter::machine(double y) {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
     sheet_.text(left, y + 5.2, full, limits, 8);
-    const QString other = v8_text::otherBobWeight(words_, solution_);
+    const QString other = v8_text::otherReadings(words_, solution_);
     if (other.isEmpty()) {
         sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_),
                          6.5, 2, false, CardPage::grey);
@@ -190,10 +190,10 @@ void CardPainter::machine(double y) {
         table.add(
             {{name, words_.digits(plane.permissible, units::gram_mm, 1),
               plane.reading ? words_.digits(*plane.reading, units::gram_mm, 1) : byHand, byHand,
-              !plane.passes         ? byHand
-              : solution_.read_with ? verdictText(words_, otherBobWeight)
-              : *plane.passes       ? words_.translate("JobCard", "passes")
-                                    : words_.translate("JobCard", "fails")}});
+              !plane.passes        ? byHand
+              : !solution_.holds() ? verdictText(words_, otherWord(solution_))
+              : *plane.passes      ? words_.translate("JobCard", "passes")
+                                   : words_.translate("JobCard", "fails")}});
     };
     row(words_.translate("JobCard", "Front (pulley)"), solution_.planes[0]);
     row(words_.translate("JobCard", "Rear (flywheel)"), solution_.planes[1]);

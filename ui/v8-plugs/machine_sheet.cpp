@@ -14,8 +14,7 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     section(tr("What the machine reads"));
     for (const char* reading : {"/balancing/front_reading_g_mm", "/balancing/rear_reading_g_mm"}) {
         NumberField* field = number(reading);
-        doubt(field,
-              [this, field] { return model_->solution().read_with.has_value() && field->value(); });
+        doubt(field, [this, field] { return !model_->solution().holds() && field->value(); });
     }
     planes_ = new ResultTable(this);
     planes_->setAccessibleName(tr("Correction planes"));
@@ -25,9 +24,9 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     current()->addWide(planes_);
     follow([this] { planes_->setRows(model_->planeRows()); });
     line(Theme::baseSize, [this] {
-        return model_->otherBobWeightText();
+        return model_->otherReadingsText();
     })->setObjectName(QStringLiteral("other_bob_weight"));
-    addHoldButton([this] { return model_->solution().read_with.has_value(); },
+    addHoldButton([this] { return !model_->solution().holds(); },
                   [this] { model_->confirmReadings(); });
     line(Theme::baseSize, [this] { return model_->isoText(); });
     line(Theme::smallSize, [this] {

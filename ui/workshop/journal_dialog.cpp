@@ -225,7 +225,7 @@ void JournalDialog::search() {
             cell->setToolTip(cells.at(column));
             table_->setItem(row, column, cell);
         }
-        if (job.verdict == otherBobWeight) {
+        if (isOther(job.verdict)) {
             table_->item(row, table_->columnCount() - 1)
                 ->setForeground(Theme::instance().warning());
         }

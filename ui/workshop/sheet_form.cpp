@@ -114,9 +114,9 @@ QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
 }
 
 void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void()> hold) {
-    auto* button = new QPushButton(tr("Readings &hold for this bob weight"), current());
+    auto* button = new QPushButton(tr("Readings &hold"), current());
     button->setObjectName(QStringLiteral("readings_hold"));
-    button->setToolTip(tr("They were taken with the bob weight that there is now."));
+    button->setToolTip(tr("They are of this crankshaft, with the bob weight that there is now."));
     button->setMinimumHeight(Theme::withText(fieldHeight));
     current()->addWide(button);
     connect(button, &QPushButton::clicked, this, std::move(hold));

@@ -399,9 +399,11 @@ bool WorkshopPage::isJobKnown() {
                          .arg(there, here);
     } else if (const QString verdict = desk()->verdictToLose(); !verdict.isEmpty()) {
         const Words words;
-        text = tr("The job of %1 in the journal is finished, its verdict: %2. On the sheet the bob "
-                  "weight is another than that of the readings; saved so, the verdict is: %3.")
-                   .arg(here, verdictText(words, verdict), verdictText(words, otherBobWeight));
+        text = tr("The job of %1 in the journal is finished, its verdict: %2. On the sheet the "
+                  "readings are not of the bob weight and crankshaft there; saved so, the verdict "
+                  "is: %3.")
+                   .arg(here, verdictText(words, verdict),
+                        verdictText(words, desk()->verdictOnSheet()));
     } else {
         return true;
     }

@@ -197,10 +197,14 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     model->history()->undo();
     EXPECT_EQ(model->input().engine.type, EngineType::v);
     EXPECT_EQ(model->input().engine.rods_per_pin, 2);
-    // Of an odd number of cylinders there is no V.
-    type("cylinders", u"7"_s);
-    EXPECT_TRUE(find<NumberField>("cylinders")->trouble().contains(u"7 is odd"_s));
+    // Two rods on a bob weight are of an even number of cylinders; one is of a VR5, too.
+    type("cylinders", u"5"_s);
+    EXPECT_TRUE(find<NumberField>("cylinders")->trouble().contains(u"5 is odd"_s));
     EXPECT_EQ(model->input().engine.cylinders, 6);
+    model->edit(u"rods"_s, [](Input& input) { input.engine.rods_per_pin = 1; });
+    type("cylinders", u"5"_s);
+    EXPECT_EQ(model->input().engine.cylinders, 5);
+    EXPECT_EQ(model->contradiction(), QString());
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
@@ -478,6 +482,8 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     type("run_1_unbalance_2", u"100"_s);
     type("run_1_angle_2", u"20"_s);
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
+    EXPECT_EQ(model->runRows().at(0).constLast(), u"another bob weight"_s);
+    EXPECT_EQ(model->runRows().at(1).constLast(), u"passes"_s);
     // A case of before keeps no bob weight: the readings are of the one that it came with.
     Json old = model->inputJson();
     for (Json& reading : old["correction"]["readings"]) {
@@ -487,6 +493,44 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
     type("big_end", u"260"_s);
     EXPECT_EQ(label("verdict"), u"Run 1, measured: another bob weight."_s);
+}
+
+TEST_F(BobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
+    typeShopCard();
+    typeReadings();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 3000 * units::gram_mm;
+    });
+    type("crankshaft_number", u"A"_s);
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s) << "a number that comes later";
+    type("crankshaft_number", u"B"_s);
+    EXPECT_EQ(label("verdict"), u"Before, measured: another crankshaft."_s);
+    EXPECT_TRUE(isAmber("verdict"));
+    EXPECT_TRUE(label("troubles")
+                    .startsWith(u"The readings are of another crankshaft: number A then, B now."_s))
+        << qPrintable(label("troubles"));
+    EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_TRUE(model->holeRows().isEmpty());
+    EXPECT_EQ(model->resultJson()["correction"]["read_on"], "A");
+    // As the file keeps it.
+    model->loadInput(model->inputJson(), {});
+    EXPECT_EQ(label("verdict"), u"Before, measured: another crankshaft."_s);
+    for (const auto& [key, value] : {std::pair("run_1_unbalance_1", "100"),
+                                     {"run_1_angle_1", "10"},
+                                     {"run_1_unbalance_2", "100"},
+                                     {"run_1_angle_2", "20"}}) {
+        type(key, QString::fromLatin1(value));
+    }
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
+    EXPECT_EQ(model->runRows().at(0).constLast(), u"another crankshaft"_s);
+    type("crankshaft_number", u"C"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    page.sheets()->setCurrentIndex(3);
+    ASSERT_TRUE(hold->isVisibleTo(&page));
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
+    EXPECT_EQ(model->runRows().at(0).constLast(), u"another crankshaft"_s) << "that of A";
 }
 
 TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {

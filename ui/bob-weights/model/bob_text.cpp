@@ -126,10 +126,10 @@ QString verdict(const Words& words, const Result& result) {
     if (!measured) {
         return {};
     }
-    if (result.read_with) {
+    if (!result.holds()) {
         return words.translate("BobWeights", "%1, measured: %2.")
             .arg(runName(words, result.runs.size() - 1),
-                 verdictText(words, ravnoves::otherBobWeight));
+                 verdictText(words, otherWord(*result.newest())));
     }
     QString said = words.translate("BobWeights", "%1, measured: %2.")
                        .arg(runName(words, result.runs.size() - 1),
@@ -142,10 +142,9 @@ QString verdict(const Words& words, const Result& result) {
     return said;
 }
 
-QString otherBobWeight(const Words& words, const Result& result) {
-    return result.read_with
-               ? otherBobWeightText(words, *result.read_with, result.bob_weight.value_or(0.0))
-               : QString();
+QString otherReadings(const Words& words, const Result& result) {
+    return result.holds() ? QString()
+                          : otherText(words, *result.newest(), result.bob_weight.value_or(0.0));
 }
 
 QStringList doubts(const Words& words, const Result& result) {
@@ -224,7 +223,7 @@ QString planeName(const Words& words, std::size_t plane) {
 QStringList shortfalls(const Words& words, const Result& result) {
     QStringList list;
     // Nothing is said of a correction by readings that may not hold.
-    if (result.correction && !result.read_with) {
+    if (result.correction && result.holds()) {
         for (std::size_t i = 0; i < 2; ++i) {
             const PlaneResult& plane = (*result.correction)[i];
             if (!plane.reason.empty()) {
@@ -310,10 +309,9 @@ QVector<QStringList> runs(const Words& words, const Result& result) {
                                 QStringLiteral(" ∠ ") + degreesOf(words, (*planes)[i].angle)
                           : noNumber;
         };
-        const bool isOther = result.read_with && run + 1 == result.runs.size();
-        const QString verdict =
-            verdictText(words, isOther ? ravnoves::otherBobWeight
-                                       : verdictWord(result.runs[run].passes(), std::nullopt));
+        const QString verdict = verdictText(
+            words, result.runs[run].holds() ? verdictWord(result.runs[run].passes(), std::nullopt)
+                                            : otherWord(result.runs[run]));
         rows << QStringList{runName(words, run), cell(0), cell(1),
                             verdict.isEmpty() ? noNumber : verdict};
     }
@@ -337,13 +335,13 @@ QVector<QStringList> planes(const Words& words, const Result& result) {
     for (std::size_t i = 0; i < 2; ++i) {
         const PlaneResult& plane = (*result.correction)[i];
         const QString verdict = verdictText(
-            words, result.read_with ? ravnoves::otherBobWeight
-                                    : verdictWord(plane.measured_within, plane.within_tolerance));
+            words, result.holds() ? verdictWord(plane.measured_within, plane.within_tolerance)
+                                  : otherWord(*result.newest()));
         rows << QStringList{planeName(words, i), unbalanceOf(words, plane.unbalance),
                             degreesOf(words, plane.angle),
                             words.number(plane.grams_at_radius, units::gram, 2),
                             // Of readings that may not hold nothing is known to remain.
-                            result.read_with ? noNumber : unbalanceOf(words, plane.remaining),
+                            result.holds() ? unbalanceOf(words, plane.remaining) : noNumber,
                             verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
@@ -359,7 +357,7 @@ QStringList holeHead(const Words& words) {
 QVector<QStringList> holes(const Words& words, const Result& result, std::size_t plane) {
     QVector<QStringList> rows;
     // Nothing is drilled by readings that may not hold.
-    if (!result.correction || result.read_with) {
+    if (!result.correction || !result.holds()) {
         return rows;
     }
     const auto add = [&](const Hole& hole, const QString& work, double sign) {

@@ -30,7 +30,7 @@ QString planeName(const Words& words, std::size_t plane);
 /// "Measured: fails. After the correction: passes."
 QString verdict(const Words& words, const bob_weights::Result& result);
 /// That the readings were taken with another bob weight; empty where they were not.
-QString otherBobWeight(const Words& words, const bob_weights::Result& result);
+QString otherReadings(const Words& words, const bob_weights::Result& result);
 /// Masses that look like kilograms: the answer is not to be trusted.
 QStringList doubts(const Words& words, const bob_weights::Result& result);
 /// What counts as 0 because it was not given, and readings that lie far outside the planes.

@@ -32,8 +32,31 @@ void forgetReadings(Input& input) {
             reading.unbalance.reset();
             reading.angle.reset();
             reading.bob_weight.reset();
+            reading.shaft = {};
         }
         input.correction->earlier_runs.clear();
+    }
+}
+
+/// The card has become that of another crankshaft: whose the readings are is noted with them.
+/// @param before  the editing
+void noteShaft(Input& input, const Input& before) {
+    if (!input.correction || !before.correction) {
+        return;
+    }
+    const auto note = [&](auto& readings, const auto& old) {
+        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
+            if (readings[i].unbalance) {
+                readings[i].shaft = old[i].shaft;
+                readings[i].shaft.note(before.job, input.job);
+            }
+        }
+    };
+    Correction& now = *input.correction;
+    const Correction& then = *before.correction;
+    note(now.readings, then.readings);
+    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
+        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
     }
 }
 
@@ -123,9 +146,10 @@ void BobWeightsModel::taken() {
     }
 }
 
-QString BobWeightsModel::oddBanks(const Engine& engine) {
-    return engine.type == EngineType::v && engine.cylinders % 2 != 0
-               ? tr("A V has as many cylinders in one bank as in the other: %1 is odd.")
+QString BobWeightsModel::oddRods(const Engine& engine) {
+    return engine.cylinders % engine.rods_per_pin != 0
+               ? tr("Two rods share a bob weight, and %1 is odd: choose one rod on a bob weight "
+                    "first.")
                      .arg(engine.cylinders)
                : QString();
 }
@@ -135,9 +159,12 @@ QString BobWeightsModel::edit(const QString& name, const std::function<void(Inpu
     // A case that came so stays as it came, until its engine changes.
     Input next = input();
     mutate(next);
-    if (QString why = oddBanks(next.engine); !why.isEmpty() && next.engine != input().engine) {
+    if (QString why = oddRods(next.engine); !why.isEmpty() && next.engine != input().engine) {
         sayRefused(why);
         return why;
+    }
+    if (!isTyped()) {
+        beforeEditing_ = input();
     }
     return CaseModel::edit(
         name,
@@ -150,7 +177,11 @@ QString BobWeightsModel::edit(const QString& name, const std::function<void(Inpu
                     }
                 }
             }
+            const workshop::JobHeader before = input.job;
             mutate(input);
+            if (input.job != before) {
+                noteShaft(input, beforeEditing_);
+            }
         },
         title);
 }
@@ -291,6 +322,7 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
             (isAngle ? reading.angle : reading.unbalance) = value;
             reading.bob_weight =
                 reading.unbalance || reading.angle ? solution().bob_weight : std::nullopt;
+            reading.shaft = {};
         };
         if (run < earlier.size()) {
             set(earlier[run].readings[plane]);
@@ -303,8 +335,9 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
             EarlierRun& last = earlier.emplace_back();
             for (std::size_t i = 0; i < 2; ++i) {
                 Reading& newest = correction.readings[i];
-                last.readings[i] = {newest.unbalance, newest.angle, newest.bob_weight};
-                newest = {newest.position, {}, {}, {}};
+                last.readings[i] = {newest.unbalance, newest.angle, newest.bob_weight,
+                                    newest.shaft};
+                newest = {newest.position, {}, {}, {}, {}};
             }
         }
         set(correction.readings[plane]);
@@ -315,7 +348,7 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
             for (std::size_t i = 0; i < 2; ++i) {
                 const EarlierReading& before = earlier.back().readings[i];
                 correction.readings[i] = {correction.readings[i].position, before.unbalance,
-                                          before.angle, before.bob_weight};
+                                          before.angle, before.bob_weight, before.shaft};
             }
             earlier.pop_back();
         }
@@ -324,14 +357,27 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
 
 void BobWeightsModel::confirmReadings() {
     editCorrection(tr("Readings hold"), [this](Correction& correction) {
-        for (Reading& reading : correction.readings) {
-            reading.bob_weight = solution().bob_weight;
+        const auto hold = [this](auto& readings) {
+            for (auto& reading : readings) {
+                reading.bob_weight = solution().bob_weight;
+                reading.shaft = {};
+            }
+        };
+        // What was read together holds together.
+        const Reading before = correction.readings.front();
+        for (EarlierRun& run : correction.earlier_runs) {
+            const EarlierReading& first = run.readings.front();
+            if (first.shaft == before.shaft &&
+                !workshop::is_other_bob_weight(first.bob_weight, before.bob_weight)) {
+                hold(run.readings);
+            }
         }
+        hold(correction.readings);
     });
 }
 
-QString BobWeightsModel::otherBobWeightText() const {
-    return bob_text::otherBobWeight(Words(), solution());
+QString BobWeightsModel::otherReadingsText() const {
+    return bob_text::otherReadings(Words(), solution());
 }
 
 BobWeightsModel::ColumnNote BobWeightsModel::columnNote(workshop::Part part) const {
@@ -539,14 +585,14 @@ QStringList BobWeightsModel::troubles() const {
             list << shownError(error);
         }
     }
-    list << oddBanks(input().engine) << otherBobWeightText();
+    list << otherReadingsText();
     list.removeAll(QString());
     return list + doubts() + bob_text::warnings(Words(), input(), solution()) +
            bob_text::shortfalls(Words(), solution());
 }
 
 bool BobWeightsModel::isDone() const {
-    return solution().correction && !solution().read_with &&
+    return solution().correction && solution().holds() &&
            std::all_of(solution().correction->begin(), solution().correction->end(),
                        [](const PlaneResult& plane) { return plane.reason.empty(); });
 }
@@ -681,8 +727,8 @@ JournalJob BobWeightsModel::journalEntry() const {
         job.rearReading = reading(1);
     }
     if (!solution().runs.empty()) {
-        job.verdict = solution().read_with
-                          ? otherBobWeight
+        job.verdict = !solution().holds()
+                          ? otherWord(*solution().newest())
                           : verdictWord(solution().runs.back().passes(), solution().passes_after());
     }
     return job;

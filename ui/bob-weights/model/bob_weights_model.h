@@ -90,7 +90,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// The newest readings hold for the bob weight that there is now.
     void confirmReadings();
     /// What is wrong with readings of another bob weight; empty where nothing.
-    QString otherBobWeightText() const;
+    QString otherReadingsText() const;
     ColumnNote columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
@@ -142,6 +142,10 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     JobDesk* desk() { return &desk_; }
     /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
     void newJob();
+    /// What newJob() keeps.
+    static QString carriedOver() {
+        return tr("From the job before: engine, factor, planes, drills and limits.");
+    }
 
   Q_SIGNALS:
     /// Which sheet of the form to show: job, parts, weigh-in, machine, drills.
@@ -155,8 +159,8 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     void taken() override;
     QString shownError(const InputError& error) const;
     QString missingText(const std::string& where) const;
-    /// Why no V has so many cylinders; empty where one may.
-    static QString oddBanks(const bob_weights::Engine& engine);
+    /// Why there are not so many cylinders with two rods on a pin; empty where there may be.
+    static QString oddRods(const bob_weights::Engine& engine);
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     bool hasNumbers() const;
@@ -166,6 +170,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     bool isLoading_ = false;
     /// Of readings that do not say it: that of the case as it came.
     std::optional<double> bobWeightAsLoaded_;
+    bob_weights::Input beforeEditing_;  ///< of a field; else before the last change
     JobDesk desk_;
 };
 

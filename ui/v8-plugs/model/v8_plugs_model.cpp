@@ -159,6 +159,9 @@ void V8PlugsModel::taken() {
 
 QString V8PlugsModel::edit(const QString& name, const std::function<void(Input&)>& mutate,
                            const QString& title) {
+    if (!isTyped()) {
+        beforeEditing_ = input();
+    }
     return CaseModel::edit(
         name,
         [&](Input& input) {
@@ -171,7 +174,20 @@ QString V8PlugsModel::edit(const QString& name, const std::function<void(Input&)
                     machine.rear_bob_weight = bobWeightAsLoaded_;
                 }
             }
+            const JobHeader before = input.job;
             mutate(input);
+            if (input.balancing && beforeEditing_.balancing && input.job != before) {
+                const auto note = [&](const std::optional<double>& reading,
+                                      workshop::ReadShaft BalancingSheet::*shaft) {
+                    if (reading) {
+                        workshop::ReadShaft& noted = *input.balancing.*shaft;
+                        noted = *beforeEditing_.balancing.*shaft;
+                        noted.note(beforeEditing_.job, input.job);
+                    }
+                };
+                note(input.balancing->front_reading, &BalancingSheet::front_shaft);
+                note(input.balancing->rear_reading, &BalancingSheet::rear_shaft);
+            }
         },
         title);
 }
@@ -183,9 +199,11 @@ QString V8PlugsModel::editField(const std::string& pointer, const FieldValue& va
         if (pointer == "/balancing/front_reading_g_mm") {
             input.balancing->front_bob_weight =
                 input.balancing->front_reading ? solution().hung() : std::nullopt;
+            input.balancing->front_shaft = {};
         } else if (pointer == "/balancing/rear_reading_g_mm") {
             input.balancing->rear_bob_weight =
                 input.balancing->rear_reading ? solution().hung() : std::nullopt;
+            input.balancing->rear_shaft = {};
         }
     });
 }
@@ -196,12 +214,13 @@ void V8PlugsModel::confirmReadings() {
             BalancingSheet& machine = *input.balancing;
             machine.front_bob_weight = machine.front_reading ? solution().hung() : std::nullopt;
             machine.rear_bob_weight = machine.rear_reading ? solution().hung() : std::nullopt;
+            machine.front_shaft = machine.rear_shaft = {};
         }
     });
 }
 
-QString V8PlugsModel::otherBobWeightText() const {
-    return v8_text::otherBobWeight(words_, solution());
+QString V8PlugsModel::otherReadingsText() const {
+    return v8_text::otherReadings(words_, solution());
 }
 
 bool V8PlugsModel::isSearching() const {

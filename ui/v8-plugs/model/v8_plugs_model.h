@@ -135,7 +135,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// The readings hold for the bob weight that there is now.
     void confirmReadings();
     /// What is wrong with readings of another bob weight; empty where nothing.
-    QString otherBobWeightText() const;
+    QString otherReadingsText() const;
     QStringList crankpinColumns() const;
     QVector<QStringList> crankpinRows() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.
@@ -180,6 +180,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool isLoading_ = false;
     /// Of readings that do not say it: that of the case as it came.
     std::optional<double> bobWeightAsLoaded_;
+    v8_plugs::Input beforeEditing_;  ///< of a field; else before the last change
     JobDesk desk_;
 };
 

@@ -223,10 +223,10 @@ QVector<QStringList> V8PlugsModel::planeRows() const {
     const auto add = [&](const QString& name, const PlaneVerdict& plane) {
         rows << QStringList{name, words_.digits(plane.permissible, gram_mm, 1),
                             plane.reading ? words_.digits(*plane.reading, gram_mm, 1) : dash,
-                            !plane.passes          ? dash
-                            : solution().read_with ? verdictText(words_, otherBobWeight)
-                            : *plane.passes        ? tr("✓ passes")
-                                                   : tr("✗ fails")};
+                            !plane.passes         ? dash
+                            : !solution().holds() ? verdictText(words_, otherWord(solution()))
+                            : *plane.passes       ? tr("✓ passes")
+                                                  : tr("✗ fails")};
     };
     add(tr("Front (pulley)"), solution().planes[0]);
     add(tr("Rear (flywheel)"), solution().planes[1]);

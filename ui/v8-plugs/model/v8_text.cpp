@@ -211,7 +211,7 @@ QStringList massTroubles(const Words& words, const Input& input) {
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
     list << massTroubles(words, input);
-    list << otherBobWeight(words, solution);
+    list << otherReadings(words, solution);
     list << shiftWarning(words, input, solution);
     list.removeAll(QString());
     if (input.plug) {
@@ -225,10 +225,8 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
     return list;
 }
 
-QString otherBobWeight(const Words& words, const Result& solution) {
-    return solution.read_with
-               ? otherBobWeightText(words, *solution.read_with, solution.hung().value_or(0.0))
-               : QString();
+QString otherReadings(const Words& words, const Result& solution) {
+    return otherText(words, solution, solution.hung().value_or(0.0));
 }
 
 QString shiftWarning(const Words& words, const Input& input, const Result& solution) {

@@ -19,7 +19,7 @@ QString gramMillimetres(const Words& words, double unbalance, int decimals = 1);
 QString thread(const Words& words, const v8_plugs::Thread& thread);
 /// What to do, as one or two sentences; empty while it is not known.
 /// That readings were taken with another bob weight; empty where they were not.
-QString otherBobWeight(const Words& words, const v8_plugs::Result& solution);
+QString otherReadings(const Words& words, const v8_plugs::Result& solution);
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
 /// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug
 /// or nothing is to be cut.

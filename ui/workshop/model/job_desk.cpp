@@ -236,12 +236,11 @@ QString JobDesk::otherEngine() {
 }
 
 QString JobDesk::verdictToLose() {
-    if (jobId_ == 0 || !isOpen() || scene_.entry().verdict != otherBobWeight) {
+    if (jobId_ == 0 || !isOpen() || !isOther(scene_.entry().verdict)) {
         return {};
     }
     const auto there = journal_->job(jobId_);
-    return there && there->isFinished && there->verdict != otherBobWeight ? there->verdict
-                                                                          : QString();
+    return there && there->isFinished && !isOther(there->verdict) ? there->verdict : QString();
 }
 
 void JobDesk::saveJob(bool isFinished, const SaveTold& told) {

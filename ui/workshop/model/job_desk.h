@@ -61,9 +61,10 @@ class JobDesk : public QObject {
     /// The engine of the job in the journal that saving would overwrite, where the sheet has
     /// another engine's or crankshaft's number or another kind of engine; empty else.
     QString otherEngine();
-    /// The verdict of the job in the journal that saving would put "another bob weight" in the
-    /// place of; empty where it would not.
+    /// The verdict of the job in the journal that saving would put "another bob weight" or
+    /// "another crankshaft" in the place of; empty where it would not.
     QString verdictToLose();
+    QString verdictOnSheet() const { return scene_.entry().verdict; }
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }

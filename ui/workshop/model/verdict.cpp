@@ -15,6 +15,7 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
 }
 
 const QString otherBobWeight = QStringLiteral("other-bob-weight");
+const QString otherCrankshaft = QStringLiteral("other-crankshaft");
 
 QString otherBobWeightText(const Words& words, double then, double now) {
     return words
@@ -22,6 +23,14 @@ QString otherBobWeightText(const Words& words, double then, double now) {
                    "The readings were taken with another bob weight: %1 then, %2 now. Take them "
                    "again, or say on the sheet of the machine that they hold.")
         .arg(words.number(then, units::gram, 1), words.number(now, units::gram, 1));
+}
+
+QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now) {
+    return words
+        .translate("BobWeights",
+                   "The readings are of another crankshaft: number %1 then, %2 now. Take them "
+                   "again, or say on the sheet of the machine that they hold.")
+        .arg(QString::fromStdString(then), QString::fromStdString(now));
 }
 
 QString verdictText(const Words& words, const QString& verdict) {
@@ -32,8 +41,9 @@ QString verdictText(const Words& words, const QString& verdict) {
            : verdict == QLatin1String("fails")             ? fails
            : verdict == QLatin1String("fails-then-passes") ? fails + then + passes
            : verdict == QLatin1String("fails-then-fails")  ? fails + then + fails
-           : verdict == otherBobWeight ? words.translate("BobWeights", "another bob weight")
-                                       : QString();
+           : verdict == otherBobWeight  ? words.translate("BobWeights", "another bob weight")
+           : verdict == otherCrankshaft ? words.translate("BobWeights", "another crankshaft")
+                                        : QString();
 }
 
 }  // namespace ravnoves

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "workshop/model/words.h"
 
@@ -10,10 +11,28 @@ namespace ravnoves {
 /// and a correction is known, "fails-then-passes" or "fails-then-fails"; empty without limits.
 QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected);
 
-/// The verdict of readings that were taken with another bob weight: none.
+/// The verdicts of readings that were taken with another bob weight, or of another crankshaft:
+/// none.
 extern const QString otherBobWeight;
+extern const QString otherCrankshaft;
+inline bool isOther(const QString& verdict) {
+    return verdict == otherBobWeight || verdict == otherCrankshaft;
+}
+/// Which of them a run or the sheet has (its `read_on` and `read_with`); empty where it holds.
+template <typename Read>
+QString otherWord(const Read& read) {
+    return read.read_on ? otherCrankshaft : read.read_with ? otherBobWeight : QString();
+}
 /// What is to be done about them.
 QString otherBobWeightText(const Words& words, double then, double now);
+QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now);
+/// The same of a run or the sheet; empty where it holds.
+template <typename Read>
+QString otherText(const Words& words, const Read& read, double bobWeightNow) {
+    return read.read_on     ? otherCrankshaftText(words, read.read_on->then, read.read_on->now)
+           : read.read_with ? otherBobWeightText(words, *read.read_with, bobWeightNow)
+                            : QString();
+}
 
 /// The same as page, card and journal say it: "fails → passes" is measured → after correction.
 QString verdictText(const Words& words, const QString& verdict);
