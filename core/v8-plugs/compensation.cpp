@@ -158,32 +158,43 @@ std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double 
     return option;
 }
 
-Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass,
-              double tolerance) {
+Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
+              const Hindrance& hindrance) {
     const bool new_crankshaft = crankshaft == Crankshaft::new_plugs;
-    Advice advice{Advice::Kind::none_sufficient, std::nullopt, std::nullopt};
+    Advice advice{Advice::Kind::none_sufficient, std::nullopt, std::nullopt, {}};
     if (std::abs(unbalanced_mass * plugs.crank_radius) <= tolerance) {
         advice.kind = Advice::Kind::none_needed;
         return advice;
     }
     bool any_over = false;
     bool any_evaluated = false;
+    std::optional<Option> not_made;          // the first that would do
     for (const OptionId id : all_options) {  // in the order of cost
         const auto option = evaluate_option(id, plugs, unbalanced_mass, tolerance);
         if (!option) {
             continue;
         }
+        const Message why =
+            option->feasible && hindrance != nullptr ? hindrance(*option) : Message();
         if (needs_new_crankshaft(id) != new_crankshaft) {
-            if (option->feasible && !advice.with_other_crankshaft) {
+            if (option->feasible && why.empty() && !advice.with_other_crankshaft) {
                 advice.with_other_crankshaft = id;
             }
             continue;
         }
         any_evaluated = true;
+        if (!why.empty()) {
+            if (!not_made) {
+                not_made = option;
+                advice.hindrance = why;
+            }
+            continue;
+        }
         if (option->feasible) {
             advice.kind = Advice::Kind::option;
             advice.option = option;
             advice.with_other_crankshaft.reset();
+            advice.hindrance = {};
             return advice;
         }
         any_over = any_over || option->residual_mass < 0;
@@ -194,6 +205,9 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
     }
     if (!any_evaluated) {
         advice.kind = Advice::Kind::no_new_plug_data;
+    } else if (not_made) {
+        advice.kind = Advice::Kind::cannot_be_made;
+        advice.option = not_made;
     } else if (unbalanced_mass < 0) {
         advice.kind = Advice::Kind::too_light;
     } else {
@@ -244,6 +258,19 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                               "can only be lightened: heavier parts or heavier plugs are needed."),
                     grams(-unbalanced_mass), gram_millimetres(-unbalance)};
             break;
+        case Advice::Kind::cannot_be_made: {
+            const Option& option = advice.option.value();
+            text = two_sentences(
+                option.machined()
+                    ? Message(CORE_TEXT("V8",
+                                        "“%1” would do with %2 off each plug, but the plug cannot "
+                                        "be made so."),
+                              option_word(option.id).label, grams(option.reduction))
+                    : Message(CORE_TEXT("V8", "“%1” would do, but the plug cannot be made so."),
+                              option_word(option.id).label),
+                advice.hindrance);
+            break;
+        }
         case Advice::Kind::none_sufficient:
         case Advice::Kind::none_light_enough: {
             const Option& closest = advice.option.value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -137,18 +138,23 @@ struct Advice {
         too_light,          ///< lighter than nominal: plugs can only be lightened
         none_sufficient,    ///< every option falls short of the excess
         none_light_enough,  ///< every option over-compensates or falls short: a gap between them
-        no_new_plug_data    ///< crankshaft for new plugs, but their data are missing
+        no_new_plug_data,   ///< crankshaft for new plugs, but their data are missing
+        cannot_be_made      ///< `option` would do, but its plug cannot be made so
     };
     Kind kind;
     std::optional<Option> option;  ///< the recommended one, or the one that leaves least
     /// An option that would work if the other crankshaft were fitted.
     std::optional<OptionId> with_other_crankshaft;
+    Message hindrance;  ///< why the plug cannot be made; empty else
 };
 
+/// Why the plugs of an option cannot be made; empty where they can.
+using Hindrance = std::function<Message(const Option&)>;
+
 /// The first option that works in the order of cost (nothing, steel plugs, aluminium plugs) among
-/// those for the crankshaft that is fitted.
-Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass,
-              double tolerance);
+/// those for the crankshaft that is fitted. One whose plugs cannot be made does not.
+Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
+              const Hindrance& hindrance = {});
 
 /// The advice as a technician would say it.
 Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,

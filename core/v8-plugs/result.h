@@ -86,6 +86,11 @@ struct Result {
         return front.passes && rear.passes ? std::optional(true) : std::nullopt;
     }
 
+    /// False where the plug sheet's cutter cannot bore what the option takes off.
+    bool can_be_made(OptionId id) const {
+        const auto& plan = boring[index(id)];
+        return !plan || !plan->cuts || plan->limit == Boring::Limit::none;
+    }
     const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
     /// What the neglected shift does to the option that is advised; nothing where it does not
     /// matter.

@@ -71,6 +71,20 @@ void solve_plug(const Input& input, Result& result) {
     }
 }
 
+/// Why the plug of the sheet cannot be made as the option needs it; empty where it can.
+Message hindrance(const Input& input, const Result& result, const Option& option) {
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    if (!geometry || has_new_plugs(option.id)) {
+        return {};
+    }
+    if (const auto fault = geometry_fault(*geometry)) {
+        return *fault;
+    }
+    return result.can_be_made(option.id)
+               ? Message()
+               : describe(*result.boring[index(option.id)], input.plug->limits().value());
+}
+
 void solve_shifts(const Input& input, Result& result) {
     for (const OptionId id : all_options) {
         const auto& option = result.option(id);
@@ -126,12 +140,15 @@ Result solve(const Input& input, bool changes_known, const workshop::SetFinder& 
             result.options[index(id)] =
                 evaluate_option(id, *result.plugs, *result.unbalanced_mass, input.tolerance);
         }
+    }
+    solve_plug(input, result);
+    if (result.plugs && result.unbalanced_mass) {
         result.advice =
-            advise(*result.plugs, input.crankshaft, *result.unbalanced_mass, input.tolerance);
+            advise(*result.plugs, input.crankshaft, *result.unbalanced_mass, input.tolerance,
+                   [&](const Option& option) { return hindrance(input, result, option); });
     }
     solve_bob_weights(input, changes_known, result);
     solve_weigh_in(input, find, result);
-    solve_plug(input, result);
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
     if (const auto check = machine.check()) {

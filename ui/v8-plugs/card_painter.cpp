@@ -186,7 +186,8 @@ double CardPainter::options(double y) {
                     grams(option->maximum, 3), grams(option->required_reduction, 3),
                     grams(option->max_reduction, 3),
                     words_.digits(option->residual_unbalance, units::gram_mm, 1),
-                    !fitted ? words_.translate("JobCard", "other crankshaft")
+                    !fitted                      ? words_.translate("JobCard", "other crankshaft")
+                    : !solution_.can_be_made(id) ? words_.translate("JobCard", "cannot be made")
                     : best && v8_text::methodAlone(solution_, id)
                         ? words_.translate("JobCard", "check: see above")
                     : v8_text::methodAlone(solution_, id)

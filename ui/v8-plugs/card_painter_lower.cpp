@@ -121,19 +121,20 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
     if (lacksTakeOff_) {
         doubts << words_.translate("JobCard", "What to take off does not fit here: see sheet 3.");
     }
-    QStringList list = v8_text::troubles(words_, shown, solution_);
+    QStringList troubles = v8_text::troubles(words_, shown, solution_);
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
-        list.removeAll(each);
+        troubles.removeAll(each);
     }
-    if (const QString warning = v8_text::shiftWarning(words_, input_, solution_);
-        !warning.isEmpty()) {
-        list.removeAll(warning);  // the answer itself says it
-    } else if (solution_.plugs) {
+    troubles.removeAll(v8_text::otherReadings(words_, solution_));  // beside them
+    const QString warning = v8_text::shiftWarning(words_, input_, solution_);
+    troubles.removeAll(warning);  // the answer itself says it
+    QString rest;
+    if (warning.isEmpty() && solution_.plugs) {
         const auto chosen = v8_text::chosenOption(solution_);
-        list << v8_text::shiftText(words_, input_, solution_,
-                                   chosen ? *chosen : *solution_.option(OptionId::steel_machined));
+        rest = v8_text::shiftText(words_, input_, solution_,
+                                  chosen ? *chosen : *solution_.option(OptionId::steel_machined));
     }
-    return {doubts.join(QLatin1Char(' ')), list.join(QLatin1Char(' '))};
+    return {(doubts + troubles).join(QLatin1Char(' ')), rest};
 }
 
 double CardPainter::remarks(double y, double end) {

@@ -162,6 +162,29 @@ TEST(Compensation, WordsOfATechnician) {
 
 // The counterweights expect the new plugs: what is taken off them at their own radius is what they
 // compensate, up to the limit of today's plugs.
+TEST(Compensation, WhatCannotBeMadeIsNotAdvised) {
+    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
+    const double limit = 5 * gram_millimetre;
+    const auto advised = [&](const Hindrance& hindrance) {
+        return advise(plugs, Crankshaft::standard, 4.3225 * gram, limit, hindrance);
+    };
+    const Message why(CORE_TEXT("test", "No cutter is so small."));
+    // The next in the order of cost, else none.
+    const Advice next = advised([&](const Option& option) {
+        return option.id == OptionId::steel_machined ? why : Message();
+    });
+    EXPECT_EQ(next.kind, Advice::Kind::option);
+    EXPECT_EQ(next.option->id, OptionId::steel_to_aluminium);
+    EXPECT_TRUE(next.hindrance.empty());
+    const Advice none = advised([&](const Option&) { return why; });
+    EXPECT_EQ(none.kind, Advice::Kind::cannot_be_made);
+    EXPECT_EQ(none.option->id, OptionId::steel_machined);
+    EXPECT_FALSE(none.with_other_crankshaft);
+    EXPECT_EQ(describe(none, 4.3225 * gram, plugs.crank_radius, limit).english(),
+              "“Machine today's steel plugs” would do with 1.83 g off each plug, but the plug "
+              "cannot be made so. No cutter is so small.");
+}
+
 TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
     const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
     const auto option = [&](double excess_g) {

@@ -140,6 +140,24 @@ TEST(Result, SheetsAddTheirParts) {
     EXPECT_FALSE(result.at("balancing").at("rear").at("passes").get<bool>());
 }
 
+TEST(Result, ABoreDeeperThanThePlugIsNotRecommended) {
+    Json input = example();
+    EXPECT_EQ(solved(input)["recommended"], "steel-machined");
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 2.5, "bore_diameter_mm": 14,
+        "bore_depth_mm": 2, "cutter_diameter_mm": 14, "minimum_bottom_mm": 0})");
+    Json result = solved(input);
+    EXPECT_EQ(result["options"]["steel-machined"]["boring"]["possible"], false);
+    EXPECT_EQ(result["recommended"], "steel-to-aluminium") << "the next, as they are";
+    input["mass_changes_g"]["rod_big_end"] = 0.8;  // then they would be bored, too
+    result = solved(input);
+    EXPECT_TRUE(result["recommended"].is_null()) << result["recommended"];
+    EXPECT_EQ(result["state"], "fails");
+    EXPECT_NE(result["reason"].get<std::string>().find("cannot be bored"), std::string::npos)
+        << result["reason"];
+    input["plug"]["bore_depth_mm"] = 2.5;
+    EXPECT_NE(error_of(input).find("there is no bottom"), std::string::npos) << error_of(input);
+}
+
 TEST(Result, ReadingsWithoutIsoAreJudgedByTheTolerance) {
     Json input = full_example();
     input["balancing"] = parse_json(R"({"grade_mm_s": 16, "rotor_mass_kg": 30,

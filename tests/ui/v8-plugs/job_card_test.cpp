@@ -346,6 +346,25 @@ TEST_F(JobCardTest, OnePageWithLongTextsAndAllSheets) {
     compare(input, u"en"_s);
 }
 
+TEST_F(JobCardTest, WarningsOfThePlugAreThereHoweverFullItIs) {
+    Json input = workshopInput();
+    Json weighIn = Json::object();
+    for (const char* part : {"piston", "pin", "rings", "rod_big_end", "rod_small_end", "shells"}) {
+        weighIn[part] = {
+            {"nominal_g", 600},
+            {"permitted_spread_g", 1},
+            {"mass_g", {601.11, 602.22, 603.33, 604.44, 605.55, 606.66, 607.77, 608.88}}};
+    }
+    input["weigh_in"] = weighIn;
+    input["mass_changes_from"] = "typed";
+    input["job"]["notes"] = std::string(400, 'n');
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 14.5})");
+    const QString text = cardText(input, u"en"_s).join(u' ').simplified();
+    EXPECT_TRUE(text.contains(u"there is no bottom"_s)) << qPrintable(text);
+    EXPECT_TRUE(text.contains(u"cannot be made so"_s)) << qPrintable(text);
+}
+
 TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
     Json input = workshopInput();
     input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14})");

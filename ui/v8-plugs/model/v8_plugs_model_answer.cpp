@@ -149,9 +149,10 @@ QVector<QStringList> V8PlugsModel::optionRows(bool isShort) const {
         const bool fitted =
             needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
         const bool doubtful = v8_text::methodAlone(solution(), id);
-        const QString mark = doubtful           ? QStringLiteral("!")
-                             : option->feasible ? QStringLiteral("✓")
-                                                : QStringLiteral("✗");
+        const bool works = option->feasible && solution().can_be_made(id);
+        const QString mark = !works     ? QStringLiteral("✗")
+                             : doubtful ? QStringLiteral("!")
+                                        : QStringLiteral("✓");
         rows << QStringList{
             // in brackets what the crankshaft that is fitted does not allow
             (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
