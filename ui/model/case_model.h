@@ -64,7 +64,9 @@ class CaseModel : public SceneModel {
     void setLargestAtOnce(std::size_t size) { largestAtOnce_ = size; }
     bool isSolving() const override { return !awaited_.empty(); }
     void stopSolving() override;
-    bool isLarge() const override { return isLarge(input_); }
+    bool isLarge() const override {
+        return isLarge(input_) || (isSolving() && isLarge(awaited_.back().input));
+    }
 
     /// Changes the input by `mutate` as one step of the history, in an editing as part of its step.
     /// @param title  the case's from now on; none: it stays
@@ -137,6 +139,7 @@ class CaseModel : public SceneModel {
 
     // In case_model_json.h.
     Json inputJson() const override;
+    Json latestInputJson() const override;
     QString changeVariants(const QString& name, const Variants& next,
                            const std::optional<std::string>& input) override;
     QString inputTrouble(const std::string& input) const override;

@@ -14,6 +14,11 @@ Json CaseModel<Scene>::inputJson() const {
 }
 
 template <typename Scene>
+Json CaseModel<Scene>::latestInputJson() const {
+    return scene_.write(isSolving() ? awaited_.back().input : input_);
+}
+
+template <typename Scene>
 Json CaseModel<Scene>::keptJson() const {
     if constexpr (requires { scene_.kept(input_); }) {
         return scene_.kept(input_);

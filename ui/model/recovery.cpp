@@ -147,7 +147,11 @@ std::optional<Json> Recovery::contentOf(CaseDocument* document, const Watched& w
         tellFailed(tr("%1 cannot be written to").arg(folder_));
         return std::nullopt;
     }
-    return Json{{"case", write_case(document->asFile())},
+    CaseFile file = document->asFile();
+    if (document->model()->isSolving()) {
+        file.input = document->model()->latestInputJson();
+    }
+    return Json{{"case", write_case(file)},
                 {"path", document->path().toStdString()},
                 {"known", document->disk().digest().toHex().toStdString()},
                 {"directory", document->model()->context().directory.string()},

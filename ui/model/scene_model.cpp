@@ -76,6 +76,10 @@ void SceneModel::sayRefused(const QString& why) {
     }
 }
 
+Json SceneModel::latestInputJson() const {
+    return inputJson();
+}
+
 Json SceneModel::keptJson() const {
     return nullptr;
 }

@@ -149,6 +149,8 @@ class SceneModel : public QObject {
     // those of before, and together; further changes build on what is awaited, the latest counts.
     /// True while a change is awaited.
     virtual bool isSolving() const { return false; }
+    /// The input that the user gave last: while it is being solved, the one awaited.
+    virtual Json latestInputJson() const;
     /// True for an input that is too large to be solved or written at once.
     virtual bool isLarge() const { return false; }
     /// Gives the awaited changes up.

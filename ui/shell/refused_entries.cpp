@@ -23,6 +23,26 @@ ScenePage* pageOf(QWidget* part) {
     return static_cast<ScenePage*>(part);
 }
 
+/// Waits for what is being solved. @return false where the user does not, or it is refused
+bool isSolved(SceneModel& model, const QWidget* part, const QString& title) {
+    if (!model.isSolving()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Information, title,
+                    said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
+                                           "The last change is still being solved. When that is "
+                                           "done, this goes on by itself.")),
+                    QMessageBox::Cancel, part->window());
+    bool isRefused = false;
+    QObject::connect(&model, &SceneModel::notSolved, &box, [&isRefused] { isRefused = true; });
+    QObject::connect(&model, &SceneModel::solvingChanged, &box, [&model, &box] {
+        if (!model.isSolving()) {
+            box.done(QMessageBox::Ignore);
+        }
+    });
+    return box.exec() == QMessageBox::Ignore && !isRefused;
+}
+
 }  // namespace
 
 QList<EntryField*> entriesOfPage(const QWidget* part) {
@@ -59,8 +79,7 @@ bool takeBackRefused(const QWidget* part) {
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {
-    if (ScenePage* page = pageOf(part); page != nullptr && page->model()->isSolving()) {
-        QMessageBox::warning(part->window(), title, SceneModel::solvingText());
+    if (ScenePage* page = pageOf(part); page != nullptr && !isSolved(*page->model(), part, title)) {
         return false;
     }
     const QStringList refused = refusedEntries(part);

@@ -107,6 +107,24 @@ TEST_F(RecoveryTest, ALargeCaseIsWrittenInAThreadAndGoesToo) {
     EXPECT_TRUE(kept().isEmpty());
 }
 
+TEST_F(RecoveryTest, WhatIsStillBeingSolvedIsKept) {
+    const test::RootScene scene;
+    test::RootModel slow(scene);
+    slow.setLargestAtOnce(100);
+    CaseDocument theCase(&slow, {});
+    Recovery recovery(keptIn());
+    recovery.watch(&theCase, [] { return QString(); });
+    scene.gate->lock();
+    slow.step("square", 400.0);
+    ASSERT_TRUE(slow.isSolving());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    QFile there(QDir(keptIn()).filePath(kept().constFirst()));
+    ASSERT_TRUE(there.open(QIODevice::ReadOnly));
+    EXPECT_EQ(parse_json(there.readAll().toStdString())["case"]["input"]["crank_radius_mm"], 400.0);
+    scene.gate->unlock();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !slow.isSolving(); }));
+}
+
 TEST_F(RecoveryTest, OffersWhatAProgramLeftThatRunsNoLonger) {
     ASSERT_EQ(document.saveTo(file("дело.case.json")), QString());
     auto crashed = std::make_unique<Recovery>(keptIn());
