@@ -116,7 +116,7 @@ void CaseDocument::tellNeed() {
 }
 
 QString CaseDocument::name() const {
-    return path_.isEmpty() ? model_->title() : QFileInfo(path_).fileName();
+    return path_.isEmpty() ? model_->titleShown() : QFileInfo(path_).fileName();
 }
 
 OpenCase CaseDocument::asOpenCase() const {

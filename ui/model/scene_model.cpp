@@ -166,6 +166,11 @@ QString SceneModel::editField(const std::string& /*pointer*/, const FieldValue& 
     return {};
 }
 
+QString SceneModel::titleText(const QString& title) {
+    return title.endsWith(changedMark) ? tr("%1 (changed)").arg(title.chopped(changedMark.size()))
+                                       : title;
+}
+
 void SceneModel::setTitle(const QString& title) {
     if (title_ != title) {
         title_ = title;

@@ -85,6 +85,9 @@ class SceneModel : public QObject {
     void setByKey(const QString& key, const QString& value);
 
     QString title() const { return title_; }
+    /// A title as the user reads it.
+    static QString titleText(const QString& title);
+    QString titleShown() const { return titleText(title_); }
     void setTitle(const QString& title);
     QString notes() const { return notes_; }
     /// Title and notes as the user wants them, as one step of the history.
@@ -225,8 +228,10 @@ class SceneModel : public QObject {
     static QString openName() { return tr("Open case"); }
     static QString newName() { return tr("New case"); }
     static QString textName() { return tr("Title and notes"); }
-    /// Of an engine that was a preset or an example, and is not any more.
-    static QString changedTitle(const QString& title) { return tr("%1 (changed)").arg(title); }
+    /// Of an engine that was a preset or an example, and is not any more. In every language the
+    /// same, as a file has it; titleText() says it.
+    static QString changedTitle(const QString& title) { return title + changedMark; }
+    static constexpr QLatin1String changedMark{" (changed)"};
     void setNotes(const QString& notes) { notes_ = notes; }
     /// While it lives, isWaiting().
     class Waiting {

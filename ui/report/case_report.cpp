@@ -316,7 +316,7 @@ Report makeReport(ScenePage& page, CaseDocument& document) {
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     report.language = currentLanguage();
     report.title = model.title().isEmpty() ? sceneTitle(model.sceneName())
-                                           : shortened(model.title().simplified());
+                                           : shortened(model.titleShown().simplified());
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
     std::vector<PageGroup> groups = pageParts(page);

@@ -30,7 +30,7 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
         return field;
     };
     title_ = add(tr("&Title"), tr("What the case is called, in its file and in the window"),
-                 new QLineEdit(model->title(), this));
+                 new QLineEdit(model->titleShown(), this));
     title_->setObjectName(QStringLiteral("case_title"));
     notes_ = add(tr("&Notes"),
                  tr("Your own text on the case: sources, assumptions, what is left to do. It is "
@@ -49,13 +49,18 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
     resizeWithText(this, 480, 320);
 }
 
+QString CaseProperties::title() const {
+    const QString typed = title_->text().trimmed();
+    return typed == model_->titleShown() ? model_->title() : typed;
+}
+
 void CaseProperties::accept() {
-    model_->editText(title_->text().trimmed(), notes_->toPlainText());
+    model_->editText(title(), notes_->toPlainText());
     QDialog::accept();
 }
 
 void CaseProperties::reject() {
-    if (title_->text().trimmed() == model_->title() && notes_->toPlainText() == model_->notes()) {
+    if (title() == model_->title() && notes_->toPlainText() == model_->notes()) {
         QDialog::reject();
         return;
     }

@@ -21,6 +21,9 @@ class CaseProperties : public QDialog {
     void reject() override;
 
   private:
+    /// As the case is to have it.
+    QString title() const;
+
     SceneModel* model_;
     QLineEdit* title_;
     QPlainTextEdit* notes_;

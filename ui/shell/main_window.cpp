@@ -750,7 +750,7 @@ void MainWindow::updateTitle() {
     const QString scene = documents_->currentScene().title;
     const QString name = document.name();
     // A file, then what the case calls itself where its file does not say so.
-    const QString title = document.model()->title();
+    const QString title = document.model()->titleShown();
     const bool isNamed = !title.isEmpty() && !name.startsWith(title);
     setWindowTitle((name.isEmpty()
                         ? scene + QStringLiteral("[*]")

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "model/scene_model.h"
 #include "shell/scene_list.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
@@ -42,7 +43,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         list_->setHeaderLabels({tr("Case"), tr("File"), tr("Kept")});
         const std::vector<SceneInfo> scenes = sceneList();
         for (const RecoveredCase& each : cases_) {
-            QString name = QString::fromStdString(each.content.title);
+            QString name = SceneModel::titleText(QString::fromStdString(each.content.title));
             for (const SceneInfo& scene : scenes) {
                 if (scene.name.toStdString() == each.content.scene) {
                     name = name.isEmpty() ? scene.title : scene.title + QStringLiteral(": ") + name;

@@ -312,6 +312,8 @@ TEST_F(CaseModelTest, ThePresetsNameGoesWithItsEngine) {
     const QString fresh = model.title();
     model.set("square", 9.0);
     EXPECT_EQ(model.title(), QStringLiteral("Root of four (changed)"));
+    // The mark is no word of a language: the title of a file says it in the one there is now.
+    EXPECT_EQ(SceneModel::titleText(model.title()), SceneModel::tr("%1 (changed)").arg(fresh));
     model.set("square", 4.0);  // the hand comes back
     EXPECT_EQ(model.title(), fresh);
     EXPECT_TRUE(model.history()->isClean());
