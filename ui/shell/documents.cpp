@@ -317,13 +317,23 @@ void Documents::put(const CaseFile& file, OpenDocument* there,
     bringToFront(target);
 }
 
-std::optional<bool> Documents::relocate(CaseFile& file, const InputError& error,
+std::optional<bool> Documents::relocate(CaseFile& file, const InputError& error, Missing& missing,
                                         const QString& title, const QString& trouble) {
     Json* const name = CaseDocument::fileNamedAt(file, error);
     if (name == nullptr) {
         return std::nullopt;
     }
-    const QString found = locate(QString::fromStdString(name->get<std::string>()), title, trouble);
+    const bool isSecond = missing.where == error.where();
+    if (!isSecond) {
+        missing = {error.where(), QString::fromStdString(name->get<std::string>())};
+    }
+    // What the case names is looked for, whatever was chosen for it.
+    const QString found = locate(
+        missing.name, title,
+        isSecond
+            ? tr("The file chosen for %1 does not do.").arg(QFileInfo(missing.name).fileName()) +
+                  QStringLiteral("\n\n") + trouble
+            : trouble);
     if (!found.isEmpty()) {
         *name = QFileInfo(found).absoluteFilePath().toStdString();
     }
@@ -337,6 +347,7 @@ QString Documents::open(const QString& path, bool locates) {
     }
     CaseFile file;
     QByteArray known;
+    Missing missing;
     for (bool isMoved = false;; isMoved = true) {
         try {
             if (!isMoved) {
@@ -358,7 +369,7 @@ QString Documents::open(const QString& path, bool locates) {
         } catch (const InputError& error) {
             const QString trouble = path + QStringLiteral(": ") + errorText(error);
             const auto isMoving =
-                locates ? relocate(file, error, tr("Open case"), trouble) : std::nullopt;
+                locates ? relocate(file, error, missing, tr("Open case"), trouble) : std::nullopt;
             if (!isMoving) {
                 return trouble;
             }
@@ -425,6 +436,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
         there = nullptr;
     }
     CaseFile file = recovered.content;
+    Missing missing;
     for (bool isThere = false; !isThere;) {
         try {
             put(file, there, [&](CaseDocument& document) {
@@ -435,7 +447,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
             const QString title = tr("Unsaved cases");
             const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
                                     QStringLiteral(": ") + errorText(error);
-            const auto isMoving = relocate(file, error, title, trouble);
+            const auto isMoving = relocate(file, error, missing, title, trouble);
             if (!isMoving) {
                 QMessageBox::warning(window(), title, trouble);
             }

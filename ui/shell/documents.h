@@ -136,10 +136,15 @@ class Documents : public QWidget {
     /// Asks where the file is that could not be read.
     /// @return an empty text where the user gives up
     QString locate(const QString& name, const QString& title, const QString& trouble);
+    /// The file that is being asked for: where the case names it, and how.
+    struct Missing {
+        std::string where;
+        QString name;
+    };
     /// Asks that for the file that the error is about, and enters the answer into the case.
     /// @return nothing where something else is wrong; false where the user gives up
-    std::optional<bool> relocate(CaseFile& file, const InputError& error, const QString& title,
-                                 const QString& trouble);
+    std::optional<bool> relocate(CaseFile& file, const InputError& error, Missing& missing,
+                                 const QString& title, const QString& trouble);
     DocumentDialogs dialogsOf(OpenDocument& document);
     QString nameOf(const OpenDocument& document) const;
     void arrangeTabs();

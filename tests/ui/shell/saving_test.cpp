@@ -312,10 +312,19 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     ASSERT_TRUE(QFile::rename(file("a/момент.csv"), file("b/there.csv")));
     const QString trouble = window.openCase(path);
     EXPECT_TRUE(trouble.contains(QStringLiteral("момент.csv"))) << trouble.toStdString();
-    typed = QStringList{path, file("b/there.csv")};
+    write_text_file(fsPath(file("b/wrong.csv")), "nothing\n");
+    typed = QStringList{path, file("b/wrong.csv"), file("b/there.csv")};
+    // What the case names is looked for, whatever was chosen.
+    const auto asksForIt = [&](int at) {
+        return asked.value(at).contains(QStringLiteral("момент.csv"));
+    };
+    answer("Locate file…");
     answer("Locate file…");
     press(Qt::Key_O);
-    EXPECT_EQ(asked.size(), 3);
+    ASSERT_EQ(asked.size(), 5);
+    for (int at = 1; at < 5; ++at) {
+        EXPECT_TRUE(asksForIt(at)) << qPrintable(asked.at(at));
+    }
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
     EXPECT_TRUE(window.isWindowModified());
     ASSERT_EQ(window.saveCase(path), QString());
