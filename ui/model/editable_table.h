@@ -41,6 +41,8 @@ class EditableTable : public QAbstractTableModel {
     }
     /// Takes that back; of a whole table what was typed last.
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
+    /// The model holds another state as a whole: nothing is refused any more.
+    virtual void forgetRefused() {}
 
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 

@@ -123,10 +123,22 @@ void ToleranceWindow::addKeys() {
     add(QKeySequence(Qt::CTRL | Qt::Key_Y), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { Q_EMIT saveWanted(); });
-    watched_->view()->installEventFilter(this);
+    for (const TableEditor* editor : {inputs_, watched_}) {
+        connect(scene, &SceneModel::broughtIn,
+                qobject_cast<EditableTable*>(editor->view()->model()),
+                &EditableTable::forgetRefused);
+        editor->view()->installEventFilter(this);
+    }
 }
 
 bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        // In a table it gives up what is typed, or was refused; it does not close the window.
+        auto* editor = object == inputs_->view() ? inputs_ : watched_;
+        editor->takeBackRefused();
+        return true;
+    }
     const QTableView* view = watched_->view();
     if (object == view && event->type() == QEvent::KeyPress &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {

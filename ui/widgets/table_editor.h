@@ -32,6 +32,8 @@ class TableEditor : public QWidget {
     virtual void paste();
     /// Below the table.
     void say(const QString& text, bool isTrouble);
+    /// Undo and Escape are the table's while something in it is refused, else the document's.
+    bool takeBackRefused();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,8 +46,6 @@ class TableEditor : public QWidget {
 
   private:
     void removeSelected();
-    /// Undo and Escape are the table's while something in it is refused, else the document's.
-    bool takeBackRefused();
 
     EditableTable* table_;
     QHBoxLayout* tools_;

@@ -264,6 +264,30 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     EXPECT_EQ(ink(), Theme::instance().text());
 }
 
+TEST_F(Tolerances, EscapeAndUndoEndWhatIsRefusedAndLeaveTheWindow) {
+    QTableView* view = tolerances->inputs()->view();
+    const auto* refused = static_cast<const ScatterTable*>(view->model());
+    scatter("/crank_radius_mm", u"abc"_s);
+    ASSERT_EQ(refused->refusedNames().size(), 1);
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_TRUE(refused->refusedNames().isEmpty());
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_TRUE(tolerances->isVisible()) << "there is nothing more to give up";
+    scatter("/crank_radius_mm", u"0.02"_s);
+    scatter("/centre_distance_mm", u"xyz"_s);
+    ASSERT_EQ(refused->refusedNames().size(), 1);
+    scene().undo();  // by the menu of the window
+    EXPECT_TRUE(refused->refusedNames().isEmpty());
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QTest::keyClick(view, Qt::Key_F2);
+    auto* typing = view->findChild<QLineEdit*>();
+    ASSERT_NE(typing, nullptr);
+    QTest::keyClicks(typing, u"7"_s);
+    QTest::keyClick(typing, Qt::Key_Escape);
+    EXPECT_TRUE(tolerances->isVisible());
+    EXPECT_TRUE(study().vary.empty());
+}
+
 TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
     watch("/metrics/M_ups/range_Nm");
     const QAbstractItemModel* table = tolerances->watched()->view()->model();

@@ -144,6 +144,14 @@ void ScatterTable::takeBackRefused(const QModelIndex& at) {
     Q_EMIT dataChanged(at, at);
 }
 
+void ScatterTable::forgetRefused() {
+    if (!refused_.empty()) {
+        refused_.clear();
+        Q_EMIT troubleChanged({});
+        Q_EMIT dataChanged(index(0, Scatter), index(rowCount() - 1, Scatter));
+    }
+}
+
 void ScatterTable::removeRowRange(int first, int count) {
     for (int row = first; row < first + count; ++row) {
         setData(index(row, Scatter), QString(), Qt::EditRole);
@@ -261,6 +269,14 @@ void WatchTable::takeBackRefused(const QModelIndex& at) {
     retry(at.row(), at.column() == Least ? Most : Least);
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index(at.row(), Least), index(at.row(), Most));
+}
+
+void WatchTable::forgetRefused() {
+    if (!refused_.empty()) {
+        refused_.clear();
+        Q_EMIT troubleChanged({});
+        Q_EMIT dataChanged(index(0, Least), index(rowCount() - 1, Most));
+    }
 }
 
 void WatchTable::dropUnwatched() {

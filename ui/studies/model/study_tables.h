@@ -20,6 +20,7 @@ class ScatterTable final : public EditableTable {
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
     void takeBackRefused(const QModelIndex& at) override;
+    void forgetRefused() override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -61,6 +62,7 @@ class WatchTable final : public EditableTable {
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
     void takeBackRefused(const QModelIndex& at) override;
+    void forgetRefused() override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
