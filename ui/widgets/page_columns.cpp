@@ -40,6 +40,7 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
       resultsWidth_(leastWidth(parts.results) + results_->verticalScrollBar()->sizeHint().width() +
                     2),
       inputsLeast_(leastWidth(parts.inputs)),
+      inputsAlone_(parts.narrowest > 0 ? parts.narrowest : inputsLeast_),
       inputsMost_(parts.inputs->maximumWidth()) {
     grid_->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     grid_->setSpacing(Theme::space);
@@ -122,6 +123,9 @@ void PageColumns::foldResults(bool folded) {
 
 void PageColumns::foldPlots(bool folded) {
     parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMost_);
+    if (inputsAlone_ < inputsLeast_) {
+        parts_.inputs->setMinimumWidth(folded ? inputsAlone_ : inputsLeast_);
+    }
     grid_->setColumnStretch(0, folded ? 1 : 0);
     if (parts_.plots == nullptr) {
         return;
@@ -145,7 +149,7 @@ void PageColumns::resizeEvent(QResizeEvent* event) {
 QSize PageColumns::minimumSizeHint() const {
     const QSize all = QWidget::minimumSizeHint();
     const int narrowest =
-        std::max({inputsLeast_, leastWidth(parts_.plots), leastWidth(parts_.top)}) +
+        std::max({inputsAlone_, leastWidth(parts_.plots), leastWidth(parts_.top)}) +
         2 * Theme::space;
     return {std::min(all.width(), narrowest), all.height()};
 }

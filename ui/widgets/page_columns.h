@@ -26,6 +26,8 @@ class PageColumns : public QWidget {
         int plotShare = 5;
         int resultShare = 2;
         QWidget* top = nullptr;  ///< over plots and results
+        /// Of inputs that stand alone: narrower they scroll sideways; 0: as wide as they say.
+        int narrowest = 0;
     };
 
     explicit PageColumns(const Parts& parts, QWidget* parent = nullptr);
@@ -53,6 +55,7 @@ class PageColumns : public QWidget {
     QScrollArea* results_;
     int resultsWidth_;  ///< that they need beside the plots
     int inputsLeast_;   ///< width that they need
+    int inputsAlone_;   ///< … where they stand alone
     int inputsMost_;
     int most_ = 0;
     Fold fold_ = Fold::None;

@@ -37,7 +37,8 @@ namespace ravnoves {
 
 namespace {
 constexpr int sheetWidth = 470;
-}
+constexpr int narrowestSheet = 280;
+}  // namespace
 
 void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
     auto* column = new QVBoxLayout(this);
@@ -51,10 +52,13 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
     for (const auto& [form, title] : sheets) {
         addSheet(form, title);
     }
-    column->addWidget(
-        new PageColumns({.inputs = sheets_, .tabs = sheets_, .plots = nullptr, .results = answer},
-                        this),
-        1);
+    column->addWidget(new PageColumns({.inputs = sheets_,
+                                       .tabs = sheets_,
+                                       .plots = nullptr,
+                                       .results = answer,
+                                       .narrowest = Theme::withText(narrowestSheet)},
+                                      this),
+                      1);
     buildActions();
     constexpr int lookAgainMs = 200;
     wait_.setInterval(lookAgainMs);
