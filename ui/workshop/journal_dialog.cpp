@@ -16,6 +16,7 @@
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/form_section.h"
 #include "workshop/checked_field.h"
 #include "workshop/model/verdict.h"
 
@@ -56,9 +57,9 @@ QDate readDay(const QString& text) {
 }
 
 QString dayTrouble(const QString& text) {
-    return readDay(text).isValid()
-               ? QString()
-               : JournalDialog::tr("“%1” is no date; write it like 2024-05-31.").arg(text);
+    return readDay(text).isValid() ? QString()
+                                   : JournalDialog::tr("“%1” is no date; write it like %2.")
+                                         .arg(text, Words().day(QStringLiteral("2024-05-31")));
 }
 
 JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent)
@@ -98,6 +99,10 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
     row->addWidget(unfinished_);
     column->addLayout(row);
+    trouble_ = new TroubleLine(this);
+    trouble_->setObjectName(QStringLiteral("journal_trouble"));
+    trouble_->setAlignment(Qt::AlignRight);
+    column->addWidget(trouble_);
 
     table_ = new QTableWidget(this);
     table_->setObjectName(QStringLiteral("journal_table"));
@@ -153,9 +158,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
     connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
     for (CheckedField* day : {from_, to_}) {
-        connect(day, &CheckedField::troubleChanged, this, [this](const QString& trouble) {
-            trouble.isEmpty() ? search() : message_->setText(trouble);
-        });
+        connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
     }
     // Enter in the search opens the one job that is found, or goes to the list, where it opens.
     connect(text_, &QLineEdit::returnPressed, this, [this] {
@@ -207,8 +210,21 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
             machine};
 }
 
+void JournalDialog::showDayTrouble(const JournalQuery& wanted) {
+    const bool isReversed = wanted.from.isValid() && wanted.to.isValid() && wanted.from > wanted.to;
+    QStringList said{from_->trouble(), to_->trouble()};
+    if (isReversed) {
+        said << tr("“from” is later than “to”: no day lies between them.");
+    }
+    said.removeAll(QString());
+    from_->setDoubtful(isReversed);
+    to_->setDoubtful(isReversed);
+    trouble_->say(said.join(QLatin1Char('\n')));
+}
+
 void JournalDialog::search() {
     JournalQuery wanted = query();
+    showDayTrouble(wanted);
     wanted.limit = longestList + 1;
     jobs_ = journal_->search(wanted);
     truncated_ = jobs_.size() > longestList;

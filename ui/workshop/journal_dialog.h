@@ -16,6 +16,7 @@ class QTableWidget;
 namespace ravnoves {
 
 class CheckedField;
+class TroubleLine;
 
 /// What the list says of a job in the words of its scene.
 struct ListedJob {
@@ -43,6 +44,7 @@ class JournalDialog : public QDialog {
 
   private:
     void search();
+    void showDayTrouble(const JournalQuery& wanted);
     JournalQuery query() const;
     void choose(Choice choice);
     void removeSelected();
@@ -63,6 +65,7 @@ class JournalDialog : public QDialog {
     CheckedField* to_;
     QCheckBox* unfinished_;
     QTableWidget* table_;
+    TroubleLine* trouble_;
     QLabel* message_;
     QPushButton* open_;
     QPushButton* copy_;
