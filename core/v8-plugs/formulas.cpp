@@ -99,7 +99,7 @@ std::vector<Formula> formulas(const Input& input) {
 std::span<const Text> left_out() {
     static constexpr std::array texts{
         CORE_TEXT("v8-plugs",
-                  "All eight crankpins are treated alike, with the means of the weighed parts."),
+                  "All four crankpins are treated alike, with the means of the weighed parts."),
         CORE_TEXT("v8-plugs", "The crankshaft is rigid."),
         CORE_TEXT(
             "v8-plugs",

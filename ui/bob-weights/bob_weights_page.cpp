@@ -41,8 +41,9 @@ QString BobWeightsPage::engineNumber() const {
     return QString::fromStdString(model_->input().job.engine_number);
 }
 
-void BobWeightsPage::emptySheet() {
+QString BobWeightsPage::emptySheet() {
     model_->newJob();
+    return model_->carriedOver();
 }
 
 ListedJob BobWeightsPage::listed(const Words& words, const JournalJob& job) const {

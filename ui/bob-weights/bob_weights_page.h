@@ -24,7 +24,7 @@ class BobWeightsPage : public WorkshopPage {
     JobDesk* desk() const override;
     std::unique_ptr<JobCard> card() override;
     QString engineNumber() const override;
-    void emptySheet() override;
+    QString emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
     void showRefused(const QStringList& refused) override;
 

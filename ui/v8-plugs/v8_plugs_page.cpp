@@ -53,8 +53,9 @@ QString V8PlugsPage::engineNumber() const {
     return QString::fromStdString(model_->input().job.engine_number);
 }
 
-void V8PlugsPage::emptySheet() {
+QString V8PlugsPage::emptySheet() {
     model_->newJob();
+    return model_->carriedOver();
 }
 
 ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {

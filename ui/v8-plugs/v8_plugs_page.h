@@ -32,7 +32,7 @@ class V8PlugsPage : public WorkshopPage {
     JobDesk* desk() const override;
     std::unique_ptr<JobCard> card() override;
     QString engineNumber() const override;
-    void emptySheet() override;
+    QString emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
     void showRefused(const QStringList& refused) override;
 

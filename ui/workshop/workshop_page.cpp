@@ -96,6 +96,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     for (qsizetype i = 1; i < order.size(); ++i) {
         QWidget::setTabOrder(order.at(i - 1), order.at(i));
     }
+    markTab(tab);  // a page made anew shows a job that is there
 }
 
 void WorkshopPage::markTab(int tab) {
@@ -425,9 +426,11 @@ bool WorkshopPage::isJobKnown() {
 
 void WorkshopPage::newJob() {
     if (leaveJob()) {
-        emptySheet();
+        const QString kept = emptySheet();
         sheets_->setCurrentIndex(0);
         forms_.constFirst()->order().constFirst()->setFocus(Qt::TabFocusReason);
+        const QString said = tr("The sheet is empty for the next job.") + QLatin1Char(' ') + kept;
+        Q_EMIT status(said.trimmed());
     }
 }
 

@@ -601,7 +601,7 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     EXPECT_TRUE(reader.waitForFinished());
     const QString printed = QString::fromUtf8(reader.readAllStandardOutput());
     EXPECT_TRUE(printed.contains(u"take off"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"First-order force of the differences"_s));
+    EXPECT_TRUE(printed.contains(u"First-order unbalance of the differences"_s));
     page.sheets()->setCurrentIndex(2);
     model->newJob();
     EXPECT_EQ(model->input().weigh_in->matching.pistons, workshop::SetMoves::stays);
@@ -780,6 +780,59 @@ TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
     QTest::mouseClick(hold, Qt::LeftButton);
     EXPECT_FALSE(hold->isVisible());
     EXPECT_EQ(model->planeRows().at(1).constLast(), u"✓ passes"_s);
+}
+
+TEST_F(V8PageTest, ReadingsOfAnotherCrankshaftAreAmber) {
+    QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+    model->loadInput(parse_json(example.readAll().toStdString()).at("input"), {});
+    type("front_reading_g_mm", u"4"_s);
+    type("rear_reading_g_mm", u"3"_s);
+    type("crankshaft_number", u"A-1"_s);
+    EXPECT_EQ(model->planeRows().at(0).constLast(), u"✓ passes"_s) << "a number that comes later";
+    type("crankshaft_number", u"B-2"_s);
+    EXPECT_EQ(model->planeRows().at(0).constLast(), u"another crankshaft"_s);
+    EXPECT_TRUE(field("front_reading_g_mm")->isDoubtful());
+    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
+    const QString why = u"The readings are of another crankshaft: number "_s;
+    EXPECT_TRUE(label("troubles").contains(why)) << qPrintable(label("troubles"));
+    // A page made anew shows it, too.
+    V8PlugsPage again(QString(), nullptr);
+    again.viewModel()->loadInput(model->inputJson(), {});
+    EXPECT_EQ(again.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
+    type("front_reading_g_mm", u"4.5"_s);
+    EXPECT_TRUE(label("troubles").contains(why)) << "one plane read again is not both";
+    type("rear_reading_g_mm", u"3.5"_s);
+    EXPECT_FALSE(label("troubles").contains(why));
+    type("engine_number", u"1"_s);
+    EXPECT_FALSE(label("troubles").contains(u"another crankshaft"_s));
+}
+
+TEST_F(V8PageTest, APlugThatCannotBeMadeIsNoAnswer) {
+    QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+    Json input = parse_json(example.readAll().toStdString()).at("input");
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 14.5})");
+    model->loadInput(input, {});
+    EXPECT_TRUE(label("advice").contains(u"there is no bottom"_s)) << qPrintable(label("advice"));
+    EXPECT_EQ(find<QLabel>("advice")->palette().color(QPalette::WindowText),
+              Theme::instance().error());
+    EXPECT_TRUE(label("boring").isEmpty());
+    type("bore_depth_mm", u"6"_s);
+    EXPECT_FALSE(label("advice").contains(u"cannot"_s)) << qPrintable(label("advice"));
+}
+
+TEST_F(V8PageTest, TheNextJobSaysWhatItKeeps) {
+    QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+    model->loadInput(parse_json(example.readAll().toStdString()).at("input"), {});
+    model->history()->setClean();
+    const QSignalSpy said(&page, &ScenePage::status);
+    press(Qt::Key_F4);
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().contains(u"the engine's values"_s))
+        << qPrintable(said.last().at(0).toString());
 }
 
 TEST_F(V8PageTest, MassesInKilogramsAreNoticed) {
@@ -1418,6 +1471,18 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
     EXPECT_FALSE(says(u"is no date"_s));
     EXPECT_TRUE(says(u"Jobs found: 1"_s)) << "the list is said again";
     EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1);
+    // Reversed, no day lies between them.
+    auto* to = dialog.findChild<CheckedField*>(u"journal_to"_s);
+    QTest::keyClicks(from, u"31.12.2199"_s);
+    QTest::keyClicks(to, u"2024-01-01"_s);
+    EXPECT_TRUE(says(u"no day lies between"_s));
+    EXPECT_TRUE(from->isDoubtful() && to->isDoubtful());
+    for (CheckedField* day : {from, to}) {
+        day->selectAll();
+        QTest::keyClick(day, Qt::Key_Delete);
+    }
+    EXPECT_FALSE(says(u"no day lies between"_s));
+    EXPECT_FALSE(from->isDoubtful());
     // Enter opens the one that is found.
     QTest::keyClick(dialog.findChild<QLineEdit*>(u"journal_search"_s), Qt::Key_Return);
     EXPECT_EQ(dialog.result(), QDialog::Accepted);
@@ -1426,6 +1491,10 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
     EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));
     EXPECT_EQ(readDay(u"31.05.2024"_s), QDate(2024, 5, 31));
     EXPECT_FALSE(readDay(u"32.05.2024"_s).isValid());
+    for (const char* language : {"en", "ru"}) {  // what is shown is read
+        const QString shown = Words(QString::fromLatin1(language)).day(u"2024-05-31"_s);
+        EXPECT_EQ(readDay(shown), QDate(2024, 5, 31)) << qPrintable(shown);
+    }
 }
 
 }  // namespace

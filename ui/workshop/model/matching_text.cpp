@@ -112,7 +112,7 @@ QString felt(const Words& words, const Shown& shown) {
         return {};
     }
     const QString force =
-        words.translate("Matching", "First-order force of the differences %1 → %2")
+        words.translate("Matching", "First-order unbalance of the differences %1 → %2")
             .arg(forceOf(words, shown, before->force), forceOf(words, shown, after->force));
     if (!shown.matched.spacing_known) {
         return force + QLatin1Char('.');
@@ -142,8 +142,8 @@ QVector<QStringList> effects(const Words& words, const Shown& shown) {
     const QString speed =
         shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();
     rows << QStringList{shown.crank_radius
-                            ? words.translate("Matching", "Force")
-                            : words.translate("Matching", "Force, as mass at the crank radius"),
+                            ? words.translate("Matching", "Unbalance")
+                            : words.translate("Matching", "Unbalance, as mass at the crank radius"),
                         forceOf(words, shown, before.force), forceOf(words, shown, after.force)};
     if (newtons) {
         rows << QStringList{words.translate("Matching", "Force at %1").arg(speed),
@@ -170,9 +170,9 @@ ResultTips effectTips(const Words& words) {
     return {
         {words.translate("Matching", "Crankpins, spread"),
          words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")},
-        {words.translate("Matching", "Force"),
+        {words.translate("Matching", "Unbalance"),
          words.translate("Matching",
-                         "First-order force of what the parts differ by from their "
+                         "First-order unbalance of what the parts differ by from their "
                          "mean, greatest over a turn; what the engine leaves by its "
                          "design is not in it")},
         {words.translate("Matching", "Couple"),
