@@ -296,6 +296,14 @@
         <source>The bob weight still needs: %1</source>
         <translation>Для груза ещё нужны: %1</translation>
     </message>
+    <message>
+        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
+        <translation>Показания сняты с другого вала: тогда номер %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
+    </message>
+    <message>
+        <source>another crankshaft</source>
+        <translation>другой вал</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -512,7 +520,7 @@
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>%1: не удалось записать: %2</translation>
+        <translation>Не удалось записать %1: %2</translation>
     </message>
     <message>
         <source>Weights of the parts by cylinder, %1</source>
@@ -560,11 +568,15 @@
     </message>
     <message>
         <source>Not up to date, for these entries are refused: %1</source>
-        <translation>Не по листу: отвергнуты значения: %1</translation>
+        <translation>Не по листу, отвергнуты значения: %1</translation>
     </message>
     <message>
         <source>What to take off does not fit here: see sheet 3.</source>
         <translation>Сколько снять, здесь не помещается: см. лист 3.</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>не сделать</translation>
     </message>
 </context>
 <context>
@@ -909,6 +921,18 @@
         <source>weights</source>
         <translation>веса</translation>
     </message>
+    <message>
+        <source>front read of</source>
+        <translation>показание спереди чьё</translation>
+    </message>
+    <message>
+        <source>read of</source>
+        <translation>показания чьи</translation>
+    </message>
+    <message>
+        <source>rear read of</source>
+        <translation>показание сзади чьё</translation>
+    </message>
 </context>
 <context>
     <name>Matching</name>
@@ -941,10 +965,6 @@
         <translation>Момент учтён; для его величины нужен шаг цилиндров.</translation>
     </message>
     <message>
-        <source>First-order force of the differences %1 → %2</source>
-        <translation>Сила первого порядка от разницы масс %1 → %2</translation>
-    </message>
-    <message>
         <source>, couple %1 → %2.</source>
         <translation>, момент %1 → %2.</translation>
     </message>
@@ -965,14 +985,6 @@
         <translation>Шейки, разброс</translation>
     </message>
     <message>
-        <source>Force</source>
-        <translation>Сила</translation>
-    </message>
-    <message>
-        <source>Force, as mass at the crank radius</source>
-        <translation>Сила как масса на радиусе кривошипа</translation>
-    </message>
-    <message>
         <source>Force at %1</source>
         <translation>Сила при %1</translation>
     </message>
@@ -991,10 +1003,6 @@
     <message>
         <source>Heaviest less lightest crankpin, as their bob weights</source>
         <translation>Самая тяжёлая шейка минус самая лёгкая, как их балансировочные грузы</translation>
-    </message>
-    <message>
-        <source>First-order force of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
-        <translation>Сила первого порядка от отклонений деталей от их среднего, наибольшая за оборот; неуравновешенность самой схемы двигателя не входит</translation>
     </message>
     <message>
         <source>The same along the crankshaft, about its middle</source>
@@ -1039,6 +1047,22 @@
     <message>
         <source>Couple, as mass at the crank radius</source>
         <translation>Момент, как масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>First-order unbalance of the differences %1 → %2</source>
+        <translation>Дисбаланс первого порядка от разницы масс %1 → %2</translation>
+    </message>
+    <message>
+        <source>Unbalance</source>
+        <translation>Дисбаланс</translation>
+    </message>
+    <message>
+        <source>Unbalance, as mass at the crank radius</source>
+        <translation>Дисбаланс как масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>First-order unbalance of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
+        <translation>Дисбаланс первого порядка от отклонений деталей от их среднего, наибольший за оборот; неуравновешенность самой схемы двигателя не входит</translation>
     </message>
 </context>
 <context>
@@ -1900,6 +1924,34 @@
     <message>
         <source>%1 plug: a plug of these dimensions weighs %2, but sheet 2 says %3. Weigh it.</source>
         <translation>%1: пробка таких размеров весит %2, а на листе 2 стоит %3. Взвесьте её.</translation>
+    </message>
+    <message>
+        <source>“%1” would do with %2 off each plug, but the plug cannot be made so.</source>
+        <translation>Подошло бы «%1», если снять с каждой пробки %2, но так пробку не сделать.</translation>
+    </message>
+    <message>
+        <source>“%1” would do, but the plug cannot be made so.</source>
+        <translation>Подошло бы «%1», но такую пробку не сделать.</translation>
+    </message>
+    <message>
+        <source>Whose readings they are, where the head of the card has become that of another crankshaft since.</source>
+        <translation>Чьи это показания, если заголовок карты с тех пор стал заголовком другого вала.</translation>
+    </message>
+    <message>
+        <source>Engine number then</source>
+        <translation>Номер двигателя при этом</translation>
+    </message>
+    <message>
+        <source>Of the engine whose crankshaft the machine read.</source>
+        <translation>Двигателя, вал которого стоял на станке.</translation>
+    </message>
+    <message>
+        <source>Crankshaft number then</source>
+        <translation>Номер вала при этом</translation>
+    </message>
+    <message>
+        <source>Of the crankshaft that the machine read.</source>
+        <translation>Вала, который стоял на станке.</translation>
     </message>
 </context>
 <context>
@@ -4248,11 +4300,11 @@
     </message>
     <message>
         <source>oz</source>
-        <translation>унц.</translation>
+        <translation>унц</translation>
     </message>
     <message>
         <source>oz·in</source>
-        <translation>унц.·дюйм</translation>
+        <translation>унц·дюйм</translation>
     </message>
     <message>
         <source>lb·ft²</source>
@@ -4928,6 +4980,10 @@
     <message>
         <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1. Newton–Euler makes the side force zero.</source>
         <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
+    </message>
+    <message>
+        <source>at lambda = 1 the mechanism locks</source>
+        <translation>при λ = 1 механизм заклинивает</translation>
     </message>
 </context>
 <context>
@@ -7972,7 +8028,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>%2 less at %1° – cannot be built</source>
-        <translation>на %2 меньше при %1° — построить нельзя</translation>
+        <translation>на %2 меньше при&#xa0;%1° — построить нельзя</translation>
     </message>
 </context>
 <context>
@@ -8558,15 +8614,19 @@ but nothing can be built</source>
     </message>
     <message>
         <source>%1: %2 are still needed, in %3, one after the other: %4</source>
-        <translation>%1: ещё нужно: %2, в %3, одно за другим: %4</translation>
+        <translation>%1: нужны ещё «%2» в %3, через точку с запятой, например %4</translation>
     </message>
     <message>
         <source>%1: %2 is still needed. %3</source>
-        <translation>%1: ещё нужно: %2. %3</translation>
+        <translation>%1: нужно ещё значение «%2». %3</translation>
     </message>
     <message>
-        <source>A V has as many cylinders in one bank as in the other: %1 is odd.</source>
-        <translation>У V-образного двигателя в обоих рядах поровну цилиндров: %1 — нечётное число.</translation>
+        <source>Two rods share a bob weight, and %1 is odd: choose one rod on a bob weight first.</source>
+        <translation>Один груз — на два шатуна, а %1 — нечётное число: сначала выберите один шатун на грузе.</translation>
+    </message>
+    <message>
+        <source>From the job before: engine, factor, planes, drills and limits.</source>
+        <translation>Из предыдущей работы: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
     </message>
 </context>
 <context>
@@ -8819,7 +8879,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>E&amp;ven firing</source>
-        <translation>Равном. &amp;чередование</translation>
+        <translation>Равномерные &amp;вспышки</translation>
     </message>
     <message>
         <source>Cylinders</source>
@@ -9021,6 +9081,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Do&amp;n’t save</source>
         <translation>&amp;Не сохранять</translation>
+    </message>
+    <message>
+        <source>The file chosen for %1 does not do.</source>
+        <translation>Файл, выбранный вместо %1, не подходит.</translation>
     </message>
 </context>
 <context>
@@ -10269,7 +10333,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>potential part</source>
-        <translation>потенц. часть</translation>
+        <translation>потенциальная часть</translation>
     </message>
     <message>
         <source>M₁₂ less its mean, (5)</source>
@@ -10615,7 +10679,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>&amp;logarithmic</source>
-        <translation>&amp;логарифм.</translation>
+        <translation>&amp;логарифмическая</translation>
     </message>
     <message>
         <source>Six decades, so that the high orders can be seen</source>
@@ -10659,7 +10723,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Roll</source>
-        <translation>Опрокид.</translation>
+        <translation>Момент Mz</translation>
     </message>
     <message>
         <source>Order 1, forces</source>
@@ -11070,11 +11134,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 is left out (%2 % of the largest)</source>
-        <translation>%1: не входит (%2 % наибольшего)</translation>
+        <translation>%1: не входит (%2&#xa0;% наибольшего)</translation>
     </message>
     <message>
         <source>%1 is %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
+        <translation>%1: ошибка %2&#xa0;%</translation>
     </message>
     <message>
         <source>Two-term is not enough: %1.</source>
@@ -11378,10 +11442,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::JournalDialog</name>
     <message>
-        <source>“%1” is no date; write it like 2024-05-31.</source>
-        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
-    </message>
-    <message>
         <source>Journal of jobs</source>
         <translation>Журнал работ</translation>
     </message>
@@ -11500,6 +11560,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
+    </message>
+    <message>
+        <source>“%1” is no date; write it like %2.</source>
+        <translation>«%1» — не дата; пишите так: %2.</translation>
+    </message>
+    <message>
+        <source>“from” is later than “to”: no day lies between them.</source>
+        <translation>«С» позже, чем «по»: между ними нет ни одного дня.</translation>
     </message>
 </context>
 <context>
@@ -12716,6 +12784,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Остаться</translation>
+    </message>
+    <message>
+        <source>The last change is still being solved. When that is done, this goes on by itself.</source>
+        <translation>Последнее изменение ещё решается. Когда решение будет готово, всё продолжится само.</translation>
     </message>
 </context>
 <context>
@@ -13935,6 +14007,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>bob weight at the readings</source>
         <translation>балансировочный груз при измерении</translation>
     </message>
+    <message>
+        <source>step of the curves</source>
+        <translation>шаг кривых</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RobustModel</name>
@@ -14308,7 +14384,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Bob weights and the drilled crankshaft of any engine</source>
-        <translation>Балансировочные грузы и высверленный вал любого двигателя</translation>
+        <translation>Балансировочные грузы и высверливание вала любого двигателя</translation>
     </message>
 </context>
 <context>
@@ -14888,15 +14964,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::SheetForm</name>
     <message>
         <source>Not up to date, for these entries are refused: %1</source>
-        <translation>Не по листу: отвергнуты значения: %1</translation>
+        <translation>Не по листу, отвергнуты значения: %1</translation>
     </message>
     <message>
-        <source>Readings &amp;hold for this bob weight</source>
-        <translation>Показания &amp;верны для этого груза</translation>
+        <source>Readings &amp;hold</source>
+        <translation>Показания &amp;верны</translation>
     </message>
     <message>
-        <source>They were taken with the bob weight that there is now.</source>
-        <translation>Они сняты с тем грузом, который указан сейчас.</translation>
+        <source>They are of this crankshaft, with the bob weight that there is now.</source>
+        <translation>Они сняты с этого вала, с тем грузом, который указан сейчас.</translation>
     </message>
 </context>
 <context>
@@ -15544,7 +15620,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Not up to date, for these tolerances are refused: %1.</source>
-        <translation>Не по таблице: отвергнуты допуски: %1.</translation>
+        <translation>Не по таблице, отвергнуты допуски: %1.</translation>
     </message>
 </context>
 <context>
@@ -16544,8 +16620,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа ещё сохраняется.</translation>
     </message>
     <message>
-        <source>The job of %1 in the journal is finished, its verdict: %2. On the sheet the bob weight is another than that of the readings; saved so, the verdict is: %3.</source>
-        <translation>Работа %1 в журнале закончена, её заключение: %2. На листе балансировочный груз не тот, с которым сняты показания; если сохранить так, заключение будет: %3.</translation>
+        <source>The job of %1 in the journal is finished, its verdict: %2. On the sheet the readings are not of the bob weight and crankshaft there; saved so, the verdict is: %3.</source>
+        <translation>Работа %1 в журнале закончена, её заключение: %2. На листе показания не с тем грузом или не с того вала, которые указаны; если сохранить так, заключение будет: %3.</translation>
+    </message>
+    <message>
+        <source>The sheet is empty for the next job.</source>
+        <translation>Лист пуст для следующей работы.</translation>
     </message>
 </context>
 <context>
@@ -16798,16 +16878,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
     </message>
     <message>
-        <source>All eight crankpins are treated alike, with the means of the weighed parts.</source>
-        <translation>Все шатунные шейки считаются одинаковыми, со средними массами взвешенных деталей.</translation>
-    </message>
-    <message>
         <source>The crankshaft is rigid.</source>
         <translation>Коленчатый вал жёсткий.</translation>
     </message>
     <message>
         <source>Drilling in the webs, flywheel and damper are the balancing machine&apos;s business.</source>
         <translation>Сверление щёк, маховик и гаситель колебаний — дело балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>All four crankpins are treated alike, with the means of the weighed parts.</source>
+        <translation>Все четыре шатунные шейки считаются одинаковыми, со средними массами взвешенных деталей.</translation>
+    </message>
+    <message>
+        <source>the engine has no such plug</source>
+        <translation>в этом двигателе нет такой пробки</translation>
     </message>
 </context>
 <context>
