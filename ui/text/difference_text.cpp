@@ -60,10 +60,61 @@ QString signedPercent(double value, double reference) {
            QStringLiteral("\u00A0%");
 }
 
+namespace {
+
+/// Two numbers in one cell: "0.30 / 0.50", "120 × 80", "1.20 (0.5 %)".
+struct Pair {
+    QString first;
+    QString sign;  ///< between them
+    QString second;
+    QString end;
+};
+
+std::optional<Pair> readPair(const QString& text) {
+    static const QRegularExpression form(
+        QStringLiteral("^(.*\\d)( [/×] | \\((?:÷ )?)([-+\u2212]?\\d[^()]*)(\\)?)$"));
+    const QRegularExpressionMatch match = form.match(text);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    return Pair{match.captured(1), match.captured(2), match.captured(3), match.captured(4)};
+}
+
+/// Of both numbers, between which stands what stands there in the cell.
+std::optional<ShownDifference> pairDifference(const QString& present, const QString& reference) {
+    const auto now = readPair(present);
+    const auto was = readPair(reference);
+    if (!now || !was || now->sign != was->sign) {
+        return std::nullopt;
+    }
+    const auto first = difference(now->first, was->first);
+    const auto second = difference(now->second, was->second);
+    if (!first || !second) {
+        return std::nullopt;
+    }
+    if (now->sign.contains(QChar(0x00F7))) {
+        return first;  // the other is a ratio of it
+    }
+    const auto read = readShownNumber(now->second);
+    const bool isPercent = read->unit == QLatin1String("%");
+    ShownDifference both{first->absolute + now->sign + second->absolute +
+                             (isPercent ? QStringLiteral("\u00A0%") : QString()) + now->end,
+                         first->percent};
+    if (!second->percent.isEmpty()) {
+        both.percent += now->sign + second->percent + now->end;
+    }
+    return both;
+}
+
+}  // namespace
+
 std::optional<ShownDifference> difference(const QString& present, const QString& reference,
                                           bool isAngle) {
     const auto now = readShownNumber(present);
     const auto was = readShownNumber(reference);
+    if (!now && !was) {
+        return pairDifference(present, reference);
+    }
     if (!now || !was || now->unit != was->unit) {
         return std::nullopt;
     }

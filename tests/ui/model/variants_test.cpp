@@ -241,6 +241,11 @@ TEST(DifferenceText, IsOfTheNumbersThatAreShown) {
     check(u"+32.1\u00A0%", u"+30.0\u00A0%", u"+2.1", u"");
     check(u"359.0°", u"1.0°", u"\u22122.0", u"");
     check(u"1.2E6", u"1.0E6", u"+2e+05", u"+20.0\u00A0%");
+    check(u"0.30 / 0.50", u"0.25 / 0.60", u"+0.05 / −0.10", u"+20.0\u00A0% / −16.7\u00A0%");
+    check(u"178 × 305", u"170 × 305", u"+8 × 0", u"+4.7\u00A0% × 0\u00A0%");
+    check(u"1.20 (0.5\u00A0%)", u"1.00 (0.4\u00A0%)", u"+0.20 (+0.1\u00A0%)", u"+20.0\u00A0%");
+    check(u"12.50 (÷ 9.1)", u"10.00 (÷ 11.4)", u"+2.50", u"+25.0\u00A0%");
+    EXPECT_FALSE(difference(QStringLiteral("0.30 / 0.50"), QStringLiteral("–")));
     for (const char16_t* text : {u"–", u"178 × 305", u"", u"none", u"1-3-4-2", u"5/6"}) {
         EXPECT_FALSE(readShownNumber(QString::fromUtf16(text)))
             << QString::fromUtf16(text).toStdString();
