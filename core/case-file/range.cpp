@@ -24,14 +24,7 @@ std::string format_number(double value) {
 }
 
 std::string format_number(double value, int significant_digits) {
-    if (!std::isfinite(value)) {
-        return format_number(value);
-    }
-    std::array<char, 64> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::general, significant_digits)
-                         .ptr;
-    return {buffer.data(), end};
+    return format_number(rounded_to(value, significant_digits));
 }
 
 Message Range::message(Unit unit) const {
@@ -70,9 +63,12 @@ double rounded_to(double value, int digits) {
     if (!std::isfinite(value)) {
         return value;
     }
-    const std::string text = format_number(value, digits);
+    std::array<char, 64> buffer{};
+    const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::general, digits)
+                                .ptr;
     double shorter = value;
-    std::from_chars(text.data(), text.data() + text.size(), shorter);
+    std::from_chars(buffer.data(), end, shorter);
     return shorter;
 }
 

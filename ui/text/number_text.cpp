@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "case-file/decimal.h"
 #include "text/all_digits.h"
@@ -77,6 +78,15 @@ QString trueMinus(QString number) {
 
 std::optional<double> readFormNumber(const QString& text) {
     return parse_decimal(text.trimmed().toStdString());
+}
+
+QString powerOfTen(int exponent) {
+    static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = QStringLiteral("10") + (exponent < 0 ? QStringLiteral("⁻") : QString());
+    for (const QChar digit : QString::number(std::abs(exponent))) {
+        text += raised.at(digit.digitValue());
+    }
+    return text;
 }
 
 QString fixedNumber(double value, int decimals, const QLocale& locale) {

@@ -33,6 +33,9 @@ QString unbroken(QString text);
 /// "46 mm", "50.65°": a number and its unit, which may be empty.
 QString withUnit(const QString& number, const QString& unit);
 
+/// "10²⁰"
+QString powerOfTen(int exponent);
+
 /// Fixed decimals with the locale's decimal sign and a true minus.
 QString fixedDecimals(double value, int decimals, const QLocale& locale);
 /// A number of a result: so many decimals, unless the user has chosen significant digits.

@@ -182,6 +182,8 @@ TEST(RangeTest, DescribesItself) {
 TEST(RangeTest, NumbersReadAsPeopleWriteThem) {
     EXPECT_EQ(format_number(100000), "100000");
     EXPECT_EQ(format_number(1e6), "1000000");
+    EXPECT_EQ(format_number(19487.6, 4), "19490");
+    EXPECT_EQ(format_number(1.23456e-12, 3), "1.23e-12");
     EXPECT_EQ(format_number(-0.001), "-0.001");
     EXPECT_EQ(format_number(0.1), "0.1");
     EXPECT_EQ(format_number(0), "0");

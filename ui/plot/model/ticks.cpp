@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "text/number_text.h"
+
 namespace ravnoves {
 
 double niceStep(double span, int wanted) {
@@ -143,14 +145,9 @@ QString powerText(double value, const QLocale& locale, int significant) {
         plain.setNumberOptions(QLocale::OmitGroupSeparator);
         return sign + plain.toString(std::abs(value), 'g', std::max(significant, exponent + 1));
     }
-    static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString power = exponent < 0 ? QString(QChar(0x207B)) : QString();
-    for (const QChar digit : QString::number(std::abs(exponent))) {
-        power += raised.at(digit.digitValue());
-    }
     const QString factor =
         isPower ? QString() : locale.toString(mantissa, 'g', significant) + QChar(0x00B7);
-    return sign + factor + QStringLiteral("10") + power;
+    return sign + factor + powerOfTen(exponent);
 }
 
 }  // namespace ravnoves
