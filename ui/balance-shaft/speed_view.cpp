@@ -63,7 +63,9 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     auto* barRow = new FoldingRow(pairWidth, bar);
     barRow->add(buildSliders());
     barRow->add(buildForm());
+    barColumn->setSpacing(0);
     barColumn->addWidget(barRow);
+    barColumn->addWidget(buildProgress());
     column->addWidget(bar);
 
     angles_ = new PlotView(tr("Best α over speed"), this);
@@ -128,7 +130,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
 QWidget* SpeedView::buildSliders() {
     auto* sliders = new QWidget(this);
     auto* column = new QVBoxLayout(sliders);
-    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
+    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, 0);
     column->setSpacing(Theme::gap);
     speed_ = new ValueSlider(tr("Speed &n"), 300.0, 9000.0, 10.0, 100.0, 0, tr("min⁻¹"), sliders);
     speed_->setHint(tr("Speed of the engine; the inertia torque of a computed torque follows it."));
@@ -142,9 +144,15 @@ QWidget* SpeedView::buildSliders() {
         connect(slider, &ValueSlider::released, model_, &SceneModel::finishDrag);
         column->addWidget(slider);
     }
-    auto* running = new QWidget(sliders);
+    return sliders;
+}
+
+/// Below all that is moved and typed: where it comes and goes nothing moves, and no gap is left
+/// between them.
+QWidget* SpeedView::buildProgress() {
+    auto* running = new QWidget(this);
     auto* row = new QHBoxLayout(running);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     row->setSpacing(Theme::space);
     auto* progress = new QProgressBar(running);
     progress->setRange(0, 100);
@@ -156,12 +164,11 @@ QWidget* SpeedView::buildSliders() {
     keepsItsPlace.setRetainSizeWhenHidden(true);
     running->setSizePolicy(keepsItsPlace);
     running->hide();
-    column->addWidget(running);
     connect(cancel, &QPushButton::clicked, study_, &SpeedStudyModel::cancel);
     connect(job(), &BackgroundJob::progress, progress,
             [progress](double part) { progress->setValue(static_cast<int>(100.0 * part)); });
     connect(job(), &BackgroundJob::runningChanged, running, &QWidget::setVisible);
-    return sliders;
+    return running;
 }
 
 Form* SpeedView::buildForm() {

@@ -33,6 +33,7 @@ class SpeedView : public QWidget {
 
   private:
     QWidget* buildSliders();
+    QWidget* buildProgress();
     Form* buildForm();
     void showInput();
     void showStudy();
