@@ -9,11 +9,11 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSvgGenerator>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
 
+#include "plot/clipped_svg.h"
 #include "text/write_file.h"
 #include "theme/theme.h"
 
@@ -42,13 +42,8 @@ bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
 }
 
 bool drawSvg(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
-    QSvgGenerator generator;
-    generator.setOutputDevice(&out);
-    generator.setResolution(static_cast<int>(screenDots));  // or text comes out smaller
-    generator.setSize(size);
-    generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(title);
-    return drawOn(generator, draw);
+    ClippedSvg device(out, size, title);
+    return drawOn(device, draw);
 }
 
 bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {

@@ -1,7 +1,7 @@
 #include <QBuffer>
 #include <QRegularExpression>
-#include <QSvgGenerator>
 
+#include "plot/clipped_svg.h"
 #include "report/report.h"
 #include "theme/theme.h"
 
@@ -40,12 +40,8 @@ footer { margin-top: 2.5em; color: #5b626c; font-size: .85em; }
 /// An SVG that stands within a page: without a head, its names its own.
 QString inlineSvg(const Figure& figure, int number) {
     QBuffer buffer;
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setResolution(96);  // or text comes out at three quarters of its size
-    generator.setSize(figure.size);
-    generator.setViewBox(QRect(QPoint(), figure.size));
-    QPainter painter(&generator);
+    ClippedSvg device(buffer, figure.size);
+    QPainter painter(&device);
     painter.setFont(Theme::font());
     figure.draw(painter);
     painter.end();

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QRectF>
+#include <optional>
+#include <vector>
+
+namespace ravnoves {
+
+/// What a painter lets be seen, for a device that does not clip: cuts what is drawn to it. All is
+/// in the device's pixels, the y axis downwards.
+class ClipShape {
+  public:
+    /// A stretch of a polyline that is seen.
+    struct Stretch {
+        QPolygonF points;
+        double before = 0.0;  ///< length of the polyline up to it, pixels
+    };
+
+    void clear();
+    void set(const QPainterPath& shape);
+    void intersect(const QPainterPath& shape);
+    bool isSet() const { return isSet_; }
+    bool isRectangle() const { return !shape_; }
+
+    /// With a hundredth of a pixel to spare, so that rounding cuts nothing.
+    bool contains(const QRectF& box) const;
+    bool meets(const QRectF& box) const;
+    QRectF bounds() const { return bounds_; }
+
+    /// What of an area is seen; of straight lines.
+    QPainterPath cutArea(const QPainterPath& area) const;
+    /// What of a line is seen; a closed one is not broken at its first point.
+    std::vector<Stretch> cutLine(const QPolygonF& line) const;
+
+  private:
+    /// Where a straight line from 0 to 1 enters and leaves what is seen, in turn.
+    std::vector<double> crossings(const QLineF& line) const;
+
+    bool isSet_ = false;
+    QRectF bounds_;
+    std::optional<QPainterPath> shape_;  ///< nothing: the bounds
+    std::vector<QLineF> edges_;          ///< of the shape
+};
+
+/// The subpaths of a path as polygons that are true to an eighth of a pixel.
+QList<QPolygonF> flattened(const QPainterPath& path);
+
+}  // namespace ravnoves
