@@ -54,9 +54,8 @@ std::vector<Formula> formulas(const Input& input) {
              CORE_TEXT("balance-shaft", "piston, pin, rings and the small-end share of the rod")});
     }
     list.push_back({CORE_TEXT("balance-shaft", "First-order inertia force"),
-                    offset
-                        ? "P<sub>j1</sub> = m<sub>j</sub> r<sub>1</sub> ω<sup>2</sup> cos(θ − δ)"
-                        : "P<sub>j1</sub> = m<sub>j</sub> r ω<sup>2</sup> cos φ",
+                    offset ? "P<sub>j1</sub> = m<sub>j</sub> r<sub>1</sub> ω<sup>2</sup> cos(θ − δ)"
+                           : "P<sub>j1</sub> = m<sub>j</sub> r ω<sup>2</sup> cos φ",
                     offset ? "" : gots_klevtsov, "",
                     offset ? CORE_TEXT("balance-shaft",
                                        "of the exact s″: −r₁ cos(θ − δ) is its first order; ω "
@@ -125,13 +124,12 @@ std::vector<Formula> formulas(const Input& input) {
                               "half-axes of the ellipse of the first-order force, along and across "
                               "the cylinder; κ balanced share")});
     if (!input.envelope.shaft_swing_radius) {
-        list.push_back({CORE_TEXT("balance-shaft", "Swing circle of the shaft, assumed"),
-                        "R = (3 m<sub>1</sub>ρ<sub>1</sub> / (2 · 7850 kg/m<sup>3</sup> · "
-                        "B))<sup>1/3</sup>",
-                        "", "",
-                        CORE_TEXT("balance-shaft",
-                                  "a half disc of steel, as long as the bore B, with the unbalance "
-                                  "m₁ρ₁")});
+        list.push_back(
+            {CORE_TEXT("balance-shaft", "Swing circle of the shaft, assumed"),
+             "R = (3 m<sub>1</sub>ρ<sub>1</sub> / (2 ρ B))<sup>1/3</sup>", "", "",
+             CORE_TEXT("balance-shaft",
+                       "a half disc of steel, ρ = 7850 kg/m³, as long as the bore B, with "
+                       "the unbalance m₁ρ₁")});
     }
     add_gears(list, input.gears);
     list.push_back({CORE_TEXT("balance-shaft", "Flywheel"),

@@ -41,7 +41,7 @@ void add_weights(std::vector<Formula>& list, const Input& input) {
     }
     if (has(Balances::moment)) {
         list.push_back({CORE_TEXT("inertia-moments", "Balance shaft against a moment"),
-                        "m ρ L (kω)<sup>2</sup> = |A|, |B|", chainov, "",
+                        "m ρ L (kω)<sup>2</sup> = |A|, |B|", chainov, "Fig. 7, Fig. 8",
                         CORE_TEXT("inertia-moments",
                                   "L distance of its two weights; phase opposite "
                                   "to A or B")});
@@ -57,7 +57,7 @@ void add_weights(std::vector<Formula>& list, const Input& input) {
         list.push_back({CORE_TEXT("inertia-moments", "Rotating masses"),
                         "m<sub>R</sub> R ω<sup>2</sup> Σ e<sup>iκ</sup>, m<sub>R</sub> R "
                         "ω<sup>2</sup> Σ (z − z<sub>0</sub>) e<sup>iκ</sup>",
-                        chainov, "",
+                        chainov, "Fig. 9",
                         CORE_TEXT("inertia-moments",
                                   "force and moment; κ crankpin angle; two weights on the end webs "
                                   "are opposite to both")});
@@ -94,18 +94,19 @@ std::vector<Formula> formulas(const Input& input) {
     list.push_back({CORE_TEXT("inertia-moments", "Inertia force, two terms"),
                     offset ? "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + K λ sin θ + λ cos 2θ)"
                            : "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + λ cos 2θ)",
-                    chainov, "",
+                    chainov, "(1)–(4)",
                     CORE_TEXT("inertia-moments",
                               "the paper's form, beside which the exact one "
                               "stands")});
     if (offset) {
         list.push_back({CORE_TEXT("inertia-moments", "Top dead centre"), "θ = arcsin(λK / (1 + λ))",
-                        chainov, "", CORE_TEXT("inertia-moments", "on the side of the offset")});
+                        chainov, "Fig. 1",
+                        CORE_TEXT("inertia-moments", "on the side of the offset")});
     }
     if (input.layout && input.layout->name == "vr") {
         list.push_back(
             {CORE_TEXT("inertia-moments", "Shift of the second bank's crankpins"),
-             "γ + 2 φ<sub>0</sub>", chainov, "",
+             "γ + 2 φ<sub>0</sub>", chainov, "Fig. 2",
              CORE_TEXT(
                  "inertia-moments",
                  "for even firing; γ angle between the banks, φ₀ top dead centre. The paper prints "
@@ -114,7 +115,7 @@ std::vector<Formula> formulas(const Input& input) {
     list.push_back({CORE_TEXT("inertia-moments", "Force on the engine"),
                     "F = Σ F<sub>i</sub> "
                     "u<sub>i</sub>",
-                    chainov, "", CORE_TEXT("inertia-moments", "uᵢ direction of cylinder i")});
+                    chainov, "Fig. 4", CORE_TEXT("inertia-moments", "uᵢ direction of cylinder i")});
     list.push_back({CORE_TEXT("inertia-moments", "Moments in the horizontal and vertical plane"),
                     "(M<sub>x</sub>, M<sub>y</sub>) = Σ F<sub>i</sub> u<sub>i</sub> (z<sub>i</sub> "
                     "− z<sub>0</sub>)",

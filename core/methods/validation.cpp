@@ -115,6 +115,13 @@ std::string ValidationRow::difference_text() const {
     if (!difference) {
         return "";
     }
+    // Against a number beside nothing a share says nothing.
+    constexpr double most = 10.0;
+    if (std::abs(*difference) >= most) {
+        const int decimals = static_cast<int>(std::lround(-std::log10(last_digit)));
+        const std::string text = fixed(*ours - printed, std::max(decimals, 0));
+        return (*ours > printed ? "+" : "") + text + (unit.empty() ? "" : " " + unit);
+    }
     constexpr double rounding = 1e-12;
     const double percent = std::abs(*difference) < rounding ? 0.0 : 100.0 * *difference;
     return (std::abs(percent) >= 10.0 ? fixed(percent, 0) : format_number(percent, 2)) + " %";

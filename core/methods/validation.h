@@ -62,7 +62,8 @@ struct ValidationRow {
     std::optional<double> relative_difference() const;
     /// Ours with one digit more than the paper prints ("430.384", "3°20.3′"); "—" without.
     std::string ours_text() const;
-    /// "0.01 %", "1.3e-05 %"; empty where there is none.
+    /// "0.01 %", "1.3e-05 %"; beyond a factor of ten in the row's unit, "+798.0 N·m"; empty where
+    /// there is none.
     std::string difference_text() const;
 };
 

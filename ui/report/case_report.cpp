@@ -147,7 +147,7 @@ void addTheory(Report& report, const SceneModel& model) {
                       ReportWords::tr("Source")};
     std::vector<std::string_view> cited;
     for (const Formula& formula : scene->formulas(model.inputJson())) {
-        QString from = ReportWords::tr("mechanics");
+        QString from = ReportWords::tr("derived, see Help (F1)");
         if (!formula.source.empty()) {
             if (std::find(cited.begin(), cited.end(), formula.source) == cited.end()) {
                 cited.push_back(formula.source);
@@ -155,6 +155,8 @@ void addTheory(Report& report, const SceneModel& model) {
             from = shownText(source(formula.source).cited_as);
             if (!formula.equation.empty()) {
                 from += QLatin1Char(' ') + shownEquation(formula.equation);
+            } else {
+                from += ReportWords::tr(", not numbered there");
             }
         }
         QString text =

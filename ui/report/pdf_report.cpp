@@ -380,6 +380,7 @@ QByteArray reportAsPdf(const Report& report) {
     layout.setMode(QPageLayout::FullPageMode);
     writer.setPageLayout(layout);
     QPainter painter(&writer);
+    painter.setRenderHint(QPainter::LosslessImageRendering);  // no JPEG
     const double scale = writer.logicalDpiX() / 96.0;
     int page = -1;
     for (const Placed& each : places) {

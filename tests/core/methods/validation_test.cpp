@@ -303,6 +303,14 @@ TEST(Validation, ShowsOursWithOneDigitMoreThanThePaper) {
     EXPECT_EQ(row.ours_text(), "-4°0.0′");
     row.printed = 0.0;
     EXPECT_FALSE(row.relative_difference());
+    // Beside next to nothing a share says nothing.
+    row.unit = "N·m";
+    row.printed = -0.01;
+    row.last_digit = 0.01;
+    row.ours = -798.0;
+    EXPECT_EQ(row.difference_text(), "-797.99 N·m");
+    row.ours = 0.05;
+    EXPECT_EQ(row.difference_text(), "600 %");
 }
 
 TEST(Validation, TheTextBeginsWithTheCountsAndFitsItsWidth) {

@@ -11,6 +11,8 @@
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
 #include "numerics/angle.h"
+#include "plot/model/ticks.h"
+#include "text/all_digits.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -61,7 +63,8 @@ QString figure(double value) {
         return number(0.0, 0);
     }
     if (size >= 1e6 || size < 1e-4) {
-        return trueMinus(QLocale().toString(value, 'g', 4));
+        return AllDigits::areWanted() ? formNumber(value, QLocale())
+                                      : powerText(value, QLocale(), 4);
     }
     const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
     return number(value, std::min(decimals, 3));

@@ -33,6 +33,16 @@ QString shownNumber(const std::string& text) {
     return number.replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 
+/// In per cent, or in the row's own unit.
+QString shownDifference(const ValidationRow& row) {
+    std::string text = row.difference_text();
+    if (row.unit.empty() || !text.ends_with(row.unit) || row.unit == "%") {
+        return shownNumber(text);
+    }
+    text.resize(text.size() - row.unit.size() - 1);
+    return withUnit(shownNumber(text), unitText(row.unit));
+}
+
 }  // namespace
 
 QString verdictTitle(Verdict verdict) {
@@ -160,7 +170,7 @@ QString ValidationModel::cell(const ValidationRow& row, int column) const {
         case Ours:
             return shownNumber(row.ours_text());
         case Difference:
-            return shownNumber(row.difference_text());
+            return shownDifference(row);
         default:
             return verdictTitle(row.verdict);
     }
