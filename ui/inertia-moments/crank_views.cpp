@@ -8,6 +8,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "numerics/angle.h"
+#include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -175,7 +176,15 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
 FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
-    makeFigure(this);
+    makeFigure(this, [this](const CsvFormat& format) {
+        QString text = format.line({tr("cylinder"), tr("crank angle, °"), tr("interval, °")});
+        for (const FiringEvent& event : model_->result().firing) {
+            text += format.line({QString::number(event.cylinder),
+                                 format.number(event.crank_angle / degree),
+                                 format.number(event.interval / degree)});
+        }
+        return text;
+    });
     const auto tell = [this] {
         const QString cycle = withUnit(fixedNumber(model_->input().cycle() / degree, 0, QLocale()),
                                        QStringLiteral("°"));

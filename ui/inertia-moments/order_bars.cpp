@@ -8,10 +8,12 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/csv_format.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -36,6 +38,7 @@ OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent)
     setAccessibleName(tr("Amplitudes by order"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleDescription(sentence());
+    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     connect(model_, &SceneModel::changed, this, [this] {
         setAccessibleDescription(sentence());
         update();
@@ -92,6 +95,27 @@ QString OrderBars::sentence() const {
         const QString unit = shownUnit(p == 0 ? units::newton : units::N_m).name;
         text = text.arg(most != all.end() ? withUnit(valueText((*most)[p].exact), unit) : QString())
                    .arg(most - all.begin() + 1);
+    }
+    return text;
+}
+
+QString OrderBars::table(const CsvFormat& format) const {
+    QStringList head{tr("order")};
+    for (const QString& panel : {shownTitle(tr("F, N")).text, shownTitle(tr("M, N·m")).text,
+                                 shownTitle(tr("Mz, N·m")).text}) {
+        for (const QString& kind : {tr("exact"), tr("two-term"), tr("left over")}) {
+            head << panel + QStringLiteral(": ") + kind;
+        }
+    }
+    QString text = format.line(head);
+    const auto all = groups();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        QStringList cells{QString::number(i + 1)};
+        for (const Group& group : all[i]) {
+            cells << format.number(group.exact) << format.number(group.twoTerm)
+                  << format.number(group.left);
+        }
+        text += format.line(cells);
     }
     return text;
 }

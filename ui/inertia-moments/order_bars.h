@@ -9,6 +9,7 @@
 namespace ravnoves {
 
 class InertiaMomentsModel;
+struct CsvFormat;
 
 /// Amplitudes by order as bars: force, moment and roll moment; exact beside two-term beside what
 /// is left over, each in the outline of the reference's. The height is the largest value of the
@@ -40,6 +41,7 @@ class OrderBars : public ComparedFigure {
 
   private:
     QString sentence() const;
+    QString table(const CsvFormat& format) const;
     std::vector<std::array<Group, 3>> ghosts() const;  ///< the reference's; none without one
     QRectF panelRect(int panel) const;
     QRectF barsRect(int panel) const;

@@ -2,13 +2,16 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QImage>
 #include <QInputDialog>
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QPageSize>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QStatusBar>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
@@ -37,6 +40,7 @@ bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
     if (!painter.begin(&device)) {
         return false;
     }
+    painter.setRenderHint(QPainter::LosslessImageRendering);  // no JPEG within a PDF
     draw(painter, 1.0);
     return painter.end();
 }
@@ -122,6 +126,17 @@ void savePictureWithDialog(QWidget* parent, const QString& title, const QString&
     const QString trouble = write(path, pixels);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(parent, title, trouble);
+        return;
+    }
+    for (QWidget* each = parent; each != nullptr; each = each->parentWidget()) {
+        if (auto* window = qobject_cast<QMainWindow*>(each)) {
+            constexpr int readFor = 5000;  // ms
+            window->statusBar()->showMessage(
+                say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "Written: %1"))
+                    .arg(QFileInfo(path).fileName()),
+                readFor);
+            break;
+        }
     }
 }
 

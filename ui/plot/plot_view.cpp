@@ -12,6 +12,7 @@
 #include "plot/picture_file.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -35,6 +36,11 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    menu_ = new FigureMenu(
+        this, QStringLiteral("plot"),
+        [this](QPainter& painter, const QRectF& target) { renderTo(painter, target); });
+    menu_->setData([this](const CsvFormat& format) { return csv(format); });
+    menu_->setFirst(tr("Reset zoom"), [this] { resetZoom(); });
     setTitle(title);
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::showTheme);
 }

@@ -7,6 +7,7 @@
 
 namespace ravnoves {
 
+class FigureMenu;
 class LegendItem;
 class PlotPainter;
 struct CsvFormat;
@@ -185,7 +186,6 @@ class PlotView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:
@@ -217,6 +217,7 @@ class PlotView : public QWidget {
 
     PlotData data_;
     std::unique_ptr<PlotPainter> painter_;
+    FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
     LegendItem* spreadItem_ = nullptr;

@@ -1,7 +1,3 @@
-#include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QMenu>
 #include <QMetaMethod>
 #include <QPainter>
 #include <utility>
@@ -11,8 +7,8 @@
 #include "plot/plot_painter.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
-#include "text/write_file.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -62,34 +58,7 @@ QString PlotView::exportPicture(const QString& path, int pixels) {
 }
 
 QString PlotView::exportTo(const QString& path, int pixels) {
-    if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return exportPicture(path, pixels);
-    }
-    return writeFile(path, [this] { return csv(CsvFormat(QLocale::c())).toStdString(); });
-}
-
-void PlotView::contextMenuEvent(QContextMenuEvent* event) {
-    QMenu menu(this);
-    menu.addAction(tr("Reset zoom"), this, &PlotView::resetZoom);
-    menu.addSeparator();
-    menu.addAction(tr("Copy data"), this, [this] {
-        CsvFormat cells;
-        cells.separator = QLatin1Char('\t');
-        QApplication::clipboard()->setText(csv(cells));
-    });
-    menu.addAction(tr("Copy picture"), this, [this] {
-        QImage image(size() * 2, QImage::Format_RGB32);
-        QPainter painter(&image);
-        renderTo(painter, QRectF(QPointF(), QSizeF(image.size())));
-        painter.end();
-        QApplication::clipboard()->setImage(image);
-    });
-    menu.addAction(tr("Save picture or data…"), this, [this] {
-        savePictureWithDialog(
-            this, tr("Save picture or data"), QStringLiteral("plot.png"), size(), {csvFormat()},
-            [this](const QString& path, int pixels) { return exportTo(path, pixels); });
-    });
-    menu.exec(event->globalPos());
+    return menu_->write(path, data_.title, pixels);
 }
 
 }  // namespace ravnoves

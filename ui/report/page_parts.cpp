@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QPicture>
 #include <QPointer>
 #include <QResizeEvent>
 #include <QTabWidget>
@@ -90,12 +89,8 @@ Figure figureOf(QWidget* picture) {
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    drawAt(picture, size, [&] {
-                        // Rendered straight, a widget mixes up the clipping of the device.
-                        QPicture lines;
-                        picture->render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
-                        painter.drawPicture(0, 0, lines);
-                    });
+                    drawAt(picture, size,
+                           [&] { drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size))); });
                 }
             }};
 }

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "text/csv_format.h"
 #include "text/number_text.h"
 #include "widgets/figure.h"
 
@@ -10,7 +11,14 @@ namespace ravnoves {
 
 TornadoView::TornadoView(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    makeFigure(this);
+    makeFigure(this, [this](const CsvFormat& format) {
+        QString text = format.line({title_, tr("alone, %"), tr("with others, %")});
+        for (const Bar& bar : bars_) {
+            text += format.line(
+                {bar.name, format.number(100.0 * bar.alone), format.number(100.0 * bar.whole)});
+        }
+        return text;
+    });
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

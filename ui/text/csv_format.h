@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QString>
+#include <QStringList>
 
 namespace ravnoves {
 
@@ -37,6 +38,15 @@ struct CsvFormat {
             return QLatin1Char('"') + text + QLatin1Char('"');
         }
         return text;
+    }
+
+    /// A line of such cells.
+    QString line(const QStringList& shown) const {
+        QStringList cells;
+        for (const QString& each : shown) {
+            cells << field(each);
+        }
+        return cells.join(separator) + QLatin1Char('\n');
     }
 
     QString point;

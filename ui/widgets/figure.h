@@ -1,16 +1,65 @@
 #pragma once
 
-#include <QVariant>
-#include <QWidget>
+#include <QObject>
+#include <QRectF>
+#include <QString>
+#include <functional>
+#include <utility>
+
+class QPainter;
+class QWidget;
 
 namespace ravnoves {
 
-/// Says of a widget that it is a picture of the result: a report draws it, as it does plots.
-inline void makeFigure(QWidget* widget) {
-    widget->setProperty("isFigure", true);
-}
-inline bool isFigure(const QWidget* widget) {
-    return widget->property("isFigure").toBool();
-}
+struct CsvFormat;
+
+/// What one takes along from a figure, as its context menu (right click, Menu key, Shift+F10): its
+/// picture as a file or on the clipboard, and the numbers that it shows, where there are any.
+class FigureMenu : public QObject {
+    Q_OBJECT
+
+  public:
+    using Draw = std::function<void(QPainter& painter, const QRectF& target)>;
+    using Data = std::function<QString(const CsvFormat& format)>;
+
+    /// It belongs to the figure.
+    /// @param file  name of a picture that is suggested, without its ending
+    FigureMenu(QWidget* figure, QString file, Draw draw);
+
+    void setData(Data data) { data_ = std::move(data); }
+    /// An entry before the others.
+    void setFirst(const QString& text, std::function<void()> act);
+    /// Shows on the screen where the focus is, for a figure that does not itself.
+    void setFramed() { isFramed_ = true; }
+
+    /// Writes a PNG, SVG or PDF, or the data as CSV with decimal points, by the file's ending.
+    /// @param pixels  width of a PNG; 0: 300 to the inch that is 96 on screen
+    /// @return an empty string, or what went wrong
+    QString write(const QString& path, const QString& title, int pixels = 0) const;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void open(const QPoint& at);
+    void copyPicture() const;
+
+    QWidget* figure_;
+    QString file_;
+    Draw draw_;
+    Data data_;
+    QString firstText_;
+    std::function<void()> first_;
+    bool isFramed_ = false;
+};
+
+/// Says of a widget that it is a picture of the result: a report draws it, as it does plots, and it
+/// has their menu. Tab goes to it, so that the menu is reached without a mouse.
+/// @param data  the numbers that it shows
+void makeFigure(QWidget* widget, FigureMenu::Data data = {});
+bool isFigure(const QWidget* widget);
+
+/// Draws a widget that paints itself, without those in it.
+void drawFigure(QWidget* figure, QPainter& painter, const QRectF& target);
 
 }  // namespace ravnoves

@@ -7,10 +7,12 @@
 #include <QContextMenuEvent>
 #include <QFile>
 #include <QInputDialog>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMimeData>
 #include <QProcess>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cmath>
@@ -21,6 +23,7 @@
 #include "plot/picture_file.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 namespace {
@@ -67,6 +70,17 @@ class PlotExportTest : public ::testing::Test {
         QContextMenuEvent event(QContextMenuEvent::Keyboard, {}, {});
         QApplication::sendEvent(&plot, &event);
         QApplication::processEvents();
+    }
+
+    /// As the menu does it.
+    static void savePictureOf(PlotView* of, const QString& path) {
+        const FileChoosers before = fileChoosers();
+        fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString&,
+                                  QString*) { return path; };
+        savePictureWithDialog(of, {}, {}, of->size(), {}, [of](const QString& to, int pixels) {
+            return of->exportTo(to, pixels);
+        });
+        fileChoosers() = before;
     }
 
     QTemporaryDir folder;
@@ -215,6 +229,69 @@ TEST_F(PlotExportTest, TheMenuSavesWithTheWidthThatIsAsked) {
         EXPECT_TRUE(filters.contains(QString::fromUtf8(suffix))) << filters.toStdString();
     }
     fileChoosers() = before;
+}
+
+TEST_F(PlotExportTest, TheStatusBarNamesWhatWasWritten) {
+    QMainWindow window;
+    window.setCentralWidget(new QWidget);
+    PlotView inside(QStringLiteral("Torque"), window.centralWidget());
+    savePictureOf(&inside, file("plot.svg"));
+    EXPECT_EQ(window.statusBar()->currentMessage(), QStringLiteral("Written: plot.svg"));
+}
+
+class Square final : public QWidget {
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter(this).fillRect(rect().adjusted(20, 20, -20, -20), Qt::black);
+    }
+};
+
+/// The entries of the menu that a key opens.
+QStringList entriesByKey(QWidget& figure) {
+    QStringList entries;
+    QTimer::singleShot(0, &figure, [&] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        ASSERT_NE(menu, nullptr);
+        for (const QAction* action : menu->actions()) {
+            entries << action->text();
+        }
+        menu->close();
+    });
+    QTest::keyClick(&figure, Qt::Key_F10, Qt::ShiftModifier);
+    return entries;
+}
+
+TEST_F(PlotExportTest, EveryFigureHasTheMenuAndTheKeyboardReachesIt) {
+    EXPECT_TRUE(entriesByKey(plot).contains(QStringLiteral("Save picture or data…")));
+    Square square;
+    makeFigure(&square);
+    test::showAt(square, {100, 80});
+    EXPECT_TRUE(isFigure(&square));
+    EXPECT_EQ(square.focusPolicy(), Qt::TabFocus);
+    EXPECT_EQ(entriesByKey(square),
+              QStringList({QStringLiteral("Copy picture"), QStringLiteral("Save picture…")}));
+    makeFigure(&square, [](const CsvFormat& format) {
+        return format.line({QStringLiteral("a"), format.number(1.5)});
+    });
+    EXPECT_EQ(entriesByKey(square).size(), 3);
+    // The focus is seen on the screen, not in a picture.
+    square.clearFocus();
+    const QImage without = square.grab().toImage();
+    square.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&square));
+    square.setFocus();
+    ASSERT_TRUE(square.hasFocus());
+    EXPECT_NE(square.grab().toImage(), without);
+    const auto* menu = square.findChild<FigureMenu*>();
+    for (const char* name : {"a.svg", "a.pdf", "a.png", "a.csv"}) {
+        EXPECT_EQ(menu->write(file(name), {}), QString()) << name;
+    }
+    EXPECT_EQ(contents(file("a.csv")), "a,1.5\n");
+    const QImage picture(file("a.png"));
+    EXPECT_EQ(picture.width(), printedWidth(square.size()));
+    EXPECT_EQ(picture.pixelColor(0, 0), picture.pixelColor(15, 15));
+    EXPECT_EQ(picture.pixelColor(picture.rect().center()), QColor(Qt::black));
+    EXPECT_FALSE(contents(file("a.svg")).contains("<polyline"));
 }
 
 /// A page that is written larger than it is on the screen holds its plots drawn anew.
