@@ -134,12 +134,12 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
         }
     });
     if (visitor.is_reading() && given != 1) {
-        throw InputError(
-            "/input/torque",
-            CORE_TEXT("balance-shaft",
-                      "must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle"),
-            given == 0 ? CORE_TEXT("balance-shaft", "none of them")
-                       : CORE_TEXT("balance-shaft", "more than one of them"));
+        throw InputError("/input/torque",
+                         {CORE_TEXT("balance-shaft", "must hold one of: %1 with %2, %3, %4, %5"),
+                          field::table_angle.key, field::table_torque.key, field::csv.key,
+                          field::pressure.key, field::cycle.key},
+                         given == 0 ? CORE_TEXT("balance-shaft", "none of them")
+                                    : CORE_TEXT("balance-shaft", "more than one of them"));
     }
 }
 

@@ -434,7 +434,7 @@ inline constexpr Field heat{
     .range = Range::between(0, 1e12),
     .label = CORE_TEXT("balance-shaft", "&Heat"),
     .hint = CORE_TEXT("balance-shaft", "Heat released per cycle; instead of the IMEP."),
-    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field imep{
     .key = "indicated_mean_effective_pressure_bar",
     .unit = units::bar,
@@ -442,7 +442,7 @@ inline constexpr Field imep{
     .label = CORE_TEXT("balance-shaft", "I&MEP"),
     .hint = CORE_TEXT("balance-shaft",
                       "Indicated mean effective pressure; the heat that gives it is found."),
-    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field combustion_start{
     .key = "combustion_start_deg",
     .unit = units::degree,

@@ -82,12 +82,11 @@ void check_ports(const GasCycle& cycle, double bottom, const std::string& parent
 void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int strokes,
                  const std::string& parent) {
     if (cycle.heat.has_value() == cycle.imep.has_value()) {
-        throw InputError(
-            parent,
-            CORE_TEXT("balance-shaft",
-                      "must hold either heat_J or indicated_mean_effective_pressure_bar"),
-            cycle.heat ? CORE_TEXT("balance-shaft", "both")
-                       : CORE_TEXT("balance-shaft", "neither"));
+        throw InputError(parent,
+                         {CORE_TEXT("balance-shaft", "must hold either %1 or %2"), field::heat.key,
+                          field::imep.key},
+                         cycle.heat ? CORE_TEXT("balance-shaft", "both")
+                                    : CORE_TEXT("balance-shaft", "neither"));
     }
     const double end = cycle.combustion_start + cycle.combustion_duration;
     const double bottom = two_pi + crank.bottom_dead_centre() - crank.top_dead_centre();
@@ -358,11 +357,11 @@ void check_joined(const Input& input) {
     check_torque(input);
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
-        throw InputError(
-            pointer(field::flywheel),
-            CORE_TEXT("balance-shaft", "must hold either inertia_kg_m2 or fluctuation"),
-            input.flywheel->inertia ? CORE_TEXT("balance-shaft", "both")
-                                    : CORE_TEXT("balance-shaft", "neither"));
+        throw InputError(pointer(field::flywheel),
+                         {CORE_TEXT("balance-shaft", "must hold either %1 or %2"),
+                          field::flywheel_inertia.key, field::fluctuation.key},
+                         input.flywheel->inertia ? CORE_TEXT("balance-shaft", "both")
+                                                 : CORE_TEXT("balance-shaft", "neither"));
     }
     const GearPair& gears = input.gears;
     if (std::abs(gears.shifted_teeth) >= gears.teeth) {

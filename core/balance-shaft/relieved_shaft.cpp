@@ -119,7 +119,8 @@ void check_relieved_shaft(const RelievedShaftSizes& sizes) {
     if (given < 2) {
         throw InputError(
             root,
-            CORE_TEXT("balance-shaft", "must hold two of diameter_mm, depth_mm and length_mm"),
+            {CORE_TEXT("balance-shaft", "must hold two of %1, %2 and %3"), field::bar_diameter.key,
+             field::relief_depth.key, field::relief_length.key},
             Number{1.0 * given});
     }
     if (sizes.diameter && sizes.depth && !(*sizes.depth < *sizes.diameter)) {

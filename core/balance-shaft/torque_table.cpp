@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "balance-shaft/fields.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
 #include "case-file/two_columns.h"
@@ -330,11 +331,10 @@ std::optional<Unit> torque_unit(std::string_view header) {
 void check_table(const std::vector<double>& angle, const std::vector<double>& value,
                  const Column& column, const std::string& angles, const std::string& values) {
     if (angle.size() != value.size()) {
-        throw InputError(
-            values,
-            {CORE_TEXT("balance-shaft", "must hold as many numbers as crank_angle_deg, %1"),
-             angle.size()},
-            count(value));
+        throw InputError(values,
+                         {CORE_TEXT("balance-shaft", "must hold as many numbers as %1, %2"),
+                          field::table_angle.key, angle.size()},
+                         count(value));
     }
     if (angle.size() < 3) {
         throw InputError(angles, CORE_TEXT("balance-shaft", "must hold at least 3 numbers"),

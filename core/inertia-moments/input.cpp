@@ -122,20 +122,20 @@ void check_end_webs(const EndWebs& webs) {
     const double size = std::max(std::abs(webs.front_position), std::abs(webs.rear_position));
     if (!(std::abs(webs.front_position - webs.rear_position) >
           std::max(1e-9 * size, least_distance))) {
-        throw InputError(
-            "/input/counterweights/rear_position_mm",
-            {CORE_TEXT("inertia-moments", "must differ from front_position_mm by more than %1"),
-             least_distance / units::mm},
-            Number{from_si(field::rear_position, webs.rear_position)});
+        throw InputError("/input/counterweights/rear_position_mm",
+                         {CORE_TEXT("inertia-moments", "must differ from %1 by more than %2"),
+                          field::front_position.key, least_distance / units::mm},
+                         Number{from_si(field::rear_position, webs.rear_position)});
     }
 }
 
 void check_throws(const Input& input, const Engine& engine) {
     if (input.rotating_mass_of_throw && !rods_per_throw(engine.throws)) {
         throw InputError("/input/rotating_mass_per_throw_kg",
-                         CORE_TEXT("inertia-moments",
-                                   "must be given for one cylinder (rotating_mass_kg) on a crank "
-                                   "whose throws carry different numbers of rods"),
+                         {CORE_TEXT("inertia-moments",
+                                    "must be given for one cylinder (%1) on a crank whose throws "
+                                    "carry different numbers of rods"),
+                          field::rotating_mass.key},
                          describe_difference(engine.throws));
     }
 }

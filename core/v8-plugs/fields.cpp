@@ -161,8 +161,9 @@ void check_choices(const Input& input) {
             "\"new-plugs\"");
     }
     if (input.changes_from_weigh_in && !input.weigh_in) {
-        throw InputError("/input/weigh_in",
-                         CORE_TEXT("V8", "is required where mass_changes_from is \"weigh-in\""));
+        throw InputError(
+            "/input/weigh_in",
+            {CORE_TEXT("V8", "is required where %1 is \"weigh-in\""), field::changes_source.key});
     }
 }
 

@@ -138,6 +138,9 @@ class CaseModel : public SceneModel {
     }
 
     // In case_model_json.h.
+    /// The input that a change would make, for the copy that a crash leaves; null where it would be
+    /// refused.
+    Json inputAfter(const std::function<void(Input&)>& mutate) const;
     Json inputJson() const override;
     Json latestInputJson() const override;
     QString changeVariants(const QString& name, const Variants& next,
@@ -182,18 +185,6 @@ class CaseModel : public SceneModel {
     void solveAgain() {
         solved_ = solve(input_);
         Q_EMIT changed();
-    }
-    /// Why an input is refused: the field by its label, where it has one.
-    QString explain(const InputError& error) const {
-        for (const auto& entries : {fields(), describedFields()}) {
-            for (const FieldEntry& entry : entries) {
-                if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
-                    return errorText(InputError(fieldName(entry.field).toStdString(),
-                                                error.allowed_message(), error.found_message()));
-                }
-            }
-        }
-        return errorText(error);
     }
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
@@ -260,6 +251,8 @@ class CaseModel : public SceneModel {
         int editing;                   ///< number of the editing that it is part of; 0: none
     };
 
+    template <typename Loading>
+    void loadWith(Loading loading);
     Input readInput(const Json& json, const Json& kept, const CaseContext& context);
     static Solved solveIn(const Scene& scene, const Input& input) {
         clear_vector_state();  // painting may have left it in use

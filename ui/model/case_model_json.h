@@ -3,6 +3,7 @@
 #include "case-file/case_file.h"
 #include "model/case_model.h"
 #include "model/run_beside.h"
+#include "text/field_names.h"
 
 /// What of CaseModel sees JSON or threads: for the file that holds a model's other functions alone.
 /// It says `template class CaseModel<…Scene>;`, the model's header the same with `extern`.
@@ -16,6 +17,22 @@ Json CaseModel<Scene>::inputJson() const {
 template <typename Scene>
 Json CaseModel<Scene>::latestInputJson() const {
     return scene_.write(isSolving() ? awaited_.back().input : input_);
+}
+
+template <typename Scene>
+Json CaseModel<Scene>::inputAfter(const std::function<void(Input&)>& mutate) const {
+    Input next = isSolving() ? awaited_.back().input : input_;
+    mutate(next);
+    try {
+        if (!isLarge(next)) {
+            solveIn(scene_, next);
+        } else if constexpr (requires { Scene::check(next); }) {
+            Scene::check(next);
+        }
+    } catch (const InputError&) {
+        return nullptr;
+    }
+    return scene_.write(next);
 }
 
 template <typename Scene>
@@ -48,30 +65,46 @@ auto CaseModel<Scene>::readInput(const Json& json, const Json& kept, const CaseC
     return read(scene_);
 }
 
+/// What is loaded is refused with the places by their labels.
+template <typename Scene>
+template <typename Loading>
+void CaseModel<Scene>::loadWith(Loading loading) {
+    try {
+        loading();
+    } catch (const InputError& error) {
+        throw RefusedInput(error, explain(error));
+    }
+}
+
 template <typename Scene>
 void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context, bool isExample) {
-    Input input = withinMemory([&] { return readInput(file.input, file.kept, context); });
-    const QString title = QString::fromStdString(file.title);
-    std::shared_ptr<const Named> named = isExample ? nameOf(title, input) : nullptr;
-    if (!named && title == scene_.defaultTitle()) {
-        // The preset's, which its file has as the user's own would be.
-        bool isPreset = input == scene_.defaultInput();
-        if constexpr (requires { scene_.isSameEngine(input, input); }) {
-            isPreset = isPreset || scene_.isSameEngine(input, scene_.defaultInput());
+    loadWith([&] {
+        Input input = withinMemory([&] { return readInput(file.input, file.kept, context); });
+        const QString title = QString::fromStdString(file.title);
+        std::shared_ptr<const Named> named = isExample ? nameOf(title, input) : nullptr;
+        if (!named && title == scene_.defaultTitle()) {
+            // The preset's, which its file has as the user's own would be.
+            bool isPreset = input == scene_.defaultInput();
+            if constexpr (requires { scene_.isSameEngine(input, input); }) {
+                isPreset = isPreset || scene_.isSameEngine(input, scene_.defaultInput());
+            }
+            named = isPreset ? defaultName() : nullptr;
         }
-        named = isPreset ? defaultName() : nullptr;
-    }
-    load(openName(), {input, title, QString::fromStdString(file.notes), named, context.directory,
-                      variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
+        load(openName(),
+             {input, title, QString::fromStdString(file.notes), named, context.directory,
+              variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
+    });
 }
 
 template <typename Scene>
 void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context) {
-    State next = state();
-    next.input = withinMemory([&] { return readInput(json, keptJson(), context); });
-    next.directory = context.directory;
-    retitle(next);
-    load(openName(), std::move(next));
+    loadWith([&] {
+        State next = state();
+        next.input = withinMemory([&] { return readInput(json, keptJson(), context); });
+        next.directory = context.directory;
+        retitle(next);
+        load(openName(), std::move(next));
+    });
 }
 
 template <typename Scene>

@@ -9,9 +9,8 @@
 
 #include "case-file/json.h"
 #include "model/scene_model.h"
-#include "text/capital.h"
 #include "text/difference_text.h"
-#include "text/key_words.h"
+#include "text/field_names.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -46,101 +45,9 @@ void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves
     }
 }
 
-bool isPlace(const std::string& segment) {
-    return !segment.empty() && segment.find_first_not_of("0123456789") == std::string::npos;
+FieldNames namesOf(const SceneModel& model) {
+    return FieldNames({model.describedFields(), model.fields()});
 }
-
-/// The fields that a scene describes, found by the pointer of any element of a list.
-class FieldNames {
-  public:
-    explicit FieldNames(const SceneModel& model) {
-        for (const auto& entries : {model.describedFields(), model.fields()}) {
-            for (const FieldEntry& entry : entries) {
-                fields_.emplace(likeFirst(entry.pointer), entry);
-            }
-        }
-    }
-
-    /// The description of a leaf, or of the nearest object or list around it.
-    const FieldEntry* find(const std::string& pointer) const {
-        for (std::string at = likeFirst(pointer); !at.empty(); at.erase(at.rfind('/'))) {
-            const auto found = fields_.find(at);
-            if (found != fields_.end() && labelled(found->second) != nullptr) {
-                return &found->second;
-            }
-        }
-        return nullptr;
-    }
-    /// How the form shows a number of an entry: where another field names it, in the unit of that.
-    ShownUnit shown(const FieldEntry& entry) const {
-        const FieldEntry* named = labelled(entry);
-        ShownUnit unit = shownUnit(entry.field);
-        if (named != nullptr && isSpeed(named->field.unit) && isSpeed(entry.field.unit)) {
-            unit = shownUnit(named->field);
-            unit.factor *= entry.field.unit.to_si / named->field.unit.to_si;
-        }
-        return unit;
-    }
-    QString name(const std::string& pointer) const {
-        const FieldEntry* entry = find(pointer);
-        QStringList parts;
-        parts << (entry != nullptr ? fieldName(labelled(*entry)->field) : words(pointer));
-        for (const std::string& segment : segments(pointer)) {
-            if (isPlace(segment)) {
-                parts << QString::number(std::stoi(segment) + 1);
-            }
-        }
-        // A name that the case itself gives, or a key inside a field without a label of its own.
-        if (entry != nullptr && !isPlace(lastKey(pointer)) &&
-            lastKey(pointer) != std::string(entry->field.key)) {
-            parts << words(pointer);
-        }
-        return capitalised(parts.join(QStringLiteral(", ")));
-    }
-
-  private:
-    /// The field itself, or the one that may be given in its place and that the form names; null
-    /// where neither has a label.
-    const FieldEntry* labelled(const FieldEntry& entry) const {
-        if (!entry.field.label.empty()) {
-            return &entry;
-        }
-        const std::string parent = entry.pointer.substr(0, entry.pointer.rfind('/') + 1);
-        for (const std::string& key : entry.alternatives) {
-            const auto found = fields_.find(parent + key);
-            if (found != fields_.end() && !found->second.field.label.empty()) {
-                return &found->second;
-            }
-        }
-        return nullptr;
-    }
-    static bool isSpeed(const Unit& unit) {
-        return unit.name == units::rpm.name || unit.name == units::rad_per_s.name;
-    }
-    static QString words(const std::string& pointer) { return keyInWords(lastKey(pointer)); }
-    static std::vector<std::string> segments(const std::string& pointer) {
-        std::vector<std::string> all;
-        for (std::size_t at = 0; at < pointer.size();) {
-            const std::size_t end = std::min(pointer.find('/', at + 1), pointer.size());
-            all.push_back(pointer.substr(at + 1, end - at - 1));
-            at = end;
-        }
-        return all;
-    }
-    static std::string lastKey(const std::string& pointer) {
-        return pointer.substr(pointer.rfind('/') + 1);
-    }
-    /// Every element of a list as its first.
-    static std::string likeFirst(const std::string& pointer) {
-        std::string like;
-        for (const std::string& segment : segments(pointer)) {
-            like += isPlace(segment) ? "/0" : "/" + segment;
-        }
-        return like;
-    }
-
-    std::map<std::string, FieldEntry> fields_;
-};
 
 QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
     if (value == nullptr || value->is_null()) {
@@ -200,7 +107,7 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
     for (const auto& [pointer, value] : other) {
         there.emplace(pointer, &value);
     }
-    const FieldNames names(model);
+    const FieldNames names = namesOf(model);
     std::vector<InputDifference> differences;
     const auto add = [&](const std::string& pointer, const Json* now, const Json* was) {
         const bool areNumbers =
@@ -245,7 +152,7 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     Leaves leaves;
     const Json input = model.inputJson();
     collectLeaves(input, {}, leaves, longest);
-    const FieldNames names(model);
+    const FieldNames names = namesOf(model);
     std::vector<InputNumber> numbers;
     for (const auto& [pointer, value] : leaves) {
         const FieldEntry* entry = names.find(pointer);

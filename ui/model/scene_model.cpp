@@ -6,6 +6,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/default_inputs.h"
+#include "text/field_names.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -84,23 +85,62 @@ Json SceneModel::keptJson() const {
     return nullptr;
 }
 
+namespace {
+
+/// What scatters is given, also where it is left to its default.
+void giveVaried(const SceneModel& model, CaseFile& file) {
+    if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
+        std::vector<std::string> varied;
+        for (const auto& [pointer, spread] : file.study["vary"].items()) {
+            varied.push_back(pointer);
+        }
+        giveDefaults(model, file.input, varied);
+    }
+}
+
+}  // namespace
+
+void SceneModel::setTyping(const QObject* widget, const Typing& typing) {
+    if (!typing && !typing_.contains(widget)) {
+        return;
+    }
+    if (!typing) {
+        typing_.remove(widget);
+    } else {
+        if (!typing_.contains(widget)) {
+            connect(widget, &QObject::destroyed, this, [this, widget] { setTyping(widget, {}); });
+        }
+        typing_.insert(widget, typing);
+    }
+    Q_EMIT typingChanged();
+}
+
+CaseFile SceneModel::draftFile() const {
+    CaseFile file = caseFile();
+    for (const Typing& typing : typing_) {
+        typing(file);
+    }
+    giveVaried(*this, file);
+    return file;
+}
+
 CaseFile SceneModel::caseFile() const {
     CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
     file.notes = notes_.toStdString();
     file.kept = keptJson();
     file.study = study_.empty() ? Json() : Json::parse(study_);
-    if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
-        // What scatters is given, also where it is left to its default.
-        std::vector<std::string> varied;
-        for (const auto& [pointer, spread] : file.study["vary"].items()) {
-            varied.push_back(pointer);
-        }
-        giveDefaults(*this, file.input, varied);
-    }
+    giveVaried(*this, file);
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }
     return file;
+}
+
+QString SceneModel::explain(const InputError& error) const {
+    if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {
+        return refused->said();
+    }
+    return FieldNames({fields(), describedFields()}).errorText(error);
 }
 
 void SceneModel::setStudy(const std::string& study) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -18,6 +19,7 @@
 namespace ravnoves {
 
 struct CaseFile;
+class InputError;
 struct OpenCase;
 
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
@@ -67,6 +69,8 @@ class SceneModel : public QObject {
     /// what this one has.
     virtual std::vector<FieldEntry> describedFields() const { return {}; }
     virtual std::vector<FieldEntry> fields() const { return {}; }
+    /// Why an input is refused, the places by their labels.
+    QString explain(const InputError& error) const;
     /// Sets one field by its pointer below "input", as one step of the history that is named after
     /// it. Returns as CaseModel::edit().
     virtual QString editField(const std::string& pointer, const FieldValue& value,
@@ -120,6 +124,15 @@ class SceneModel : public QObject {
     /// Another study, as one step of the history.
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
 
+    /// What is typed in a dialog or a cell that is still open, and not yet part of the case.
+    using Typing = std::function<void(CaseFile&)>;
+    /// Lets the copy for a crash have that, by `typing`, which leaves out what is refused. It is
+    /// over with an empty one, or with the widget.
+    void setTyping(const QObject* widget, const Typing& typing);
+    bool hasTyping() const { return !typing_.isEmpty(); }
+    /// caseFile() with all that is typed.
+    CaseFile draftFile() const;
+
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
     /// The next change is a step of its own in the history, whatever its name.
@@ -166,6 +179,8 @@ class SceneModel : public QObject {
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
+    /// What draftFile() has beyond the case.
+    void typingChanged();
     void titleChanged(const QString& title);
     /// What there is to undo, to redo or to save.
     void historyChanged();
@@ -258,6 +273,7 @@ class SceneModel : public QObject {
     bool saidRefused_ = false;
     bool waiting_ = false;
     CaseContext context_;
+    QHash<const QObject*, Typing> typing_;
     QUndoStack history_;
 };
 

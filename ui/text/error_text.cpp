@@ -4,13 +4,16 @@
 #include <new>
 
 #include "case-file/input_error.h"
-#include "text/message_text.h"
+#include "text/field_names.h"
 
 namespace ravnoves {
 
 QString errorText(const std::exception& error) {
+    if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {
+        return refused->said();
+    }
     const auto* input = dynamic_cast<const InputError*>(&error);
-    return input == nullptr ? QString::fromUtf8(error.what()) : messageText(input->message());
+    return input == nullptr ? QString::fromUtf8(error.what()) : FieldNames().errorText(*input);
 }
 
 QString errorText(const std::exception_ptr& thrown) {

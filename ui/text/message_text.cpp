@@ -12,9 +12,28 @@ namespace ravnoves {
 
 namespace {
 
+/// "1.2e+20" as "1.2·10²⁰".
+QString withPower(const QString& number) {
+    const qsizetype at = number.indexOf(QLatin1Char('e'));
+    bool isPower = false;
+    const int power = number.mid(at + 1).toInt(&isPower);
+    if (at < 0 || !isPower) {
+        return number;
+    }
+    const QString mantissa = number.left(at);
+    return (mantissa == QLatin1String("1")    ? QString()
+            : mantissa == QLatin1String("-1") ? QStringLiteral("-")
+                                              : mantissa + QStringLiteral("·")) +
+           powerOfTen(power);
+}
+
+using Words = std::function<QString(const std::string&)>;
+
 struct Shown {
-    QString operator()(const std::string& word) const { return QString::fromStdString(word); }
-    QString operator()(const Message& message) const { return messageText(message); }
+    const Words& words;
+
+    QString operator()(const std::string& word) const { return words(word); }
+    QString operator()(const Message& message) const { return messageText(message, words); }
     QString operator()(const Number& number) const {
         const ShownUnit unit = shownUnit(number.unit);
         const QString name = number.unit_follows ? QString() : unit.name;
@@ -31,7 +50,7 @@ struct Shown {
                    units::none, 0};
         }
         const Message plain(own);
-        QString digits = QString::fromStdString(plain.english());
+        QString digits = withPower(QString::fromStdString(plain.english()));
         return withUnit(trueMinus(digits.replace(QLatin1Char('.'), QLocale().decimalPoint())),
                         name);
     }
@@ -44,13 +63,20 @@ QString shownText(const Text& text) {
 }
 
 QString messageText(const Message& message) {
+    static const Words asTheyAre = [](const std::string& word) {
+        return QString::fromStdString(word);
+    };
+    return messageText(message, asTheyAre);
+}
+
+QString messageText(const Message& message, const Words& word) {
     const Text& pattern = message.pattern();
     if (pattern.empty()) {
-        return QString::fromStdString(message.verbatim());
+        return word(message.verbatim());
     }
     std::vector<std::string> values;
     for (const Argument& argument : message.arguments()) {
-        values.push_back(std::visit(Shown{}, argument).toStdString());
+        values.push_back(std::visit(Shown{word}, argument).toStdString());
     }
     return QString::fromStdString(fill_pattern(shownText(pattern).toStdString(), values));
 }

@@ -7,18 +7,28 @@
 #include <QRegularExpression>
 #include <QString>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "balance-shaft/input.h"
 #include "balance-shaft/torque_table.h"
+#include "bob-weights/input.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/range.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/input.h"
+#include "inertia-moments/input.h"
 #include "language/catalogue.h"
 #include "scenes/scenes.h"
+#include "text/field_names.h"
 #include "text/language.h"
 #include "text/number_text.h"
+#include "v8-plugs/input.h"
 
 namespace ravnoves {
 namespace {
@@ -89,8 +99,28 @@ void collect(const Json& value, const Json::json_pointer& at,
     }
 }
 
+/// The fields of a scene.
+const FieldNames& namesOf(const std::string& scene) {
+    static const std::map<std::string, FieldNames> all{
+        {"balance-shaft", FieldNames({describe_fields<balance_shaft::Input>()})},
+        {"bob-weights", FieldNames({describe_fields<bob_weights::Input>()})},
+        {"elastic-hinge", FieldNames({describe_fields<elastic_hinge::Input>()})},
+        {"inertia-moments", FieldNames({describe_fields<inertia_moments::Input>()})},
+        {"v8-plugs", FieldNames({describe_fields<v8_plugs::Input>()})}};
+    static const FieldNames none;
+    const auto found = all.find(scene);
+    return found == all.end() ? none : found->second;
+}
+
+/// No pointer, no key with its unit, no JSON.
+void expectWords(const QString& said) {
+    static const QRegularExpression code(u"/input|/kept|[a-zA-Z0-9]_[a-zA-Z0-9]|[{}\\[\\]]"_s);
+    EXPECT_FALSE(said.contains(code)) << said.toStdString();
+}
+
 struct Refusals {
     int count = 0;
+    std::vector<std::pair<std::string, InputError>> all{};
 
     void tryCase(const Json& document) {
         try {
@@ -100,7 +130,17 @@ struct Refusals {
             EXPECT_FALSE(error.allowed_message().pattern().empty()) << error.what();
             SCOPED_TRACE(error.what());
             expectTranslatable(error.message());
-            EXPECT_EQ(englishIn(errorText(error)), "");
+            const Json scene = document.is_object() ? document.value("scene", Json()) : Json();
+            all.emplace_back(scene.is_string() ? scene.get<std::string>() : std::string(), error);
+            EXPECT_EQ(englishIn(namesOf(all.back().first).errorText(error)), "");
+        }
+    }
+    void expectInWords() const {
+        for (const auto& [scene, error] : all) {
+            SCOPED_TRACE(error.what());
+            const QString said = namesOf(scene).errorText(error);
+            expectWords(said);
+            expectWords(errorText(error));
         }
     }
 };
@@ -128,6 +168,9 @@ TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
         }
     }
     EXPECT_GT(refusals.count, 500);
+    refusals.expectInWords();
+    installLanguage(u"en"_s);
+    refusals.expectInWords();
 }
 
 TEST_F(ErrorText, OfABadTableIsRussian) {
@@ -152,7 +195,12 @@ TEST_F(ErrorText, KeepsPlaceAndValues) {
     EXPECT_EQ(errorText(InputError("/input/crank_radius_mm", Range::greater_than(0.0).message(),
                                    Number{-46.5}))
                   .toStdString(),
-              "/input/crank_radius_mm: должно быть больше 0, получено −46,5");
+              "Crank radius: должно быть больше 0, получено −46,5");
+    EXPECT_EQ(namesOf("balance-shaft")
+                  .errorText(InputError("/input/crank_radius_mm",
+                                        Range::greater_than(0.0).message(), Number{-46.5}))
+                  .toStdString(),
+              "Радиус кривошипа r: должно быть больше 0, получено −46,5");
     EXPECT_EQ(errorText(InputError(table_place(4, 2), finite, "\"x.5\"")).toStdString(),
               "строка 4, столбец 2: должно быть конечным числом, получено \"x.5\"");
     try {
@@ -166,12 +214,36 @@ TEST_F(ErrorText, KeepsPlaceAndValues) {
 
 TEST(ErrorTextInEnglish, IsWhatCoreSays) {
     for (const InputError& error :
-         {InputError("/input/lambda", Range::between(0.1, 0.5).message(), Number{1.25}),
-          InputError(table_place(4, 2), finite, "\"x.5\""), InputError(line_place(4), finite),
+         {InputError(table_place(4, 2), finite, "\"x.5\""), InputError(line_place(4), finite),
           InputError("", finite, Number{1.5, units::degree}),
-          InputError("/input/a", "words of no language: 1.5", Number{1e200})}) {
+          InputError("", "words of no language: 1.5", Number{1e14})}) {
         EXPECT_EQ(errorText(error).toStdString(), error.what());
     }
+}
+
+TEST(ErrorTextInEnglish, SaysPlacesInWords) {
+    const FieldNames& names = namesOf("balance-shaft");
+    const Text missing = CORE_TEXT("core", "is required and missing");
+    const auto said = [&](const InputError& error) { return names.errorText(error).toStdString(); };
+    EXPECT_EQ(said(InputError("/input/torque/torque_Nm/3", missing)),
+              "Row 4, torque: is required and missing");
+    EXPECT_EQ(said(InputError("/variants/1/input/crank_radius_mm", missing)),
+              "Variant 2, crank radius r: is required and missing");
+    EXPECT_EQ(said(InputError(
+                  "/input/reciprocating_masses_kg",
+                  {CORE_TEXT("core", "is required and missing (or %1)"), "reciprocating_mass_kg"})),
+              "Reciprocating masses: is required and missing (or reciprocating mass)");
+    EXPECT_EQ(said(InputError("/input/torque/csv",
+                              {Text{"", "%1: %2"}, "my_trace_mm.csv", Message(missing)})),
+              "Torque, file my_trace_mm.csv: is required and missing");
+    EXPECT_EQ(said(InputError("/input/crank_radus_mm",
+                              {CORE_TEXT("core", "is not a known key; the nearest is %1"),
+                               quoted_list({"crank_radius_mm"})})),
+              "\"crank radus mm\": is not a known key; the nearest is \"crank radius r\"");
+    EXPECT_EQ(said(InputError("/version", missing, "{\"a_mm\":1}")),
+              "Version: is required and missing, got a group of values");
+    EXPECT_EQ(said(InputError("", finite, Number{1.2e200})),
+              "must be a finite number, got 1.2·10²⁰⁰");
 }
 
 TEST_F(ErrorText, UnitsAreRussian) {

@@ -21,6 +21,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "methods/methods_page.h"
+#include "model/case_document.h"
 #include "model/open_case.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
@@ -146,6 +147,35 @@ TEST_F(DocumentsTest, ABadFileLeavesNoTab) {
     EXPECT_NE(window.openCase(bad.fileName()), QString());
     EXPECT_EQ(window.documents().all().size(), 1U);
     EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+}
+
+TEST_F(DocumentsTest, WhatIsWrongWithAFileIsSaidInWords) {
+    Json good = Json::parse(CaseDocument::read(example(u"tmz-650d"_s)).input.dump());
+    const auto trouble = [&](const char* pointer, const Json& value) {
+        Json document{{"format", "ravnoves-case"},
+                      {"version", 1},
+                      {"scene", "balance-shaft"},
+                      {"input", good}};
+        document[Json::json_pointer(pointer)] = value;
+        if (value.is_null()) {
+            const Json::json_pointer place(pointer);
+            document[place.parent_pointer()].erase(place.back());
+        }
+        QFile bad(folder.filePath(u"bad.json"_s));
+        EXPECT_TRUE(bad.open(QIODevice::WriteOnly));
+        bad.write(QByteArray::fromStdString(document.dump()));
+        bad.close();
+        return window.openCase(bad.fileName()).mid(bad.fileName().size() + 2);
+    };
+    EXPECT_EQ(trouble("/input/crank_radius_mm", -46),
+              u"Crank radius r: must be greater than 0, got −46"_s);
+    EXPECT_EQ(trouble("/input/crank_radius_mm", nullptr),
+              u"Crank radius r: is required and missing"_s);
+    EXPECT_TRUE(trouble("/input/torque/torque_Nm/3", "x").startsWith(u"Row 4, torque: must be"_s));
+    EXPECT_TRUE(trouble("/input/torque", {{"csv", "нет.csv"}})
+                    .startsWith(u"Torque, file нет.csv: cannot be read"_s));
+    EXPECT_TRUE(trouble("/version", 2).startsWith(u"Version: must be at most 1"_s));
+    EXPECT_TRUE(trouble("/input/crank_radus_mm", 2).startsWith(u"\"crank radus mm\": is not"_s));
 }
 
 TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {

@@ -89,7 +89,7 @@ TEST_F(MainWindowTest, BadFilesAreNamedAndChangeNothing) {
          "balance-shaft"},
         {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shaft\", "
          "\"input\": {\"crank_radius_mm\": -46}}",
-         "/input/"},
+         "Crank radius r"},
         {"\x7f"
          "ELF\x02\x01",
          "JSON"},
