@@ -62,6 +62,10 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     column->addWidget(trouble_);
     column->addWidget(buildCheck());
     column->addWidget(buildNoTable());
+    noTrace_ = new TroubleLine(this);
+    noTrace_->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
+    noTrace_->setObjectName(QStringLiteral("no_trace"));
+    column->addWidget(noTrace_);
     forms_ = new QStackedWidget(this);
     table_ = new TorqueTableEditor(model_, forms_);
     forms_->addWidget(table_);
@@ -253,6 +257,12 @@ void TorqueSourceEditor::showForm(int page) {
     forms_->setCurrentIndex(page);
     const TorqueSource& torque = model_->input().torque;
     noTable_->setVisible(page == TablePage && torque.is_computed());
+    const bool isWithoutTrace = page == PressurePage && torque.kind != TorqueSource::Kind::pressure;
+    noTrace_->say(!isWithoutTrace ? QString()
+                  : torque.is_computed()
+                      ? tr("The torque is still that of the computed cycle: no pressure is read "
+                           "yet.")
+                      : tr("The torque is still that of the table: no pressure is read yet."));
     if (torque.trace.pressure.empty() && !torque.trace_csv.empty()) {
         trace_->setText(tr("%1 cannot be read; read it again from where it is now.")
                             .arg(QString::fromStdString(torque.trace_csv)));

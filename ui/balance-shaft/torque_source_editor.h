@@ -50,6 +50,7 @@ class TorqueSourceEditor : public QWidget {
     TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;
     QWidget* noTable_ = nullptr;
+    TroubleLine* noTrace_ = nullptr;  ///< whose results they are, until there is a trace
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "shell/documents.h"
 
+#include <QApplication>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMouseEvent>
@@ -325,11 +326,12 @@ std::optional<bool> Documents::relocate(CaseFile& file, const InputError& error,
     }
     const bool isSecond = missing.where == error.where();
     if (!isSecond) {
-        missing = {error.where(), QString::fromStdString(name->get<std::string>())};
+        missing.where = error.where();
+        missing.name = QString::fromStdString(name->get<std::string>());
     }
     // What the case names is looked for, whatever was chosen for it.
     const QString found = locate(
-        missing.name, title,
+        missing.name, missing.folder, title,
         isSecond
             ? tr("The file chosen for %1 does not do.").arg(QFileInfo(missing.name).fileName()) +
                   QStringLiteral("\n\n") + trouble
@@ -347,7 +349,7 @@ QString Documents::open(const QString& path, bool locates) {
     }
     CaseFile file;
     QByteArray known;
-    Missing missing;
+    Missing missing{QFileInfo(path).absolutePath()};
     for (bool isMoved = false;; isMoved = true) {
         try {
             if (!isMoved) {
@@ -380,12 +382,13 @@ QString Documents::open(const QString& path, bool locates) {
     }
 }
 
-QString Documents::locate(const QString& name, const QString& title, const QString& trouble) {
+QString Documents::locate(const QString& name, const QString& folder, const QString& title,
+                          const QString& trouble) {
     QMessageBox box(QMessageBox::Warning, title, trouble, QMessageBox::Cancel, this);
     const QPushButton* locate = box.addButton(tr("&Locate file…"), QMessageBox::AcceptRole);
     box.exec();
     return box.clickedButton() == locate
-               ? askOpenPath(this, tr("Where is %1?").arg(QFileInfo(name).fileName()), {},
+               ? askOpenPath(this, tr("Where is %1?").arg(QFileInfo(name).fileName()), folder,
                              tr("Tables (*.csv *.txt *.tsv);;All files (*)"))
                : QString();
 }
@@ -436,7 +439,8 @@ bool Documents::restore(const RecoveredCase& recovered) {
         there = nullptr;
     }
     CaseFile file = recovered.content;
-    Missing missing;
+    Missing missing{recovered.path.isEmpty() ? QString()
+                                            : QFileInfo(recovered.path).absolutePath()};
     for (bool isThere = false; !isThere;) {
         try {
             put(file, there, [&](CaseDocument& document) {
@@ -481,7 +485,13 @@ QStringList Documents::paths() const {
 
 void Documents::showNotice() {
     if (current_ != nullptr) {
+        const bool hadFocus = notice_->isAncestorOf(QApplication::focusWidget());
         notice_->showFor(current_->document);
+        if (hadFocus && notice_->isHidden()) {
+            // Else it goes where it happens to.
+            QWidget* last = current_->page->focusWidget();
+            (last != nullptr ? last : current_->page)->setFocus(Qt::OtherFocusReason);
+        }
         solving_->follow(current_->document->model());
     }
 }

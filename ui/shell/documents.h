@@ -133,13 +133,15 @@ class Documents : public QWidget {
     void makeNotice();
     void showNotice();
     void reload();
-    /// Asks where the file is that could not be read.
+    /// Asks where the file is that could not be read, from a folder on.
     /// @return an empty text where the user gives up
-    QString locate(const QString& name, const QString& title, const QString& trouble);
+    QString locate(const QString& name, const QString& folder, const QString& title,
+                   const QString& trouble);
     /// The file that is being asked for: where the case names it, and how.
     struct Missing {
-        std::string where;
-        QString name;
+        QString folder;  ///< of the case
+        std::string where{};
+        QString name{};
     };
     /// Asks that for the file that the error is about, and enters the answer into the case.
     /// @return nothing where something else is wrong; false where the user gives up

@@ -38,9 +38,10 @@ class SavingTest : public ::testing::Test {
                                      QString*) {
             return typed.isEmpty() ? QString() : typed.takeFirst();
         };
-        fileChoosers().open = [this](QWidget*, const QString& title, const QString&,
+        fileChoosers().open = [this](QWidget*, const QString& title, const QString& folder,
                                      const QString&) {
             asked << title;
+            folders << folder;
             return typed.isEmpty() ? QString() : typed.takeFirst();
         };
         test::showAt(window, {1280, 800});
@@ -101,7 +102,8 @@ class SavingTest : public ::testing::Test {
 
     FileChoosers before = fileChoosers();
     QTemporaryDir folder;
-    QStringList typed;  ///< what the dialogs answer, in order
+    QStringList typed;    ///< what the dialogs answer, in order
+    QStringList folders;  ///< in which they began
     QStringList asked;
     MainWindow window;
 };
@@ -325,6 +327,7 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     for (int at = 1; at < 5; ++at) {
         EXPECT_TRUE(asksForIt(at)) << qPrintable(asked.at(at));
     }
+    EXPECT_EQ(folders.constLast(), QFileInfo(path).absolutePath()) << "where the case is";
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
     EXPECT_TRUE(window.isWindowModified());
     ASSERT_EQ(window.saveCase(path), QString());
