@@ -30,6 +30,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
       model_(model),
       table_(table) {
     table_->setParent(this);
+    table_->setModel(model_);
     caption()->setText(
         tr("Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a "
            "spreadsheet, or type."));
@@ -43,10 +44,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
             [this] { table_->setTable(model_->input().torque.table); });
     connect(table_, &TorqueTableModel::tableEdited, this, [this] {
         model_->edit(tr("Edit torque table"), [this](balance_shaft::Input& input) {
-            input.torque.kind = balance_shaft::TorqueSource::Kind::table;
-            input.torque.csv.clear();
-            input.torque.table = table_->checkedTable();
-            input.strokes = input.strokes_of_torque();
+            TorqueTableModel::putInto(input, table_->checkedTable());
         });
     });
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {

@@ -7,6 +7,9 @@
 
 namespace ravnoves {
 
+struct CaseFile;
+class SceneModel;
+
 /// What an empty line in the middle of a block is.
 enum class EmptyLine {
     nothing,  ///< it is passed over
@@ -43,6 +46,12 @@ class EditableTable : public QAbstractTableModel {
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
     /// The model holds another state as a whole: nothing is refused any more.
     virtual void forgetRefused() {}
+
+    // For the copy that a crash leaves: what stands in a cell that is still being edited.
+    /// The model of the case that the cells belong to; null where there is none.
+    virtual SceneModel* scene() const { return nullptr; }
+    /// Puts into the case what a cell with this text would make of it, where it is not refused.
+    virtual void putTyped(const QModelIndex& /*at*/, const QString& /*text*/, CaseFile& /*file*/) {}
 
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 

@@ -33,6 +33,11 @@ QString keptText(const Json& json, const char* key) {
     return QString::fromStdString(json.value(key, std::string()));
 }
 
+/// Also for what stands in a dialog that is still open.
+bool needsKeeping(const CaseDocument& document) {
+    return document.needsSaving() || document.model()->hasTyping();
+}
+
 /// A case that only a newer program can read.
 struct NewerCase : std::exception {};
 
@@ -54,6 +59,11 @@ RecoveredCase readKept(const QString& file) {
 }
 
 }  // namespace
+
+std::pair<QString, int> RecoveredCase::place() const {
+    const QString name = QFileInfo(file).completeBaseName();
+    return {name.left(sessionLength), name.section(QLatin1Char('-'), 1).toInt()};
+}
 
 Recovery::Recovery(const QString& folder, QObject* parent)
     : QObject(parent), folder_(folder), session_(QUuid::createUuid().toString(QUuid::Id128)) {
@@ -111,6 +121,7 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     };
     connect(document->model(), &SceneModel::changed, timer, later);
     connect(document->model(), &SceneModel::historyChanged, timer, later);
+    connect(document->model(), &SceneModel::typingChanged, timer, later);
     connect(document, &CaseDocument::nameChanged, timer, [this, document, later] {
         if (document->needsSaving()) {
             later();
@@ -147,11 +158,7 @@ std::optional<Json> Recovery::contentOf(CaseDocument* document, const Watched& w
         tellFailed(tr("%1 cannot be written to").arg(folder_));
         return std::nullopt;
     }
-    CaseFile file = document->asFile();
-    if (document->model()->isSolving()) {
-        file.input = document->model()->latestInputJson();
-    }
-    return Json{{"case", write_case(file)},
+    return Json{{"case", write_case(document->model()->draftFile())},
                 {"path", document->path().toStdString()},
                 {"known", document->disk().digest().toHex().toStdString()},
                 {"directory", document->model()->context().directory.string()},
@@ -163,7 +170,7 @@ bool Recovery::keep(CaseDocument* document) {
     if (found == watched_.end()) {
         return false;
     }
-    if (!document->needsSaving()) {
+    if (!needsKeeping(*document)) {
         forget(*found);
         return true;
     }
@@ -186,7 +193,7 @@ bool Recovery::keep(CaseDocument* document) {
 /// In a thread, where the case is large.
 void Recovery::keepSoon(CaseDocument* document) {
     const auto found = watched_.find(document);
-    if (found == watched_.end() || !document->needsSaving() || !document->model()->isLarge()) {
+    if (found == watched_.end() || !needsKeeping(*document) || !document->model()->isLarge()) {
         keep(document);
         return;
     }

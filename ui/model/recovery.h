@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
@@ -32,6 +33,9 @@ struct RecoveredCase {
     CaseContext context;
     QString draft;  ///< ScenePage::draftName()
     CaseFile content;
+
+    /// By which the cases of one program stand in the order in which they were opened.
+    std::pair<QString, int> place() const;
 };
 
 /// Keeps every unsaved case in a file of its own while it is open, so that a program that is killed

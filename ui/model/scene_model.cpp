@@ -117,6 +117,9 @@ void SceneModel::setTyping(const QObject* widget, const Typing& typing) {
 
 CaseFile SceneModel::draftFile() const {
     CaseFile file = caseFile();
+    if (isSolving()) {
+        file.input = latestInputJson();
+    }
     for (const Typing& typing : typing_) {
         typing(file);
     }

@@ -440,7 +440,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
     }
     CaseFile file = recovered.content;
     Missing missing{recovered.path.isEmpty() ? QString()
-                                            : QFileInfo(recovered.path).absolutePath()};
+                                             : QFileInfo(recovered.path).absolutePath()};
     for (bool isThere = false; !isThere;) {
         try {
             put(file, there, [&](CaseDocument& document) {

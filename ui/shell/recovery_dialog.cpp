@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "model/scene_model.h"
 #include "shell/scene_list.h"
@@ -89,7 +90,13 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     };
     if (!cases_.isEmpty()) {
         add("recovery_restore", tr("&Restore"), [this] {
-            for (const RecoveredCase& each : takeTicked()) {
+            QList<RecoveredCase> ticked = takeTicked();
+            // Tabs stand as they stood.
+            std::stable_sort(ticked.begin(), ticked.end(),
+                             [](const RecoveredCase& a, const RecoveredCase& b) {
+                                 return a.place() < b.place();
+                             });
+            for (const RecoveredCase& each : ticked) {
                 Q_EMIT restored(each);
             }
         })->setDefault(true);

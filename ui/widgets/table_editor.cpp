@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -14,6 +15,7 @@
 #include <exception>
 #include <new>
 
+#include "model/scene_model.h"
 #include "text/error_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -26,7 +28,27 @@ namespace {
 /// Colours what was refused.
 class TroubleDelegate final : public QStyledItemDelegate {
   public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    TroubleDelegate(EditableTable* table, QObject* parent)
+        : QStyledItemDelegate(parent), table_(table) {}
+
+    /// A crash takes at most the last keys of a cell.
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+        auto* line = qobject_cast<QLineEdit*>(editor);
+        SceneModel* scene = table_->scene();
+        if (line != nullptr && scene != nullptr) {
+            const QPersistentModelIndex at(index);
+            connect(line, &QLineEdit::textEdited, scene, [=, table = table_](const QString& text) {
+                scene->setTyping(line, [=](CaseFile& file) {
+                    if (at.isValid()) {
+                        table->putTyped(at, text, file);
+                    }
+                });
+            });
+        }
+        return editor;
+    }
 
   protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
@@ -35,6 +57,9 @@ class TroubleDelegate final : public QStyledItemDelegate {
             option->palette.setColor(QPalette::Text, Theme::instance().error());
         }
     }
+
+  private:
+    EditableTable* table_;
 };
 
 }  // namespace
@@ -52,7 +77,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addLayout(tools_);
     view_ = new QTableView(this);
     view_->setModel(table_);
-    view_->setItemDelegate(new TroubleDelegate(view_));
+    view_->setItemDelegate(new TroubleDelegate(table_, view_));
     view_->setAlternatingRowColors(true);
     view_->setAccessibleName(name);
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

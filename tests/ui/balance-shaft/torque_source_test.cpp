@@ -4,7 +4,10 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <cmath>
 
@@ -15,6 +18,7 @@
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "widgets/form_section.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -144,6 +148,48 @@ TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
     source->tableEditor()->paste();
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_EQ(model->input().torque.table.size(), 5U);
+}
+
+TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
+    const auto* line = test::named<QLabel>(*source, "no_trace");
+    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    choose(1);
+    EXPECT_TRUE(line->isVisible());
+    EXPECT_TRUE(line->text().contains(QStringLiteral("of the table"))) << qPrintable(line->text());
+    choose(2);
+    EXPECT_FALSE(line->isVisible());
+    choose(1);
+    EXPECT_TRUE(line->text().contains(QStringLiteral("computed"))) << qPrintable(line->text());
+}
+
+TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
+    QTableView* view = source->tableEditor()->view();
+    const auto* line = source->tableEditor()->findChild<TroubleLine*>();
+    view->setCurrentIndex(view->model()->index(0, 0));
+    QApplication::clipboard()->setText(QStringLiteral("15\t5\n30\t6\n"));
+    source->tableEditor()->paste();
+    EXPECT_TRUE(line->text().startsWith(QStringLiteral("Row "))) << qPrintable(line->text());
+    EXPECT_FALSE(line->text().contains(QLatin1Char('_'))) << qPrintable(line->text());
+}
+
+TEST_F(TorqueSourceTest, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {
+    QTableView* view = source->tableEditor()->view();
+    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    view->setFocus();
+    view->setCurrentIndex(view->model()->index(2, 1));
+    QTest::keyClick(view, Qt::Key_F2);
+    auto* cell = view->viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(cell, nullptr);
+    cell->selectAll();
+    QTest::keyClicks(cell, QStringLiteral("77"));
+    ASSERT_TRUE(model->hasTyping());
+    EXPECT_EQ(model->draftFile().input.at("torque").at("torque_Nm").at(2), 77.0);
+    EXPECT_NE(model->inputJson().at("torque").at("torque_Nm").at(2), 77.0);
+    QTest::keyClicks(cell, QStringLiteral("x"));  // no number: the table as it is
+    EXPECT_EQ(model->draftFile().input, model->inputJson());
+    QTest::keyClick(cell, Qt::Key_Escape);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_FALSE(model->hasTyping());
 }
 
 TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {

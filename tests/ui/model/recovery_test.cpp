@@ -72,6 +72,22 @@ TEST_F(RecoveryTest, WhatIsBeingTypedIsKept) {
     EXPECT_TRUE(model.isTyped());
 }
 
+TEST_F(RecoveryTest, WhatStandsInADialogIsKeptUntilItIsOver) {
+    Recovery recovery(keptIn());
+    watch(recovery);
+    {
+        const QObject dialog;
+        model.setTyping(&dialog, [](CaseFile& typed) { typed.notes = "half a word"; });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+        QFile copy(QDir(keptIn()).filePath(kept().constFirst()));
+        ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
+        EXPECT_TRUE(copy.readAll().contains("half a word"));
+        EXPECT_EQ(model.notes(), QString());
+        EXPECT_FALSE(document.needsSaving());
+    }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept().isEmpty(); }, soon));
+}
+
 TEST_F(RecoveryTest, NothingStaysAfterSavingClosingOrQuitting) {
     Recovery recovery(keptIn());
     const auto change = [&](double square) {

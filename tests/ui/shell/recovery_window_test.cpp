@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
@@ -21,6 +22,7 @@
 #include "events.h"
 #include "model/case_document.h"
 #include "model/recovery.h"
+#include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/recovery_dialog.h"
@@ -137,6 +139,33 @@ TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
     window.reset();
     start();
     EXPECT_NE(offered(), nullptr);
+}
+
+TEST_F(NothingIsLost, WhatStandsInAnOpenDialogIsKept) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier);
+    auto* dialog = window->findChild<CaseProperties*>();
+    ASSERT_NE(dialog, nullptr);
+    QTest::keyClicks(test::named<QPlainTextEdit>(*dialog, "case_notes"), u"measured twice"_s);
+    crash();
+    start();
+    ASSERT_NE(offered(), nullptr);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    EXPECT_EQ(model().notes(), u"measured twice"_s);
+}
+
+TEST_F(NothingIsLost, TabsComeBackInTheirOrder) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
+    set(u"speed_rpm=1234"_s);
+    const QStringList before = tabs();
+    ASSERT_EQ(before.size(), 2);
+    crash();
+    start();
+    ASSERT_NE(offered(), nullptr);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    EXPECT_EQ(tabs(), before);
 }
 
 TEST_F(NothingIsLost, WhatIsRestoredStandsBeforeTheStartPage) {
@@ -323,6 +352,8 @@ TEST_F(NothingIsLost, AFileThatOthersChangeIsSaidAndReloaded) {
     click(*notice(), "disk_reload");
     EXPECT_FALSE(notice()->isVisible());
     EXPECT_EQ(model().inputJson().at("centre_distance_mm"), 100.25);
+    QWidget* focus = QApplication::focusWidget();
+    EXPECT_TRUE(window->currentPage() == focus || window->currentPage()->isAncestorOf(focus));
     EXPECT_FALSE(window->isWindowModified());
     QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(model().inputJson(), before);

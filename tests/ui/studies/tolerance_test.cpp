@@ -101,6 +101,20 @@ class Tolerances : public ::testing::Test {
     ToleranceWindow* tolerances = nullptr;
 };
 
+TEST_F(Tolerances, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {
+    QTableView* view = tolerances->inputs()->view();
+    view->setFocus();
+    view->setCurrentIndex(view->model()->index(0, ScatterTable::Scatter));
+    QTest::keyClick(view, Qt::Key_F2);
+    auto* cell = view->findChild<QLineEdit*>();
+    ASSERT_NE(cell, nullptr);
+    cell->selectAll();
+    QTest::keyClicks(cell, u"0.25"_s);
+    EXPECT_TRUE(scene().study().empty());
+    EXPECT_TRUE(scene().draftFile().study.at("vary").front().contains("plus_minus"));
+    QTest::keyClick(cell, Qt::Key_Escape);
+}
+
 TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     scatter("/crank_radius_mm", u"0.02"_s);
     scatter("/reciprocating_masses_kg/piston", u"1 %"_s);

@@ -3,7 +3,10 @@
 #include <QLocale>
 #include <utility>
 
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "model/run_beside.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -101,7 +104,7 @@ void TorqueTableModel::check() {
     }
     if (trouble.isEmpty()) {
         try {
-            balance_shaft::check_torque_table(table, tr("Torque table").toStdString());
+            balance_shaft::check_torque_table(table, "/input/torque");
         } catch (const InputError& error) {
             trouble = errorText(error);
         }
@@ -118,6 +121,52 @@ void TorqueTableModel::check() {
     if (trouble_.isEmpty() && !(table == valid_)) {
         valid_ = std::move(table);
         Q_EMIT tableEdited();
+    }
+}
+
+SceneModel* TorqueTableModel::scene() const {
+    return model_;
+}
+
+void TorqueTableModel::putInto(balance_shaft::Input& input, const TorqueTable& table) {
+    input.torque.kind = balance_shaft::TorqueSource::Kind::table;
+    input.torque.csv.clear();
+    input.torque.table = table;
+    input.strokes = input.strokes_of_torque();
+}
+
+void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
+    const auto number = readFormNumber(text);
+    if (!number || rows_.empty()) {
+        return;
+    }
+    TorqueTable table;
+    for (const Row& row : rows_) {
+        const auto angle = angleOf(row);
+        const auto torque = torqueOf(row);
+        if (!angle || !torque) {
+            return;
+        }
+        table.crank_angle_deg.push_back(*angle);
+        table.torque.push_back(*torque);
+    }
+    const auto row = static_cast<std::size_t>(at.row());
+    if (at.column() == CrankAngle) {
+        table.crank_angle_deg[row] = *number;
+    } else {
+        table.torque[row] = *number * shownAs(units::N_m);
+        if (row == 0 || row + 1 == rows_.size()) {  // the cycle repeats
+            table.torque.front() = table.torque.back() = table.torque[row];
+        }
+    }
+    try {
+        balance_shaft::check_torque_table(table, "/input/torque");
+    } catch (const InputError&) {
+        return;
+    }
+    Json input = model_->inputAfter([&](balance_shaft::Input& next) { putInto(next, table); });
+    if (!input.is_null()) {
+        file.input = std::move(input);
     }
 }
 

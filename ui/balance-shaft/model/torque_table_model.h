@@ -10,6 +10,11 @@
 
 namespace ravnoves {
 
+namespace balance_shaft {
+struct Input;
+}
+class BalanceShaftModel;
+
 /// The torque table while it is being edited.
 ///
 /// Cells hold what was typed, valid or not, so nothing is lost; checkedTable() is the table where
@@ -22,6 +27,9 @@ class TorqueTableModel : public EditableTable {
     enum Column { CrankAngle = 0, Torque = 1 };
 
     using EditableTable::EditableTable;
+
+    /// The case that the table is part of.
+    void setModel(BalanceShaftModel* model) { model_ = model; }
 
     /// Takes over a valid table; nothing is emitted but the reset.
     void setTable(const balance_shaft::TorqueTable& table);
@@ -39,6 +47,10 @@ class TorqueTableModel : public EditableTable {
         return !trouble_.isEmpty();
     }
     void takeBackRefused(const QModelIndex& at) override;
+    SceneModel* scene() const override;
+    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
+    /// Puts the table into an input.
+    static void putInto(balance_shaft::Input& input, const balance_shaft::TorqueTable& table);
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -72,6 +84,7 @@ class TorqueTableModel : public EditableTable {
     void put(const QModelIndex& index, const QString& text);
     void check();
 
+    BalanceShaftModel* model_ = nullptr;
     std::vector<Row> rows_;
     balance_shaft::TorqueTable valid_;
     QString trouble_;

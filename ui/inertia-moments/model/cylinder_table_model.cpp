@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/range.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
@@ -339,6 +341,21 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     }
     say(why);
     return why.isEmpty();
+}
+
+SceneModel* CylinderTableModel::scene() const {
+    return model_;
+}
+
+void CylinderTableModel::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
+    const auto row = static_cast<std::size_t>(at.row());
+    bool isTaken = false;
+    Json input = model_->inputAfter([&](Input& next) {
+        isTaken = setCell(model_->tableOf(next).at(row), at.column(), text.trimmed());
+    });
+    if (isTaken && !input.is_null()) {
+        file.input = std::move(input);
+    }
 }
 
 void CylinderTableModel::takeBackRefused(const QModelIndex& at) {

@@ -45,6 +45,8 @@ class CylinderTableModel final : public EditableTable {
     void removeRowRange(int first, int count) override;
     /// Rows that are missing are added.
     void takeBackRefused(const QModelIndex& at) override;
+    SceneModel* scene() const override;
+    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -16,7 +16,6 @@
 #include "studies/model/result_words.h"
 #include "studies/study_run.h"
 #include "text/capital.h"
-#include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -304,7 +303,7 @@ void StudyModel::readStudy() {
     try {
         study_ = studies::read_study(parse_json(scene_->study()), true);
     } catch (const InputError& error) {
-        trouble_ = errorText(error) + QLatin1Char('\n') +
+        trouble_ = scene_->explain(error) + QLatin1Char('\n') +
                    tr("The study cannot be read: undo, choose another method, or clear it by "
                       "“Usual ones”, “None”.");
         isRefused_ = true;
@@ -604,7 +603,17 @@ void StudyModel::change(const QString& name, Study next) {
         return;
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
+    if (copy_ != nullptr) {
+        copy_->study = isEmpty ? Json() : studies::write_study(next);
+        return;
+    }
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
+}
+
+void StudyModel::putTyped(CaseFile& file, const std::function<QString()>& take) {
+    copy_ = &file;
+    take();
+    copy_ = nullptr;
 }
 
 bool StudyModel::isBusy() const {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ namespace ravnoves {
 
 class BackgroundJob;
 class SceneModel;
+struct CaseFile;
 
 /// What a study has found so far, of one watched value, in the unit of its key.
 struct StudyAnswer {
@@ -98,6 +100,9 @@ class StudyModel : public QObject {
     /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::vector<studies::Watched>& limits);
+    /// Puts into a copy of the case, alone, what such a change would make of its study.
+    /// @param take  the change; it returns as these two
+    void putTyped(CaseFile& file, const std::function<QString()>& take);
     /// Listed values become the range that they span where the method is no grid. Of a study that
     /// cannot be read the method alone is changed.
     void setMethod(studies::Method method);
@@ -143,6 +148,7 @@ class StudyModel : public QObject {
     void addListed();
     void readStudy();
     void change(const QString& name, studies::Study next);
+    CaseFile* copy_ = nullptr;  ///< that takes the change in place of the case
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
     void start();

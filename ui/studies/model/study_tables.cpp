@@ -152,6 +152,11 @@ void ScatterTable::forgetRefused() {
     }
 }
 
+void ScatterTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
+    const std::string pointer = model_->inputs()[static_cast<std::size_t>(at.row())].pointer;
+    model_->putTyped(file, [&] { return model_->setScatter({{pointer, text}}); });
+}
+
 void ScatterTable::removeRowRange(int first, int count) {
     for (int row = first; row < first + count; ++row) {
         setData(index(row, Scatter), QString(), Qt::EditRole);
@@ -297,6 +302,10 @@ QString WatchTable::trouble() const {
         all << resultName(cell.first).text + QStringLiteral(": ") + refused.why;
     }
     return all.join(QStringLiteral("; "));
+}
+
+void WatchTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
+    model_->putTyped(file, [&] { return pasteBlock(at.row(), at.column(), {{text}}); });
 }
 
 void WatchTable::removeRowRange(int first, int count) {

@@ -21,6 +21,8 @@ class ScatterTable final : public EditableTable {
     void removeRowRange(int first, int count) override;
     void takeBackRefused(const QModelIndex& at) override;
     void forgetRefused() override;
+    SceneModel* scene() const override { return model_->scene(); }
+    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -63,6 +65,8 @@ class WatchTable final : public EditableTable {
     void removeRowRange(int first, int count) override;
     void takeBackRefused(const QModelIndex& at) override;
     void forgetRefused() override;
+    SceneModel* scene() const override { return model_->scene(); }
+    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
