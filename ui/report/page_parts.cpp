@@ -27,12 +27,16 @@ constexpr int narrowWidth = 480;     ///< of one that is high
 constexpr int pictureWidth = 430;    ///< of a picture
 constexpr qint64 patience = 60'000;  // ms
 
-/// A label's text as a fragment of HTML.
-QString fragment(QString text) {
-    if (Qt::mightBeRichText(text)) {
-        return text.replace(QLatin1String("<br>"), QLatin1String("<br/>"));
-    }
+/// A plain text as a fragment of HTML.
+QString fragment(const QString& text) {
     return text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br/>"));
+}
+
+/// A label's: only one that says so is HTML already.
+QString fragment(const QLabel& label) {
+    return label.textFormat() == Qt::RichText
+               ? label.text().replace(QLatin1String("<br>"), QLatin1String("<br/>"))
+               : fragment(label.text());
 }
 
 Paragraph::Kind kindOf(const QLabel& label) {
@@ -230,10 +234,10 @@ class Collector {
         if (qobject_cast<const FormSection*>(label.parentWidget()) != nullptr &&
             !label.accessibleName().isEmpty()) {
             parts.words.push_back(Paragraph{QStringLiteral("%1: %2").arg(
-                label.accessibleName().toHtmlEscaped(), fragment(label.text()))});
+                label.accessibleName().toHtmlEscaped(), fragment(label))});
             return;
         }
-        parts.words.push_back(Paragraph{fragment(label.text()), kindOf(label)});
+        parts.words.push_back(Paragraph{fragment(label), kindOf(label)});
     }
 
     ScenePage& page_;

@@ -46,6 +46,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/plain_text.h"
 #include "workshop/scale_button.h"
 
 namespace ravnoves {
@@ -73,6 +74,7 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
 }  // namespace
 
 MainWindow::MainWindow(First first) {
+    keepTextPlain();
     setWindowIcon(QIcon(QStringLiteral(":/icons/ravnoves.svg")));
     setMinimumSize(800, 500);
     resize(1280, 800);
@@ -95,8 +97,11 @@ MainWindow::MainWindow(First first) {
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
-    // A text is refused, and stays so, without a step of any history.
-    connect(qApp, &QApplication::focusChanged, documents_, [this] { updateHistoryActions(); });
+    // A text is refused, and stays so, without a step of any history. Later: what loses the focus
+    // may be half destroyed.
+    connect(
+        qApp, &QApplication::focusChanged, documents_, [this] { updateHistoryActions(); },
+        Qt::QueuedConnection);
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
@@ -126,7 +131,6 @@ MainWindow::MainWindow(First first) {
 MainWindow::~MainWindow() {
     // The field with the focus reports what was typed, and the title follows: while there is one.
     hide();
-    disconnect(qApp, nullptr, documents_, nullptr);
 }
 
 void MainWindow::renew() {
@@ -844,13 +848,17 @@ void MainWindow::showHelp(const QString& topic) {
 }
 
 void MainWindow::showAbout() {
-    QMessageBox::about(
-        this, tr("About Ravnoves"),
+    QMessageBox box(this);
+    box.setWindowTitle(tr("About Ravnoves"));
+    box.setIconPixmap(windowIcon().pixmap(Theme::withText(64)));
+    box.setTextFormat(Qt::RichText);
+    box.setText(
         tr("<h3>Ravnoves %1</h3>"
            "<p>The engine-balancing workbench.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later; "
            "it comes without any warranty.</p>")
             .arg(QStringLiteral(RAVNOVES_VERSION)));
+    box.exec();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -9,12 +9,14 @@
 #include "widgets/elided_tips.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/mnemonics.h"
+#include "widgets/plain_text.h"
 #include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 
 ScenePage::ScenePage(QWidget* parent) : QWidget(parent) {
     guardWheel();
+    keepTextPlain();
     showElidedTips();
     keepMnemonicsApart(this);
 }
