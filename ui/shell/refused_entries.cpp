@@ -4,9 +4,11 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 
 #include "shell/scene_page.h"
 #include "widgets/entry_field.h"
+#include "widgets/table_editor.h"
 
 namespace ravnoves {
 
@@ -43,14 +45,17 @@ bool isSolved(SceneModel& model, const QWidget* part, const QString& title) {
     return box.exec() == QMessageBox::Ignore && !isRefused;
 }
 
+const QWidget* wholePage(const QWidget* part) {
+    while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
+        part = part->parentWidget();
+    }
+    return part;
+}
+
 }  // namespace
 
 QList<EntryField*> entriesOfPage(const QWidget* part) {
-    const QWidget* page = part;
-    while (qobject_cast<const ScenePage*>(page) == nullptr && page->parentWidget() != nullptr) {
-        page = page->parentWidget();
-    }
-    return page->findChildren<EntryField*>();
+    return wholePage(part)->findChildren<EntryField*>();
 }
 
 QStringList refusedEntries(const QWidget* part) {
@@ -58,6 +63,11 @@ QStringList refusedEntries(const QWidget* part) {
     for (const EntryField* field : entriesOfPage(part)) {
         if (!field->trouble().isEmpty()) {
             refused << field->accessibleName() + QStringLiteral(": ") + field->trouble();
+        }
+    }
+    for (const TableEditor* table : wholePage(part)->findChildren<TableEditor*>()) {
+        if (!table->trouble().isEmpty()) {
+            refused << table->view()->accessibleName() + QStringLiteral(": ") + table->trouble();
         }
     }
     return refused;
@@ -71,7 +81,10 @@ bool takeBackRefused(const QWidget* part) {
         }
     }
     if (taken == nullptr) {
-        return false;
+        const auto tables = wholePage(part)->findChildren<TableEditor*>();
+        return std::any_of(tables.begin(), tables.end(), [](TableEditor* table) {
+            return !table->trouble().isEmpty() && table->takeBackAnyRefused();
+        });
     }
     QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
     QCoreApplication::sendEvent(taken, &escape);

@@ -11,7 +11,7 @@ class EntryField;
 /// The entries of the page that a widget is part of, whatever their tab.
 QList<EntryField*> entriesOfPage(const QWidget* part);
 
-/// What is typed and refused in them now:
+/// What is typed and refused in them and in the tables of the page now:
 /// "Crank radius r, mm: The value must be greater than 0 mm."
 QStringList refusedEntries(const QWidget* part);
 

@@ -93,6 +93,8 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);
+    connect(table_, &EditableTable::troubleChanged, this,
+            [this](const QString& trouble) { trouble_ = trouble; });
 
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
     addTool(QStringLiteral("plus"), addTip, [this] {
@@ -171,6 +173,19 @@ bool TableEditor::takeBackRefused() {
         view_->setCurrentIndex(table_->index(row, column));
     }
     return true;
+}
+
+bool TableEditor::takeBackAnyRefused() {
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            const QModelIndex at = table_->index(row, column);
+            if (table_->canTakeBackRefused(at)) {
+                table_->takeBackRefused(at);
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {

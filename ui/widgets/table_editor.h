@@ -32,6 +32,10 @@ class TableEditor : public QWidget {
     virtual void paste();
     /// Below the table.
     void say(const QString& text, bool isTrouble);
+    /// What was typed and is refused now, in words; empty where nothing is.
+    QString trouble() const { return trouble_; }
+    /// Takes back something that is refused, wherever it stands. @return false where nothing is
+    bool takeBackAnyRefused();
     /// Undo and Escape are the table's while something in it is refused, else the document's.
     bool takeBackRefused();
 
@@ -48,6 +52,7 @@ class TableEditor : public QWidget {
     void removeSelected();
 
     EditableTable* table_;
+    QString trouble_;
     QHBoxLayout* tools_;
     QTableView* view_;
     QLabel* caption_;

@@ -27,6 +27,7 @@
 #include "text/file_path.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/number_field.h"
+#include "widgets/table_editor.h"
 
 namespace ravnoves {
 namespace {
@@ -161,12 +162,34 @@ TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
     QTest::keyClicks(field, QStringLiteral("-7"));
     QTest::keyClick(field, Qt::Key_Tab);
     ASSERT_FALSE(field->trouble().isEmpty());
+    QApplication::processEvents();
     EXPECT_FALSE(model().history()->canUndo());
     ASSERT_TRUE(undo->isEnabled());
     undo->trigger();
     EXPECT_EQ(field->trouble(), QString());
     EXPECT_EQ(field->text(), shown);
     EXPECT_FALSE(undo->isEnabled());
+}
+
+TEST_F(SavingTest, RefusedCellsAreSaidAndTakenBackLikeEntries) {
+    auto* table = window.currentPage()->findChild<TableEditor*>();
+    ASSERT_NE(table, nullptr);
+    QAbstractItemModel* cells = table->view()->model();
+    const QModelIndex cell = cells->index(5, 1);
+    const QString before = cell.data(Qt::EditRole).toString();
+    table->view()->setFocus();
+    cells->setData(cell, QStringLiteral("abc"));
+    window.currentPage()->setFocus();
+    ASSERT_FALSE(table->trouble().isEmpty());
+    answer("Stay");
+    press(Qt::Key_S);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("abc"))) << asked[0].toStdString();
+    EXPECT_EQ(window.saveCase(file("t.case.json")), QString());
+    QApplication::processEvents();
+    press(Qt::Key_Z);
+    EXPECT_EQ(cell.data(Qt::EditRole).toString(), before);
+    EXPECT_TRUE(table->trouble().isEmpty());
 }
 
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
