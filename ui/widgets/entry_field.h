@@ -101,8 +101,12 @@ class ValueEntry : public EntryField {
         if (before && (isEditing() || !trouble().isEmpty())) {
             return;
         }
+        const bool wasNone = isNone(value_);
         if (!before) {
             value_ = value;
+        }
+        if (wasNone && !trouble().isEmpty()) {
+            return;  // the value came from elsewhere; what was typed for it still waits
         }
         if (isEditing() && trouble().isEmpty() && text().isEmpty()) {
             return;  // what an emptied field means must not join the next digit
@@ -124,6 +128,8 @@ class ValueEntry : public EntryField {
     /// Tells the world that the user gave a value.
     virtual void passOn() = 0;
     virtual bool same(const Value& a, const Value& b) const { return a == b; }
+    /// True where nothing is given.
+    virtual bool isNone(const Value& /*value*/) const { return false; }
 
     void keepValue() override {
         kept_ = value_;

@@ -37,6 +37,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString written() const override;
     QString rule() const override;
     void passOn() override { Q_EMIT valueEdited(value()); }
+    bool isNone(const std::optional<double>& value) const override { return !value; }
     /// Changing its unit there and back makes no other number of it.
     bool same(const std::optional<double>& a, const std::optional<double>& b) const override;
 
