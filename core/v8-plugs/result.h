@@ -86,8 +86,13 @@ struct Result {
         return front.passes && rear.passes ? std::optional(true) : std::nullopt;
     }
 
-    /// False where the plug sheet's cutter cannot bore what the option takes off.
+    bool plug_can_exist = true;  ///< false where the sizes of the plug sheet leave no plug
+    /// False where the plug of the sheet cannot exist, or its cutter cannot bore what the option
+    /// takes off.
     bool can_be_made(OptionId id) const {
+        if (!plug_can_exist && !has_new_plugs(id)) {
+            return false;
+        }
         const auto& plan = boring[index(id)];
         return !plan || !plan->cuts || plan->limit == Boring::Limit::none;
     }

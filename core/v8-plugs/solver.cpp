@@ -47,7 +47,8 @@ void solve_plug(const Input& input, Result& result) {
         return;
     }
     const auto geometry = input.plug->geometry();
-    if (!geometry || geometry_fault(*geometry)) {
+    result.plug_can_exist = !geometry || !geometry_fault(*geometry);
+    if (!geometry || !result.plug_can_exist) {
         return;
     }
     if (input.engine.steel_plug_mass) {
