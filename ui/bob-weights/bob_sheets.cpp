@@ -66,6 +66,9 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
             // What the weigh-in sheet of a case says goes before what is typed here.
             const auto mass = mass_of(model_->input(), part);
             field->setEnabled(mass == model_->input().parts.*part.member);
+            if (!field->isEnabled() && mass) {
+                field->setValue(from_si(part.field, *mass));
+            }
         });
     }
     line(Theme::smallSize, [this] {
@@ -424,9 +427,9 @@ void BobMachineSheet::buildRuns() {
 
 void BobMachineSheet::buildHold() {
     line(Theme::baseSize, [this] {
-        return model_->otherReadingsText();
+        return model_->otherRunText();
     })->setObjectName(QStringLiteral("other_bob_weight"));
-    addHoldButton([this] { return !model_->solution().holds(); },
+    addHoldButton([this] { return !model_->otherRunText().isEmpty(); },
                   [this] { model_->confirmReadings(); });
 }
 

@@ -47,7 +47,7 @@ double cardAnswer(CardPage& page, const CardAnswer& answer, double y) {
         at += page.paragraph(inner, at, room, answer.fact, 9, 1);
         at += page.paragraph(inner, at + 0.4, room, answer.action, 11.5, 4, true, colour) + 0.4;
         at += page.paragraph(inner, at + 0.4, room, answer.more, 9, 3, false, colour);
-        return at + page.paragraph(inner, at + 0.4, room, answer.warning, 10, 4, true, colour);
+        return at + page.paragraph(inner, at + 0.4, room, answer.warning, 10, 7, true, colour);
     };
     page.setMeasuring(true);
     const double height = content(0.0) + 3.6;

@@ -213,6 +213,16 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
     return ScenePage::eventFilter(watched, event);
 }
 
+/// Where one begins to type: not a list, which would take the letters of a number for a choice.
+QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
+    for (QWidget* each : sheet.order()) {
+        if (qobject_cast<EntryField*>(each) != nullptr && each->isEnabled()) {
+            return each;
+        }
+    }
+    return sheet.order().constFirst();
+}
+
 void WorkshopPage::goOn(QWidget* from) {
     const auto* entry = qobject_cast<EntryField*>(from);
     if (entry != nullptr && !entry->trouble().isEmpty()) {
@@ -255,7 +265,7 @@ void WorkshopPage::showEvent(QShowEvent* event) {
     QTimer::singleShot(0, this, [this] {
         if (isVisible() && QApplication::activeModalWidget() == nullptr &&
             !isAncestorOf(window()->focusWidget())) {
-            forms_.at(sheets_->currentIndex())->order().constFirst()->setFocus();
+            firstEntry(*forms_.at(sheets_->currentIndex()))->setFocus();
         }
     });
     if (!journalTried_) {
@@ -428,7 +438,7 @@ void WorkshopPage::newJob() {
     if (leaveJob()) {
         const QString kept = emptySheet();
         sheets_->setCurrentIndex(0);
-        forms_.constFirst()->order().constFirst()->setFocus(Qt::TabFocusReason);
+        firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
         const QString said = tr("The sheet is empty for the next job.") + QLatin1Char(' ') + kept;
         Q_EMIT status(said.trimmed());
     }

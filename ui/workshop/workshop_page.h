@@ -70,6 +70,7 @@ class WorkshopPage : public ScenePage {
     void markTab(int tab);
     void buildActions();
     void buildCardLanguages();
+    static QWidget* firstEntry(const SheetForm& sheet);
     void goOn(QWidget* from);
     void continueDraft(const JournalDraft& draft);
     /// Asks about an unsaved job. @return false where the user wants to stay

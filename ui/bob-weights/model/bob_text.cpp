@@ -147,6 +147,19 @@ QString otherReadings(const Words& words, const Result& result) {
                           : otherText(words, *result.newest(), result.bob_weight.value_or(0.0));
 }
 
+QString otherRun(const Words& words, const Result& result) {
+    if (!result.holds()) {
+        return otherReadings(words, result);
+    }
+    for (std::size_t run = result.runs.size(); run-- > 0;) {
+        if (!result.runs[run].holds()) {
+            return runName(words, run) + QStringLiteral(": ") +
+                   otherText(words, result.runs[run], result.bob_weight.value_or(0.0));
+        }
+    }
+    return {};
+}
+
 QStringList doubts(const Words& words, const Result& result) {
     QStringList list;
     for (const auto& [part, mass] : result.in_kilograms) {

@@ -31,6 +31,8 @@ QString planeName(const Words& words, std::size_t plane);
 QString verdict(const Words& words, const bob_weights::Result& result);
 /// That the readings were taken with another bob weight; empty where they were not.
 QString otherReadings(const Words& words, const bob_weights::Result& result);
+/// The same of the newest run that does not hold, with its name where it is an earlier one.
+QString otherRun(const Words& words, const bob_weights::Result& result);
 /// Masses that look like kilograms: the answer is not to be trusted.
 QStringList doubts(const Words& words, const bob_weights::Result& result);
 /// What counts as 0 because it was not given, and readings that lie far outside the planes.

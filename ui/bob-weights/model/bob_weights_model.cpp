@@ -363,17 +363,37 @@ void BobWeightsModel::confirmReadings() {
                 reading.shaft = {};
             }
         };
-        // What was read together holds together.
-        const Reading before = correction.readings.front();
+        // The newest that do not hold, and what was read together with them.
+        const auto& runs = solution().runs;
+        std::size_t newest = runs.size();
+        while (newest > 0 && runs[newest - 1].holds()) {
+            --newest;
+        }
+        if (newest == 0) {
+            return;
+        }
+        const bool isLast = newest > correction.earlier_runs.size();
+        auto shaft = correction.readings.front().shaft;
+        auto bobWeight = correction.readings.front().bob_weight;
+        if (!isLast) {
+            shaft = correction.earlier_runs[newest - 1].readings.front().shaft;
+            bobWeight = correction.earlier_runs[newest - 1].readings.front().bob_weight;
+        }
         for (EarlierRun& run : correction.earlier_runs) {
             const EarlierReading& first = run.readings.front();
-            if (first.shaft == before.shaft &&
-                !workshop::is_other_bob_weight(first.bob_weight, before.bob_weight)) {
+            if (first.shaft == shaft &&
+                !workshop::is_other_bob_weight(first.bob_weight, bobWeight)) {
                 hold(run.readings);
             }
         }
-        hold(correction.readings);
+        if (isLast) {
+            hold(correction.readings);
+        }
     });
+}
+
+QString BobWeightsModel::otherRunText() const {
+    return bob_text::otherRun(Words(), solution());
 }
 
 QString BobWeightsModel::otherReadingsText() const {

@@ -87,8 +87,11 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
         QString spread;
         bool counts = true;
     };
-    /// The newest readings hold for the bob weight that there is now.
+    /// The newest readings that do not hold are said to hold for the crankshaft and the bob weight
+    /// that there are now, and with them what was read together with them.
     void confirmReadings();
+    /// What is wrong with them; empty where all hold.
+    QString otherRunText() const;
     /// What is wrong with readings of another bob weight; empty where nothing.
     QString otherReadingsText() const;
     ColumnNote columnNote(workshop::Part part) const;
