@@ -181,8 +181,12 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
 JournalQuery JournalDialog::query() const {
     JournalQuery wanted;
     wanted.text = text_->text();
-    wanted.from = readDay(from_->value());
-    wanted.to = readDay(to_->value());
+    // A day that is refused bounds nothing: the one before it stands nowhere any more.
+    const auto dayIn = [](const CheckedField* field) {
+        return field->trouble().isEmpty() ? readDay(field->value()) : QDate();
+    };
+    wanted.from = dayIn(from_);
+    wanted.to = dayIn(to_);
     wanted.scene = scene_;
     wanted.unfinishedOnly = unfinished_->isChecked();
     return wanted;
