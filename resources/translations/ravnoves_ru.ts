@@ -315,6 +315,22 @@
         <source>The computation failed.</source>
         <translation>Вычисление не удалось.</translation>
     </message>
+    <message>
+        <source>row %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>variant %1</source>
+        <translation>вариант %1</translation>
+    </message>
+    <message>
+        <source>a group of values</source>
+        <translation>группа значений</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>список</translation>
+    </message>
 </context>
 <context>
     <name>JobCard</name>
@@ -630,10 +646,6 @@
         <translation>номер вала</translation>
     </message>
     <message>
-        <source>csv</source>
-        <translation>файл CSV</translation>
-    </message>
-    <message>
         <source>customer</source>
         <translation>заказчик</translation>
     </message>
@@ -932,6 +944,66 @@
     <message>
         <source>rear read of</source>
         <translation>показание сзади чьё</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>файл</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>формат</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>входные данные</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>сохранённое</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>метод</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>имя</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>выборка</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>сцена</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>начальное число</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>исследование</translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation>название</translation>
+    </message>
+    <message>
+        <source>variants</source>
+        <translation>варианты</translation>
+    </message>
+    <message>
+        <source>vary</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>версия</translation>
+    </message>
+    <message>
+        <source>watch</source>
+        <translation>наблюдаемое</translation>
     </message>
 </context>
 <context>
@@ -1372,10 +1444,6 @@
     <message>
         <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
         <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
-    </message>
-    <message>
-        <source>is required where mass_changes_from is &quot;weigh-in&quot;</source>
-        <translation>обязательно, если mass_changes_from — &quot;weigh-in&quot;</translation>
     </message>
     <message>
         <source>is required and missing: the preset %1 does not give it</source>
@@ -1953,16 +2021,16 @@
         <source>Of the crankshaft that the machine read.</source>
         <translation>Вала, который стоял на станке.</translation>
     </message>
+    <message>
+        <source>is required where %1 is &quot;weigh-in&quot;</source>
+        <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
     <message>
         <source>must be at least %1, what the cycle gives without heat</source>
         <translation>должно быть не меньше %1: столько цикл даёт без теплоты</translation>
-    </message>
-    <message>
-        <source>must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle</source>
-        <translation>должно содержать одно из: crank_angle_deg с torque_Nm, csv, pressure, cycle</translation>
     </message>
     <message>
         <source>none of them</source>
@@ -2209,10 +2277,6 @@
         <translation>Теплота, выделенная за цикл; вместо p_i.</translation>
     </message>
     <message>
-        <source>from the other</source>
-        <translation>из другого</translation>
-    </message>
-    <message>
         <source>I&amp;MEP</source>
         <translation>Давл&amp;ение p_i</translation>
     </message>
@@ -2289,10 +2353,6 @@
         <translation>в сумме должна получиться конечная масса больше 0</translation>
     </message>
     <message>
-        <source>must hold either heat_J or indicated_mean_effective_pressure_bar</source>
-        <translation>должно содержать либо heat_J, либо indicated_mean_effective_pressure_bar</translation>
-    </message>
-    <message>
         <source>both</source>
         <translation>оба</translation>
     </message>
@@ -2355,10 +2415,6 @@
     <message>
         <source>must be greater than the crank radius, %1</source>
         <translation>должно быть больше радиуса кривошипа, %1</translation>
-    </message>
-    <message>
-        <source>must hold two of diameter_mm, depth_mm and length_mm</source>
-        <translation>должно содержать два из diameter_mm, depth_mm и length_mm</translation>
     </message>
     <message>
         <source>must be less than the diameter, %1</source>
@@ -2483,10 +2539,6 @@
     <message>
         <source>the angles of neighbouring rows are too close together</source>
         <translation>углы соседних строк слишком близки</translation>
-    </message>
-    <message>
-        <source>must hold as many numbers as crank_angle_deg, %1</source>
-        <translation>чисел должно быть столько же, сколько в crank_angle_deg, %1</translation>
     </message>
     <message>
         <source>must hold at least 3 numbers</source>
@@ -2739,10 +2791,6 @@
     <message>
         <source>must be %1, since the torque table spans %2</source>
         <translation>должно быть %1: таблица момента охватывает %2</translation>
-    </message>
-    <message>
-        <source>must hold either inertia_kg_m2 or fluctuation</source>
-        <translation>должно содержать inertia_kg_m2 или fluctuation</translation>
     </message>
     <message>
         <source>The cylinder is offset: crank angles count from the true top dead centre, where the crank stands %1 from the cylinder&apos;s direction, α from that direction; both counterweights lag by %2, so that they meet the first order&apos;s part in quadrature too.</source>
@@ -3129,10 +3177,6 @@
         <translation>Окружность вращения вала, принятая</translation>
     </message>
     <message>
-        <source>a half disc of steel, as long as the bore B, with the unbalance m₁ρ₁</source>
-        <translation>стальной полудиск длиной в диаметр цилиндра B с дисбалансом m₁ρ₁</translation>
-    </message>
-    <message>
         <source>Flywheel</source>
         <translation>Маховик</translation>
     </message>
@@ -3235,6 +3279,26 @@
     <message>
         <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2.</source>
         <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
+    </message>
+    <message>
+        <source>must hold one of: %1 with %2, %3, %4, %5</source>
+        <translation>должно содержать одно из: %1 с %2, %3, %4, %5</translation>
+    </message>
+    <message>
+        <source>a half disc of steel, ρ = 7850 kg/m³, as long as the bore B, with the unbalance m₁ρ₁</source>
+        <translation>стальной полудиск, ρ = 7850 кг/м³, длиной в диаметр цилиндра B с дисбалансом m₁ρ₁</translation>
+    </message>
+    <message>
+        <source>must hold either %1 or %2</source>
+        <translation>должно содержать либо %1, либо %2</translation>
+    </message>
+    <message>
+        <source>must hold two of %1, %2 and %3</source>
+        <translation>должно содержать два из трёх: %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>must hold as many numbers as %1, %2</source>
+        <translation>чисел должно быть столько же, сколько в «%1», %2</translation>
     </message>
 </context>
 <context>
@@ -5313,10 +5377,6 @@
         <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
     </message>
     <message>
-        <source>must differ from front_position_mm by more than %1</source>
-        <translation>должно отличаться от front_position_mm больше чем на %1</translation>
-    </message>
-    <message>
         <source>must leave both ends of the rod a mass that is not negative</source>
         <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
     </message>
@@ -5487,10 +5547,6 @@
     <message>
         <source>Switched on, they count in what is left over.</source>
         <translation>Включённые, они входят в остаток.</translation>
-    </message>
-    <message>
-        <source>must be given for one cylinder (rotating_mass_kg) on a crank whose throws carry different numbers of rods</source>
-        <translation>нужно задать для одного цилиндра (rotating_mass_kg): на коленах этого вала разное число шатунов</translation>
     </message>
     <message>
         <source>The order %1 cannot be run through in two turns of this crank.</source>
@@ -5803,6 +5859,14 @@
     <message>
         <source>Kind of layout</source>
         <translation>Вид компоновки</translation>
+    </message>
+    <message>
+        <source>must differ from %1 by more than %2</source>
+        <translation>должно отличаться от «%1» больше чем на %2</translation>
+    </message>
+    <message>
+        <source>must be given for one cylinder (%1) on a crank whose throws carry different numbers of rods</source>
+        <translation>нужно задать для одного цилиндра (%1): на коленах этого вала разное число шатунов</translation>
     </message>
 </context>
 <context>
@@ -9613,6 +9677,33 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::FigureMenu</name>
+    <message>
+        <source>Copy data</source>
+        <translation>Копировать данные</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Копировать рисунок</translation>
+    </message>
+    <message>
+        <source>Save picture or data…</source>
+        <translation>Сохранить рисунок или данные…</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Сохранить рисунок…</translation>
+    </message>
+    <message>
+        <source>Save picture or data</source>
+        <translation>Сохранить рисунок или данные</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Сохранить рисунок</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::FileDialogs</name>
     <message>
         <source>“%1” cannot be written as .%2. What can be written: %3.</source>
@@ -9664,6 +9755,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>One cycle of the crank, %1, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
         <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, нынешний угол поворота.</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>crank angle, °</source>
+        <translation>угол поворота вала, °</translation>
+    </message>
+    <message>
+        <source>interval, °</source>
+        <translation>интервал, °</translation>
     </message>
 </context>
 <context>
@@ -12522,6 +12625,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Width in pixels; %1 print with 300 dots to the inch:</source>
         <translation>Ширина в пикселах; %1 печатаются с 300 точками на дюйм:</translation>
     </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::PicturePanel</name>
@@ -12635,28 +12742,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Сбросить масштаб</translation>
     </message>
     <message>
-        <source>Copy picture</source>
-        <translation>Копировать рисунок</translation>
-    </message>
-    <message>
         <source>Show reference %1</source>
         <translation>Показать эталон %1</translation>
     </message>
     <message>
         <source>Show or hide the curves of the reference %1</source>
         <translation>Показать или скрыть кривые эталона %1</translation>
-    </message>
-    <message>
-        <source>Copy data</source>
-        <translation>Копировать данные</translation>
-    </message>
-    <message>
-        <source>Save picture or data…</source>
-        <translation>Сохранить рисунок или данные…</translation>
-    </message>
-    <message>
-        <source>Save picture or data</source>
-        <translation>Сохранить рисунок или данные</translation>
     </message>
     <message>
         <source>5…95 %</source>
@@ -13086,10 +13177,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Источник</translation>
     </message>
     <message>
-        <source>mechanics</source>
-        <translation>механика</translation>
-    </message>
-    <message>
         <source>What the model leaves out</source>
         <translation>Чего модель не учитывает</translation>
     </message>
@@ -13256,6 +13343,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them.</source>
         <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5&#xa0;% до 95&#xa0;% того, что с ними делают допуски.</translation>
+    </message>
+    <message>
+        <source>derived, see Help (F1)</source>
+        <translation>вывод – в справке (F1)</translation>
+    </message>
+    <message>
+        <source>, not numbered there</source>
+        <translation>, там без номера</translation>
     </message>
 </context>
 <context>
@@ -15629,6 +15724,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>smaller ones: %1</source>
         <translation>остальных: %1</translation>
     </message>
+    <message>
+        <source>alone, %</source>
+        <translation>сам по себе, %</translation>
+    </message>
+    <message>
+        <source>with others, %</source>
+        <translation>вместе с другими, %</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueSourceEditor</name>
@@ -15728,6 +15831,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>%1 cannot be read; read it again from where it is now.</source>
         <translation>%1 не читается; прочитайте файл оттуда, где он теперь.</translation>
     </message>
+    <message>
+        <source>The torque is still that of the computed cycle: no pressure is read yet.</source>
+        <translation>Момент пока от расчётного цикла: давление ещё не прочитано.</translation>
+    </message>
+    <message>
+        <source>The torque is still that of the table: no pressure is read yet.</source>
+        <translation>Момент пока из таблицы: давление ещё не прочитано.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>
@@ -15789,10 +15900,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Row %1: “%2” is not a number.</source>
         <translation>Строка %1: «%2» — не число.</translation>
-    </message>
-    <message>
-        <source>Torque table</source>
-        <translation>Таблица момента</translation>
     </message>
     <message>
         <source>φ, °</source>
