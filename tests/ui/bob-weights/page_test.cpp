@@ -184,7 +184,7 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     typeShopCard();
     type("cylinders", u"6"_s);
     type("pin_split_deg", u"30"_s);
-    EXPECT_TRUE(label("factor").startsWith(u"Factor 36.6\u00A0%"_s)) << label("factor").toStdString();
+    EXPECT_TRUE(label("factor").startsWith(u"Factor 36.6 %"_s)) << label("factor").toStdString();
     auto* engine = find<QComboBox>("type");
     page.sheets()->setCurrentIndex(0);
     engine->setFocus();
