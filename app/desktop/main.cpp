@@ -13,6 +13,7 @@
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/screenshot.h"
+#include "text/error_text.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
@@ -58,6 +59,9 @@ int main(int argc, char** argv) {
     const bool screenshot = given(argc, argv, {"--screenshot"});
     const bool report = given(argc, argv, {"--report"});
     const bool isSilent = screenshot || report;
+    if (isSilent) {
+        ravnoves::sayPlacesByPointer();
+    }
     if (isSilent) {
         // The same pixels everywhere: no scaling.
         qunsetenv("QT_FONT_DPI");

@@ -5,10 +5,22 @@
 
 #include "case-file/input_error.h"
 #include "text/field_names.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 
+namespace {
+bool byPointer = false;
+}
+
+void sayPlacesByPointer() {
+    byPointer = true;
+}
+
 QString errorText(const std::exception& error) {
+    if (const auto* input = dynamic_cast<const InputError*>(&error); input != nullptr && byPointer) {
+        return messageText(input->message());
+    }
     if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {
         return refused->said();
     }
