@@ -23,6 +23,7 @@
 #include "widgets/entry_field.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "workshop/job_card.h"
 #include "workshop/journal_banner.h"
@@ -213,14 +214,20 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
     return ScenePage::eventFilter(watched, event);
 }
 
-/// Where one begins to type: not a list, which would take the letters of a number for a choice.
+/// Where one begins to type: the number of the engine, where the sheet has it; not a list, which
+/// would take its letters for a choice.
 QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
+    QWidget* first = nullptr;
     for (QWidget* each : sheet.order()) {
-        if (qobject_cast<EntryField*>(each) != nullptr && each->isEnabled()) {
+        if (qobject_cast<EntryField*>(each) == nullptr || !each->isEnabled()) {
+            continue;
+        }
+        if (qobject_cast<NumberField*>(each) == nullptr) {
             return each;
         }
+        first = first != nullptr ? first : each;
     }
-    return sheet.order().constFirst();
+    return first != nullptr ? first : sheet.order().constFirst();
 }
 
 void WorkshopPage::goOn(QWidget* from) {
