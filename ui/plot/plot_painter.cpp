@@ -152,7 +152,8 @@ PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
     const double height = heightOfArea();
-    const auto margin = [&](PlotScale& scale) {
+    // Of copies: the steps of the plot are those of its area, which these margins only lead to.
+    const auto margin = [&](PlotScale scale) {
         // The ticks that the axis will get decide how many decimals the labels have.
         scale.chooseStep(height, chartRowPerTick());
         double widest = 0.0;
@@ -164,8 +165,9 @@ PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
     };
     const double left = margin(data_.left);
     const auto lastLabel = [&] {  // stands half beyond the axis
-        chooseColumns(std::max(20.0, size_.width() - left));
-        return textWidth(font, data_.x.tickText(data_.x.high, data_.locale));
+        PlotScale x = data_.x;
+        chooseColumns(x, std::max(20.0, size_.width() - left));
+        return textWidth(font, x.tickText(x.high, data_.locale));
     };
     return {left, data_.sideUsed(Side::Right)
                       ? margin(data_.right)
@@ -179,9 +181,9 @@ double PlotPainter::heightOfArea() const {
     return std::max(20.0, size_.height() - data_.headerHeight - topGap() - bottom);
 }
 
-void PlotPainter::chooseColumns(double pixels) {
+void PlotPainter::chooseColumns(PlotScale& x, double pixels) const {
     const QFont font = Theme::font(Theme::smallSize);
-    data_.x.chooseStep(
+    x.chooseStep(
         pixels, columnPerTick(), [&](const QString& label) { return textWidth(font, label); },
         data_.locale);
 }
@@ -230,7 +232,7 @@ void PlotPainter::layoutAxes() {
             moveAxis(*axis, scale.number(scale.low), scale.number(scale.high), scale.step);
         }
     };
-    chooseColumns(data_.area.width());
+    chooseColumns(data_.x, data_.area.width());
     data_.left.chooseStep(data_.area.height(), chartRowPerTick());
     data_.right.chooseStep(data_.area.height(), chartRowPerTick());
     apply(0, data_.x, Qt::AlignBottom);

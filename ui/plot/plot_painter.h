@@ -73,7 +73,7 @@ class PlotPainter {
     void layoutArea(const QSizeF& size, const Margins& least);
     double heightOfArea() const;
     /// The step of x in so many pixels.
-    void chooseColumns(double pixels);
+    void chooseColumns(PlotScale& x, double pixels) const;
     void layoutAxes();
     void paintBand(QPainter& painter, const plot::Band& band) const;
     /// Where there is room for them.

@@ -87,6 +87,19 @@ class PlotExportTest : public ::testing::Test {
     PlotView plot{QStringLiteral("Torque")};
 };
 
+/// The numbers are painted by the steps that the lines were laid out for.
+TEST_F(PlotExportTest, AFileHasItsNumbersWhereTheWindowHasItsLines) {
+    for (int width = 300; width <= 700; width += 7) {
+        plot.resize(width, 360);
+        plot.grab();
+        const double across = plot.data().x.step;
+        const double up = plot.data().left.step;
+        drawn();
+        EXPECT_EQ(plot.data().x.step, across) << width;
+        EXPECT_EQ(plot.data().left.step, up) << width;
+    }
+}
+
 TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
     for (const char* name : {"график.pdf", "график.png", "график.SVG", "график.csv"}) {
         ASSERT_EQ(plot.exportTo(file(name)), QString()) << name;
