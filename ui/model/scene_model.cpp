@@ -100,6 +100,23 @@ void giveVaried(const SceneModel& model, CaseFile& file) {
 
 }  // namespace
 
+void SceneModel::noteRefused(QObject* where, bool isRefused) {
+    if (!isRefused) {
+        forgetRefusedIn(where);
+        return;
+    }
+    refusedIn_.removeOne(where);
+    refusedIn_.append(where);
+    connect(where, &QObject::destroyed, this, &SceneModel::forgetRefusedIn, Qt::UniqueConnection);
+    Q_EMIT refusedInChanged();
+}
+
+void SceneModel::forgetRefusedIn(QObject* where) {
+    if (refusedIn_.removeOne(where)) {
+        Q_EMIT refusedInChanged();
+    }
+}
+
 void SceneModel::setTyping(const QObject* widget, const Typing& typing) {
     if (!typing && !typing_.contains(widget)) {
         return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QHash>
+#include <QList>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -124,6 +125,12 @@ class SceneModel : public QObject {
     /// Another study, as one step of the history.
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
 
+    /// A widget says whether something that is refused stands in it now. That is in no history, and
+    /// newer than all that is: undo takes it back first.
+    void noteRefused(QObject* where, bool isRefused);
+    /// Where something was refused last; null where nothing is.
+    QObject* newestRefused() const { return refusedIn_.isEmpty() ? nullptr : refusedIn_.last(); }
+
     /// What is typed in a dialog or a cell that is still open, and not yet part of the case.
     using Typing = std::function<void(CaseFile&)>;
     /// Lets the copy for a crash have that, by `typing`, which leaves out what is refused. It is
@@ -184,6 +191,8 @@ class SceneModel : public QObject {
     void titleChanged(const QString& title);
     /// What there is to undo, to redo or to save.
     void historyChanged();
+    /// Whether something that is refused stands anywhere.
+    void refusedInChanged();
     /// A change was refused; empty when that is over.
     void refused(const QString& why);
     /// isSolving() or isWaiting() is another.
@@ -262,6 +271,8 @@ class SceneModel : public QObject {
     };
 
   private:
+    void forgetRefusedIn(QObject* where);
+
     QString title_;
     QString notes_;
     Variants variants_;
@@ -274,6 +285,7 @@ class SceneModel : public QObject {
     bool waiting_ = false;
     CaseContext context_;
     QHash<const QObject*, Typing> typing_;
+    QList<QObject*> refusedIn_;  ///< the newest last
     QUndoStack history_;
 };
 

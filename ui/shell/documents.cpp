@@ -154,6 +154,11 @@ OpenDocument& Documents::add(std::size_t scene) {
             Q_EMIT historyChanged();
         }
     });
+    connect(model, &SceneModel::refusedInChanged, this, [this, &added] {
+        if (&added == current_) {
+            Q_EMIT refusedInChanged();
+        }
+    });
     connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
         nameTabs();
         if (&added == current_) {

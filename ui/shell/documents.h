@@ -106,6 +106,8 @@ class Documents : public QWidget {
     /// Of the document in front: name() or needsSaving(); what there is to undo or redo.
     void titleChanged();
     void historyChanged();
+    /// Something that is refused stands in the current one, or does not any more.
+    void refusedInChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);
     void saved(const QString& path);

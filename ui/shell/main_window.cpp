@@ -97,11 +97,7 @@ MainWindow::MainWindow(First first) {
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
-    // A text is refused, and stays so, without a step of any history. Later: what loses the focus
-    // may be half destroyed.
-    connect(
-        qApp, &QApplication::focusChanged, documents_, [this] { updateHistoryActions(); },
-        Qt::QueuedConnection);
+    connect(documents_, &Documents::refusedInChanged, this, &MainWindow::updateHistoryActions);
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
@@ -336,10 +332,9 @@ void MainWindow::buildMenus() {
     undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo,
                 [this] {
                     // What is refused is the newest of all, and in no history.
-                    if (!takeBackRefused(currentPage())) {
-                        currentPage()->model()->undo();
+                    if (SceneModel& model = *currentPage()->model(); !takeBackRefused(model)) {
+                        model.undo();
                     }
-                    updateHistoryActions();
                 });
     redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
                 [this] { currentPage()->model()->redo(); });
@@ -716,7 +711,7 @@ void MainWindow::updateHistoryActions() {
     const QUndoStack& history = *model.history();
     // What is typed or still being solved is in no history yet; undo takes it back.
     const bool isUnderWay =
-        model.isTyped() || model.isSolving() || !refusedEntries(currentPage()).isEmpty();
+        model.isTyped() || model.isSolving() || model.newestRefused() != nullptr;
     show(undo_, isUnderWay || history.canUndo(), tr("&Undo"),
          isUnderWay ? QString() : history.undoText());
     show(redo_, !model.isTyped() && !model.isSolving() && history.canRedo(), tr("&Redo"), history.redoText());

@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
-#include <algorithm>
 
 #include "shell/scene_page.h"
 #include "widgets/entry_field.h"
@@ -73,22 +72,16 @@ QStringList refusedEntries(const QWidget* part) {
     return refused;
 }
 
-bool takeBackRefused(const QWidget* part) {
-    EntryField* taken = nullptr;
-    for (EntryField* field : entriesOfPage(part)) {
-        if (!field->trouble().isEmpty() && (taken == nullptr || field->hasFocus())) {
-            taken = field;
-        }
+bool takeBackRefused(const SceneModel& model) {
+    QObject* where = model.newestRefused();
+    if (auto* table = qobject_cast<TableEditor*>(where)) {
+        return table->takeBackAnyRefused();
     }
-    if (taken == nullptr) {
-        const auto tables = wholePage(part)->findChildren<TableEditor*>();
-        return std::any_of(tables.begin(), tables.end(), [](TableEditor* table) {
-            return !table->trouble().isEmpty() && table->takeBackAnyRefused();
-        });
+    if (where != nullptr) {
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCoreApplication::sendEvent(where, &escape);
     }
-    QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
-    QCoreApplication::sendEvent(taken, &escape);
-    return true;
+    return where != nullptr;
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {

@@ -7,6 +7,7 @@ class QWidget;
 namespace ravnoves {
 
 class EntryField;
+class SceneModel;
 
 /// The entries of the page that a widget is part of, whatever their tab.
 QList<EntryField*> entriesOfPage(const QWidget* part);
@@ -15,9 +16,9 @@ QList<EntryField*> entriesOfPage(const QWidget* part);
 /// "Crank radius r, mm: The value must be greater than 0 mm."
 QStringList refusedEntries(const QWidget* part);
 
-/// Takes one of them back, that with the focus first: the value that it had stands there again, as
-/// after Escape. @return false where there is none
-bool takeBackRefused(const QWidget* part);
+/// Takes back what was refused last, in an entry or a table: what was there before stands there
+/// again, as after Escape. @return false where nothing is refused
+bool takeBackRefused(const SceneModel& model);
 
 /// Says which entries of that page are refused and that the values before them are used.
 /// @param title  what is about to be done

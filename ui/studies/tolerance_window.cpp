@@ -27,6 +27,7 @@
 #include "model/background_job.h"
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "studies/band_progress.h"
 #include "studies/model/result_words.h"
@@ -119,7 +120,11 @@ void ToleranceWindow::addKeys() {
         connect(new QShortcut(keys, this), &QShortcut::activated, this, std::move(use));
     };
     SceneModel* scene = model_->scene();
-    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [scene] { scene->undo(); });
+    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [scene] {
+        if (!takeBackRefused(*scene)) {
+            scene->undo();
+        }
+    });
     add(QKeySequence(Qt::CTRL | Qt::Key_Y), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { Q_EMIT saveWanted(); });

@@ -81,6 +81,9 @@ void EntryField::setTrouble(const QString& trouble) {
         return;
     }
     trouble_ = trouble;
+    if (model_ != nullptr) {
+        model_->noteRefused(this, !trouble_.isEmpty());
+    }
     describe();
     Q_EMIT troubleChanged(trouble_);
     update();

@@ -169,6 +169,22 @@ TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
     EXPECT_EQ(field->trouble(), QString());
     EXPECT_EQ(field->text(), shown);
     EXPECT_FALSE(undo->isEnabled());
+    // Of several the newest comes first, wherever it stands.
+    refuse("speed_rpm", "abc");
+    auto* table = window.currentPage()->findChild<TableEditor*>();
+    table->view()->model()->setData(table->view()->model()->index(5, 1), QStringLiteral("x"));
+    refuse("crank_radius_mm", "-7");
+    undo->trigger();
+    EXPECT_EQ(field->trouble(), QString());
+    EXPECT_FALSE(table->trouble().isEmpty());
+    undo->trigger();
+    EXPECT_TRUE(table->trouble().isEmpty());
+    auto* speed = test::named<NumberField>(*window.currentPage(), "speed_rpm");
+    EXPECT_FALSE(speed->trouble().isEmpty());
+    ASSERT_TRUE(undo->isEnabled());
+    undo->trigger();
+    EXPECT_EQ(speed->trouble(), QString());
+    EXPECT_FALSE(undo->isEnabled());
 }
 
 TEST_F(SavingTest, RefusedCellsAreSaidAndTakenBackLikeEntries) {
