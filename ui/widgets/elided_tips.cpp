@@ -1,12 +1,10 @@
 #include "widgets/elided_tips.h"
 
 #include <QAbstractItemView>
-#include <QApplication>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QLineEdit>
-#include <QPointer>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
@@ -15,6 +13,7 @@
 #include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
+#include "widgets/application_filter.h"
 
 namespace ravnoves {
 
@@ -139,11 +138,7 @@ class ElidedTips : public QObject {
 }  // namespace
 
 void showElidedTips() {
-    static QPointer<ElidedTips> tips;
-    if (tips.isNull()) {
-        tips = new ElidedTips(qApp);
-        qApp->installEventFilter(tips);
-    }
+    filterApplication<ElidedTips>();
 }
 
 }  // namespace ravnoves

@@ -1,9 +1,9 @@
 #include "widgets/plain_text.h"
 
-#include <QApplication>
 #include <QEvent>
 #include <QLabel>
-#include <QPointer>
+
+#include "widgets/application_filter.h"
 
 namespace ravnoves {
 
@@ -28,11 +28,7 @@ class PlainText : public QObject {
 }  // namespace
 
 void keepTextPlain() {
-    static QPointer<PlainText> filter;
-    if (filter.isNull()) {
-        filter = new PlainText(qApp);
-        qApp->installEventFilter(filter);
-    }
+    filterApplication<PlainText>();
 }
 
 }  // namespace ravnoves

@@ -1,11 +1,12 @@
 #include "widgets/wheel_guard.h"
 
 #include <QAbstractSpinBox>
-#include <QApplication>
 #include <QComboBox>
 #include <QFocusEvent>
 #include <QPointer>
 #include <QSlider>
+
+#include "widgets/application_filter.h"
 
 namespace ravnoves {
 
@@ -79,11 +80,7 @@ class WheelGuard : public QObject {
 }  // namespace
 
 void guardWheel() {
-    static QPointer<WheelGuard> guard;
-    if (guard.isNull()) {
-        guard = new WheelGuard(qApp);
-        qApp->installEventFilter(guard);
-    }
+    filterApplication<WheelGuard>();
 }
 
 }  // namespace ravnoves
