@@ -1,6 +1,5 @@
 #include "widgets/whole_rows.h"
 
-#include <QHeaderView>
 #include <QtMath>
 #include <algorithm>
 
@@ -24,12 +23,6 @@ QRegion wholeRows(const QTableView& table) {
     const int top = row < 0 ? 0 : table.rowViewportPosition(row);
     if (top > 0 && top + table.rowHeight(row) > room.height()) {
         room.setHeight(top);
-    }
-    // At its end a table of unequal rows would begin in the middle of one.
-    const int first = table.rowAt(0);
-    const int below = first < 0 ? 0 : table.rowViewportPosition(first) + table.rowHeight(first);
-    if (first >= 0 && table.rowViewportPosition(first) < 0 && below < room.bottom()) {
-        room.setTop(below);
     }
     return room;
 }

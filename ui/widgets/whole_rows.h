@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHeaderView>
 #include <QPaintEvent>
 #include <QScrollBar>
 #include <QTableView>
@@ -16,7 +17,7 @@ void fitRowsToWords(QTableView& table, const QList<int>& columns);
 /// The width that its longest word needs, as the table writes it.
 int longestWord(const QTableView& table, int column);
 
-/// A table that scrolls by whole rows and paints none that its edges cut.
+/// A table that scrolls by whole rows, begins at one, and paints none that its edge cuts.
 template <typename Table>
 class WithWholeRows : public Table {
   public:
@@ -30,6 +31,25 @@ class WithWholeRows : public Table {
     void paintEvent(QPaintEvent* event) override {
         QPaintEvent whole(event->region() & wholeRows(*this));
         Table::paintEvent(&whole);
+    }
+    void scrollContentsBy(int dx, int dy) override {
+        Table::scrollContentsBy(dx, dy);
+        beginAtARow();
+    }
+    void updateGeometries() override {
+        Table::updateGeometries();
+        beginAtARow();
+    }
+
+  private:
+    /// At its end Qt puts the last row to the bottom, and cuts the first.
+    void beginAtARow() {
+        const QScrollBar* bar = this->verticalScrollBar();
+        if (bar->maximum() > 0 && bar->value() == bar->maximum() &&
+            this->verticalScrollMode() == QAbstractItemView::ScrollPerItem) {
+            this->verticalHeader()->setOffsetToSectionPosition(bar->value());
+            this->viewport()->update();
+        }
     }
 };
 
