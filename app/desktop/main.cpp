@@ -61,8 +61,6 @@ int main(int argc, char** argv) {
     const bool isSilent = screenshot || report;
     if (isSilent) {
         ravnoves::sayPlacesByPointer();
-    }
-    if (isSilent) {
         // The same pixels everywhere: no scaling.
         qunsetenv("QT_FONT_DPI");
         // Before Qt starts: what an option says, or none.
