@@ -1,6 +1,7 @@
 #include "shell/comparison.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -24,12 +25,6 @@ QList<Part*> partsOf(const ScenePage& page) {
     std::sort(parts.begin(), parts.end(),
               [](const Part* a, const Part* b) { return a->number() < b->number(); });
     return parts;
-}
-
-template <typename Part>
-QList<QWidget*> asWidgets(const ScenePage& page) {
-    const QList<Part*> parts = page.findChildren<Part*>();
-    return {parts.begin(), parts.end()};
 }
 
 template <typename Part>
@@ -109,8 +104,12 @@ void Comparison::connectParts(const QString& name) {
 void Comparison::fill() {
     stale_ = false;
     QList<QWidget*> parts;
-    parts << asWidgets<PlotView>(*twin_) << asWidgets<ResultTable>(*twin_)
-          << asWidgets<ComparedFigure>(*twin_);
+    const auto add = [&parts](const auto& some) {
+        std::copy(some.begin(), some.end(), std::back_inserter(parts));
+    };
+    add(partsOf<PlotView>(*twin_));
+    add(partsOf<ResultTable>(*twin_));
+    add(partsOf<ComparedFigure>(*twin_));
     fillUnseen(*twin_, parts);
 }
 

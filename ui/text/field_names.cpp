@@ -236,7 +236,7 @@ QString FieldNames::named(const std::string& word, const std::string& where) con
         // A key beside the place or in it.
         for (const std::string& parent :
              {pointer.substr(0, pointer.rfind('/') + 1), pointer + '/'}) {
-            if (pointer.empty() ? false : entryAt(parent + key) != nullptr) {
+            if (!pointer.empty() && entryAt(parent + key) != nullptr) {
                 const QString its = inSentence(ownName(parent + key));
                 return quoted ? inQuotes(its) : its;
             }
