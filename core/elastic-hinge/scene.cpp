@@ -55,12 +55,12 @@ Json write_guide(const Guide& guide) {
     const bool known = guide.shape != nullptr;
     const auto when = [](bool there, double value) { return there ? Json(value) : Json(nullptr); };
     const bool made = guide.feasible;
-    Json object{
-        {"feasible", guide.feasible},
-        {"reason", guide.reason.english()},
-        {"preload_mm", when(known, guide.preload / units::mm)},
-        {"minimum_preload_mm", when(known, guide.minimum_preload / units::mm)},
-        {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, units::N_per_m) : Json(nullptr)}};
+    Json object{{"feasible", guide.feasible},
+                {"reason", guide.reason.english()},
+                {"preload_mm", when(known, guide.preload / units::mm)},
+                {"minimum_preload_mm", when(known, guide.minimum_preload / units::mm)},
+                {"minimum_stiffness_N_m",
+                 known ? optional(guide.minimum_stiffness, units::N_per_m) : Json(nullptr)}};
     const bool missing = guide.problem == GuideProblem::preload_too_small;
     object["first_missing_crank_angle_deg"] = when(missing, guide.first_missing_angle / degree);
     object["worst_crank_angle_deg"] = when(known, guide.worst_angle / degree);
@@ -72,12 +72,13 @@ Json write_guide(const Guide& guide) {
     object["largest_moment_Nm"] = when(known, guide.largest_moment);
     object["compressed"] = write_branch(guide.compressed);
     object["stretched"] = write_branch(guide.stretched);
-    object["profile_error"] = made ? Json{{"amplitude_um", guide.error.amplitude / units::micrometre},
-                                          {"waves", guide.error.waves},
-                                          {"torque_Nm", guide.error.torque},
-                                          {"relative_torque", guide.error.relative},
-                                          {"energy_J", guide.error.energy}}
-                                   : Json(nullptr);
+    object["profile_error"] =
+        made ? Json{{"amplitude_um", guide.error.amplitude / units::micrometre},
+                    {"waves", guide.error.waves},
+                    {"torque_Nm", guide.error.torque},
+                    {"relative_torque", guide.error.relative},
+                    {"energy_J", guide.error.energy}}
+             : Json(nullptr);
     return object;
 }
 
@@ -186,8 +187,7 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     } else if (input.guide_search) {
         const Message no_spring(
             CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed"));
-        json["guide_search"] = {{"feasible", false},
-                                {"reason", no_spring.english()}};
+        json["guide_search"] = {{"feasible", false}, {"reason", no_spring.english()}};
     }
     const double with = result.largest_side_force_with;
     const double without = result.largest_side_force_without;

@@ -86,7 +86,9 @@ Message describe(const Difference& difference) {
     if (difference.plane != Plane::none) {
         component = Message(planes[static_cast<int>(difference.plane)], component);
     }
-    const auto percent = [](double share) { return Number{share / units::percent, units::none, -1}; };
+    const auto percent = [](double share) {
+        return Number{share / units::percent, units::none, -1};
+    };
     if (difference.two_term == 0.0) {
         return {CORE_TEXT("inertia-moments",
                           "%1: the two-term form leaves it out, %2 % of the largest order"),

@@ -329,13 +329,12 @@ void MainWindow::buildMenus() {
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo,
-                [this] {
-                    // What is refused is the newest of all, and in no history.
-                    if (SceneModel& model = *currentPage()->model(); !takeBackRefused(model)) {
-                        model.undo();
-                    }
-                });
+    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this] {
+        // What is refused is the newest of all, and in no history.
+        if (SceneModel& model = *currentPage()->model(); !takeBackRefused(model)) {
+            model.undo();
+        }
+    });
     redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
                 [this] { currentPage()->model()->redo(); });
     redo_->setShortcuts(
@@ -714,7 +713,8 @@ void MainWindow::updateHistoryActions() {
         model.isTyped() || model.isSolving() || model.newestRefused() != nullptr;
     show(undo_, isUnderWay || history.canUndo(), tr("&Undo"),
          isUnderWay ? QString() : history.undoText());
-    show(redo_, !model.isTyped() && !model.isSolving() && history.canRedo(), tr("&Redo"), history.redoText());
+    show(redo_, !model.isTyped() && !model.isSolving() && history.canRedo(), tr("&Redo"),
+         history.redoText());
 }
 
 void MainWindow::updateSceneActions() {
@@ -847,12 +847,11 @@ void MainWindow::showAbout() {
     box.setWindowTitle(tr("About Ravnoves"));
     box.setIconPixmap(windowIcon().pixmap(Theme::withText(64)));
     box.setTextFormat(Qt::RichText);
-    box.setText(
-        tr("<h3>Ravnoves %1</h3>"
-           "<p>The engine-balancing workbench.</p>"
-           "<p>Free software under the GNU General Public License, version 3 or later; "
-           "it comes without any warranty.</p>")
-            .arg(QStringLiteral(RAVNOVES_VERSION)));
+    box.setText(tr("<h3>Ravnoves %1</h3>"
+                   "<p>The engine-balancing workbench.</p>"
+                   "<p>Free software under the GNU General Public License, version 3 or later; "
+                   "it comes without any warranty.</p>")
+                    .arg(QStringLiteral(RAVNOVES_VERSION)));
     box.exec();
 }
 

@@ -87,8 +87,7 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
         painter.fillRect(QRectF(left, y + 4.0, length(bar.alone), row - 8.0), theme.accent());
         painter.drawText(
             QRectF(left + length(std::max(bar.alone, bar.whole)) + Theme::gap, y, valueWidth, row),
-            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-            percentText(bar.alone));
+            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, percentText(bar.alone));
         y += row;
     }
     if (isCut) {

@@ -18,7 +18,8 @@ void sayPlacesByPointer() {
 }
 
 QString errorText(const std::exception& error) {
-    if (const auto* input = dynamic_cast<const InputError*>(&error); input != nullptr && byPointer) {
+    if (const auto* input = dynamic_cast<const InputError*>(&error);
+        input != nullptr && byPointer) {
         return messageText(input->message());
     }
     if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {

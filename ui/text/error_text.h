@@ -9,8 +9,8 @@ namespace ravnoves {
 /// and what was found. The places of a case are in words: by the labels of its scene where a model
 /// refuses it (SceneModel::explain()), else by their keys. What the system says stays as it is.
 QString errorText(const std::exception& error);
-/// From now on places are said by their pointers, as the command line does: for who runs the program
-/// without its window, in a script.
+/// From now on places are said by their pointers, as the command line does: for who runs the
+/// program without its window, in a script.
 void sayPlacesByPointer();
 /// The same of whatever was thrown in a thread or a slot that nothing may leave.
 QString errorText(const std::exception_ptr& thrown);

@@ -93,13 +93,12 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);
-    connect(table_, &EditableTable::troubleChanged, this,
-            [this](const QString& trouble) {
-                trouble_ = trouble;
-                if (SceneModel* scene = table_->scene(); scene != nullptr) {
-                    scene->noteRefused(this, !trouble_.isEmpty());
-                }
-            });
+    connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
+        trouble_ = trouble;
+        if (SceneModel* scene = table_->scene(); scene != nullptr) {
+            scene->noteRefused(this, !trouble_.isEmpty());
+        }
+    });
 
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
     addTool(QStringLiteral("plus"), addTip, [this] {

@@ -12,8 +12,9 @@ namespace ravnoves {
 
 namespace {
 
-/// The wheel turns the field that the user went to, by a click, a key or its letter. One that merely
-/// has the focus, for it is the first of a page that came to the front, is not turned: nobody meant it.
+/// The wheel turns the field that the user went to, by a click, a key or its letter. One that
+/// merely has the focus, for it is the first of a page that came to the front, is not turned:
+/// nobody meant it.
 class WheelGuard : public QObject {
   public:
     using QObject::QObject;
@@ -38,7 +39,8 @@ class WheelGuard : public QObject {
         switch (event->type()) {
             case QEvent::Polish:
                 if (widget->focusPolicy() == Qt::WheelFocus) {
-                    widget->setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
+                    widget->setFocusPolicy(
+                        Qt::StrongFocus);  // the wheel does not give it the focus
                 }
                 return false;
             case QEvent::FocusIn:

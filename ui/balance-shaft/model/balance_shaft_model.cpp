@@ -425,8 +425,7 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         if (rounded == 0.0) {
             return percent(fraction);
         }
-        const QString size =
-            percentText(std::abs(*fraction), std::abs(rounded) < 100.0 ? 1 : 0);
+        const QString size = percentText(std::abs(*fraction), std::abs(rounded) < 100.0 ? 1 : 0);
         return (rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
                                                : tr("%1 worse").arg(size);
     };

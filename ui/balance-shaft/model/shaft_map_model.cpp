@@ -512,8 +512,8 @@ QStringList ShaftMapModel::placeLines(const Position& position, int decimals) co
     const Criteria criteria = study.at(position);
     const auto withChange = [&](const QString& text, double with, double without) {
         const QString value = text.arg(newtonMetres(with));
-        return without > 0.0 ? value + QStringLiteral(" (") + signedPercentText(with / without - 1.0) +
-                                   QLatin1Char(')')
+        return without > 0.0 ? value + QStringLiteral(" (") +
+                                   signedPercentText(with / without - 1.0) + QLatin1Char(')')
                              : value;
     };
     return {tr("l %1, α %2°")
