@@ -41,8 +41,6 @@ QWidget* BalanceShaftPage::buildAnswer() {
     criteria_ = new ResultTable(answer);
     criteria_->setAccessibleName(tr("Criteria of the three moments"));
     criteria_->setColumns(model_->criteriaColumns());
-    criteria_->horizontalHeaderItem(criteria_->columnCount() - 1)->setData(Qt::UserRole, true);
-    criteria_->setTips(BalanceShaftModel::criteriaTips());
     answerColumn->addWidget(criteria_);
 
     auto* best = new QGridLayout;
@@ -74,7 +72,6 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_ = new ResultTable(answer);
     quantities_->setAccessibleName(tr("Forces, masses and sizes"));
     quantities_->setColumns(model_->quantityColumns());
-    quantities_->setTips(BalanceShaftModel::quantityTips());
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);

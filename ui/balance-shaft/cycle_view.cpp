@@ -57,7 +57,6 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     table_ = new ResultTable(panel);
     table_->setAccessibleName(tr("Work, pressures and power of the cycle"));
     table_->setColumns({tr("Cycle"), tr("Value"), tr("Unit")});
-    table_->setTips(BalanceShaftModel::cycleTips());
     column->addWidget(table_);
     grid->addWidget(torque_, 0, 0, 1, 2);
     grid->addWidget(pressure_, 1, 0);

@@ -46,7 +46,6 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     table_ = new ResultTable(answerPanel);
     table_->setAccessibleName(tr("Excess work, fluctuation and moment of inertia"));
     table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});
-    table_->setTips(BalanceShaftModel::flywheelTips());
     answerColumn->addWidget(table_);
     answerColumn->addStretch();
     lower->add(answerPanel);

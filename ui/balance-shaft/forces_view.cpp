@@ -18,18 +18,6 @@ namespace ravnoves {
 using balance_shaft::Input;
 namespace field = balance_shaft::field;
 
-namespace {
-
-void showHints(ResultTable* table, const QStringList& hints) {
-    for (int i = 0; i < hints.size(); ++i) {
-        for (int column = 0; column < table->columnCount(); ++column) {
-            table->setCellToolTip(i, column, hints[i]);
-        }
-    }
-}
-
-}  // namespace
-
 ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
@@ -134,10 +122,10 @@ QWidget* ForcesView::inPanel(QWidget* widget) {
 }
 
 ResultTable* ForcesView::addTable(FoldingRow* row, const QString& name,
-                                  const QStringList& headings) {
+                                  const ResultColumns& columns) {
     auto* table = new ResultTable(this);
     table->setAccessibleName(name);
-    table->setColumns(headings);
+    table->setColumns(columns);
     QWidget* panel = inPanel(table);
     panel->layout()->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     static_cast<QVBoxLayout*>(panel->layout())->addStretch();
@@ -160,7 +148,6 @@ void ForcesView::showLocus() {
     locus_->setCurve(both_, loci.both.x, loci.both.y);
     locus_->setCurve(shaft_, loci.withShaft.x, loci.withShaft.y);
     forceTable_->setRows(forces.forceRows());
-    showHints(forceTable_, ForcesModel::forceHints());
 }
 
 void ForcesView::showGears() {
@@ -177,7 +164,6 @@ void ForcesView::showGears() {
     gears_->setCurve(low_, error.crank_angle_deg, play ? error.M_ups_low : std::vector<double>());
     gears_->setCurve(high_, error.crank_angle_deg, play ? error.M_ups_high : std::vector<double>());
     gearTable_->setRows(ForcesModel::gearRows(error));
-    showHints(gearTable_, ForcesModel::gearHints());
 }
 
 }  // namespace ravnoves

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "text/result_row.h"
+
 namespace ravnoves {
 
 class BalanceShaftModel;
@@ -27,7 +29,7 @@ class ForcesView : public QWidget {
 
   private:
     QWidget* inPanel(QWidget* widget);
-    ResultTable* addTable(FoldingRow* row, const QString& name, const QStringList& headings);
+    ResultTable* addTable(FoldingRow* row, const QString& name, const ResultColumns& columns);
     void showLocus();
     void showGears();
 

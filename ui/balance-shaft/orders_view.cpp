@@ -44,14 +44,15 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
         panel));
     table_ = new ResultTable(panel);
     table_->setAccessibleName(tr("Order spectrum"));
-    const QString without = shownTitle(tr("Mᵤₚ, N·m")).text;
-    const QString with = shownTitle(tr("Mᵤₚₛ, N·m")).text;
-    table_->setColumns({tr("Order"), without, tr("phase, °"), with, tr("phase, °")});
-    table_->setTips(
+    const ResultColumn phase(tr("phase, °"),
+                             tr("Of the moment to the left: amplitude × sin(kφ + phase)"));
+    table_->setColumns(
         {{tr("Order"), tr("Multiple of the crank speed")},
-         {without, tr("Fourier amplitude of the moment without a shaft")},
-         {with, tr("Fourier amplitude with the shaft at the present α")},
-         {tr("phase, °"), tr("Of the moment to the left: amplitude × sin(kφ + phase)")}});
+         {shownTitle(tr("Mᵤₚ, N·m")).text, tr("Fourier amplitude of the moment without a shaft")},
+         phase,
+         {shownTitle(tr("Mᵤₚₛ, N·m")).text,
+          tr("Fourier amplitude with the shaft at the present α")},
+         phase});
     table_->setShownRows(5);
     inside->addWidget(table_);
     column->addWidget(panel, 2);
@@ -74,10 +75,13 @@ void OrdersView::showResult() {
     plot_->setCurve(up_, shown.order, shown.without);
     plot_->setCurve(ups_, shown.order, shown.with);
     const QLocale locale;
-    QVector<QStringList> rows;
+    ResultRows rows;
     for (std::size_t i = 0; i < shown.order.size(); ++i) {
-        const auto moment = [](double value) { return shownDigits(value, units::N_m, 2); };
-        const auto phase = [](double value) { return shownDigits(value, units::degree, 1); };
+        const auto moment = [](double value) { return shownCell(value, units::N_m, 2); };
+        const auto phase = [](double value) {
+            return ResultCell(value / degree, shownDigits(value, units::degree, 1),
+                              ResultCell::Kind::Direction);
+        };
         rows.push_back({formNumber(shown.order[i], locale), moment(shown.without[i]),
                         phase(result.spectrum_M_up[i].phase), moment(shown.with[i]),
                         phase(result.spectrum_M_ups[i].phase)});

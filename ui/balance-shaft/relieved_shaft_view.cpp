@@ -221,7 +221,6 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     table_ = new ResultTable(answerPanel);
     table_->setAccessibleName(tr("Sizes and masses of the shaft"));
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
-    table_->setTips(RelievedShaftModel::tips());
     table_->setShownRows(9);
     answerColumn->addWidget(table_, 1);
     upper->add(answerPanel, 1);

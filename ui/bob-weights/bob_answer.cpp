@@ -89,7 +89,6 @@ QWidget* BobAnswer::buildLines() {
     lines_ = new ResultTable(panel);
     lines_->setAccessibleName(tr("Bob weight, line by line"));
     lines_->setColumns(model_->lineColumns());
-    lines_->setTips(BobWeightsModel::lineTips());
     column->addWidget(lines_);
     column->addStretch();
     return panel;
@@ -99,19 +98,16 @@ QWidget* BobAnswer::buildCorrection() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel);
     column->addWidget(headingLabel(tr("Correction"), panel));
-    const auto table = [&](const QString& name, const QStringList& columns,
-                           const ResultTips& tips) {
+    const auto table = [&](const QString& name, const ResultColumns& columns) {
         auto* made = new ResultTable(panel);
         made->setAccessibleName(name);
         made->setColumns(columns);
-        made->setTips(tips);
         column->addWidget(made);
         return made;
     };
-    runs_ = table(tr("Runs of the machine"), model_->runColumns(), BobWeightsModel::runTips());
-    planes_ =
-        table(tr("The correction planes"), model_->planeColumns(), BobWeightsModel::planeTips());
-    holes_ = table(tr("Holes and slugs"), model_->holeColumns(), BobWeightsModel::holeTips());
+    runs_ = table(tr("Runs of the machine"), model_->runColumns());
+    planes_ = table(tr("The correction planes"), model_->planeColumns());
+    holes_ = table(tr("Holes and slugs"), model_->holeColumns());
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
     column->addWidget(holeNote_);

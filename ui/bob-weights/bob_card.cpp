@@ -24,9 +24,9 @@ struct Block {
     QString heading;
     std::vector<CardTable::Column> columns;
     QStringList head;
-    QVector<QStringList> rows;
+    ResultRows rows;
     bool lastIsBold = false;
-    QVector<QStringList> beside{};  ///< of the same columns
+    ResultRows beside{};  ///< of the same columns
 
     double lines() const { return 1.0 + static_cast<double>(std::max(rows.size(), beside.size())); }
 };
@@ -46,7 +46,7 @@ double drawBlock(CardPage& page, const Block& block, double y, double rowHeight)
         table.head(block.head);
         for (qsizetype i = 0; i < rows->size(); ++i) {
             const bool bold = block.lastIsBold && i + 1 == rows->size();
-            table.add({rows->at(i), bold, bold});
+            table.add({rows->at(i).texts(), bold, bold});
         }
         height = std::max(height, table.draw(page, x, y));
         x = cardLeft + cardWidth / 2.0 + 1.5;
@@ -81,7 +81,7 @@ Block planeBlock(const Words& words, const Correction& correction, const Result&
             return words.plainWithUnit(value, units::degree, 1);
         };
         const auto& read = correction.readings.at(i).position;
-        block.rows << QStringList{
+        block.rows << ResultRow{
             bob_text::planeName(words, i),
             length(plane.position),
             length(plane.radius),
@@ -113,7 +113,7 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
         {}};
     const QString byHand = QStringLiteral("…………………");
     const auto add = [&](std::size_t run, const auto& readings) {
-        QStringList row{bob_text::runName(words, run)};
+        ResultRow row{bob_text::runName(words, run)};
         for (const auto& reading : readings) {
             row << (reading.unbalance ? words.digits(*reading.unbalance, units::gram_mm, 1)
                                       : byHand)
@@ -121,9 +121,10 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
         }
         const auto passes = run < result.runs.size() ? result.runs[run].passes() : std::nullopt;
         const QString other = run < result.runs.size() ? otherWord(result.runs[run]) : QString();
-        block.rows << (row << (!other.isEmpty() ? verdictText(words, other)
-                               : passes ? verdictText(words, verdictWord(passes, std::nullopt))
-                                        : byHand));
+        row << (!other.isEmpty() ? verdictText(words, other)
+                : passes         ? verdictText(words, verdictWord(passes, std::nullopt))
+                                 : byHand);
+        block.rows << row;
     };
     std::size_t run = 0;
     if (correction) {
@@ -149,10 +150,10 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
     if (!input.weigh_in || cylinders > mostCylinders) {
         return std::nullopt;
     }
-    QVector<QStringList> rows;
+    ResultRows rows;
     const auto addSets = [&](const QString& name, const workshop::SetNumbers& numbers,
                              const std::vector<int>* from) {
-        QStringList row{name};
+        ResultRow row{name};
         for (const int number : matching_text::setNumbers(numbers, cylinders, from)) {
             row << QString::number(number);
         }
@@ -170,7 +171,7 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
     if (placing != nullptr && placing->moved > 0) {
         move_sets(placed, placing->pistons, placing->rods);
     }
-    for (QStringList row : matching_text::takeOff(words, masses_of(placed))) {
+    for (ResultRow row : matching_text::takeOff(words, masses_of(placed))) {
         row.front() = words.translate("Matching", "%1, take off").arg(row.front());
         rows << row;
     }

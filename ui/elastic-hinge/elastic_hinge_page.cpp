@@ -211,7 +211,6 @@ QWidget* ElasticHingePage::buildAnswer() {
     quantities_ = new ResultTable(answer);
     quantities_->setAccessibleName(tr("What the design gives"));
     quantities_->setColumns(model_->quantityColumns());
-    quantities_->setTips(ElasticHingeModel::quantityTips());
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);

@@ -43,15 +43,14 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
     addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
-             &Model::orderRows, Model::orderTips());
+             &Model::orderRows);
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
-             model_->rotatingColumns(), &Model::rotatingRows, Model::rotatingTips());
-    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows,
-             Model::shaftTips());
+             model_->rotatingColumns(), &Model::rotatingRows);
+    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows);
     addTable(tr("Weights"), tr("Rotating masses and counterweights"), model_->weightColumns(),
-             &Model::weightRows, Model::weightTips());
+             &Model::weightRows);
     addTable(tr("Left"), tr("What is left over, by order"), model_->remainingColumns(),
-             &Model::remainingRows, Model::remainingTips());
+             &Model::remainingRows);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
     warning_ = captionLabel({}, panel);
@@ -68,12 +67,11 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
 }
 
 void InertiaMomentsAnswer::addTable(const QString& title, const QString& name,
-                                    const QStringList& columns, Rows rows, const ResultTips& tips) {
+                                    const ResultColumns& columns, Rows rows) {
     auto* table = new ResultTable(tabs_);
     table->setAccessibleName(name);
     table->setColumns(columns);
     table->setShownRows(4);  // the picture has the same share of the height
-    table->setTips(tips);
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
     tables_.push_back({table, rows});
 }

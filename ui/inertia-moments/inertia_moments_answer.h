@@ -1,11 +1,9 @@
 #pragma once
 
-#include <QStringList>
-#include <QVector>
 #include <QWidget>
 #include <vector>
 
-#include "text/result_tips.h"
+#include "text/result_row.h"
 
 class QLabel;
 class QTabWidget;
@@ -31,14 +29,14 @@ class InertiaMomentsAnswer : public QWidget {
     QTabWidget* tabs() const { return tabs_; }
 
   private:
-    using Rows = QVector<QStringList> (InertiaMomentsModel::*)() const;
+    using Rows = ResultRows (InertiaMomentsModel::*)() const;
     struct Table {
         ResultTable* table;
         Rows rows;
     };
 
-    void addTable(const QString& title, const QString& name, const QStringList& columns, Rows rows,
-                  const ResultTips& tips);
+    void addTable(const QString& title, const QString& name, const ResultColumns& columns,
+                  Rows rows);
     void showFront();
     void showWarning();
     /// Fills the tables that are not in front too.

@@ -71,7 +71,7 @@ QString failingText(const Kernel& kernel, const MethodRow& row) {
            (more ? QStringLiteral(" …") : QString());
 }
 
-QStringList cells(const Kernel& kernel, const MethodRow& row) {
+ResultRow cells(const Kernel& kernel, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
     QString title = shownText(method.title);
     if (row.in_use) {
@@ -284,10 +284,7 @@ QWidget* MethodsPage::buildResults() {
     connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
             [this] { followsRow_ = false; });
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
-                        tr("Order"), tr("Beyond the tolerance")});
-    table_->stretchColumn(Fails);
-    table_->setTips(
+    table_->setColumns(
         {{tr("Method"), tr("How the quantity is computed; the one in use is marked")},
          {tr("Setting"), tr("Steps, terms or samples that the method takes")},
          {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
@@ -300,6 +297,7 @@ QWidget* MethodsPage::buildResults() {
          {tr("Beyond the tolerance"),
           tr("Where along each hard parameter the error exceeds the scene's tolerance or the "
              "method refuses; of the finest setting or the one in use")}});
+    table_->stretchColumn(Fails);
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
     limits_ = captionLabel({}, panel);
@@ -390,7 +388,7 @@ void MethodsPage::showTable() {
     }
     const Kernel& kernel = shown->kernel();
     const methods::KernelReport report = model_->measurements()->report(*shown);
-    QVector<QStringList> rows;
+    ResultRows rows;
     for (const MethodRow& row : report.rows) {
         rows << cells(kernel, row);
     }

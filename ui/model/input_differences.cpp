@@ -9,10 +9,10 @@
 
 #include "case-file/json.h"
 #include "model/scene_model.h"
-#include "text/difference_text.h"
 #include "text/field_names.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/result_row.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {

@@ -65,7 +65,7 @@ void InputComparison::showDifferences() {
     title_->setText(differences.empty()
                         ? tr("The present input is that of the reference %1.").arg(name)
                         : tr("Present input against the reference %1").arg(name));
-    QVector<QStringList> rows;
+    ResultRows rows;
     const auto orDash = [](const QString& text) {
         return text.isEmpty() ? QStringLiteral("–") : text;
     };

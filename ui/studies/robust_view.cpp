@@ -44,10 +44,10 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     column->addWidget(about);
     table_ = new ResultTable(this);
     table_->setAccessibleName(tr("Robust best α"));
-    table_->setColumns(
-        {tr("Best α"), QStringLiteral("α, °"), tr("nominal"), QStringLiteral("95 %")});
-    table_->setTips({{tr("nominal"), tr("Of the inputs as they are.")},
-                     {QStringLiteral("95 %"), tr("One sample of twenty is more.")}});
+    table_->setColumns({tr("Best α"),
+                        QStringLiteral("α, °"),
+                        {tr("nominal"), tr("Of the inputs as they are.")},
+                        {QStringLiteral("95 %"), tr("One sample of twenty is more.")}});
     column->addWidget(table_, 1);
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -85,7 +85,7 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
 
 void RobustView::showBest() {
     const studies::RobustBest* best = model_->best();
-    QVector<QStringList> rows;
+    ResultRows rows;
     QStringList lines;
     if (!model_->trouble().isEmpty()) {
         lines << model_->trouble();

@@ -24,9 +24,7 @@
 #include "studies/model/result_words.h"
 #include "studies/study.h"
 #include "studies/tolerance_switch.h"
-#include "text/all_digits.h"
 #include "text/capital.h"
-#include "text/difference_text.h"
 #include "text/message_text.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
@@ -80,10 +78,6 @@ bool isEmpty(const PlotView& plot) {
     const auto& curves = plot.data().curves;
     return std::all_of(curves.begin(), curves.end(),
                        [](const PlotCurve& curve) { return curve.x.empty(); });
-}
-
-bool isAngle(const QTableWidgetItem* item) {
-    return item != nullptr && item->text().endsWith(QChar(0x00B0));
 }
 
 /// What the entry of the bands in a plot's legend says; where slopes fail it is marked.
@@ -205,10 +199,8 @@ struct ToleranceBands::Run {
         std::vector<double> found;
         for (int row = 0; row < table.rowCount(); ++row) {
             for (int column = 0; column < table.columnCount(); ++column) {
-                const QTableWidgetItem* cell = table.item(row, column);
-                const auto number =
-                    cell != nullptr && column > 0 ? readShownNumber(cell->text()) : std::nullopt;
-                found.push_back(number ? number->value : none);
+                const ResultNumber* number = table.numberAt(row, column);
+                found.push_back(number != nullptr ? number->value : none);
             }
         }
         return found;
@@ -244,9 +236,10 @@ struct ToleranceBands::Run {
             size += cells.back().count;
             for (int row = 0; row < twin->rowCount(); ++row) {
                 for (int column = 0; column < twin->columnCount(); ++column) {
-                    const bool is = isAngle(twin->item(row, column)) ||
-                                    isAngle(twin->horizontalHeaderItem(column));
-                    periods.push_back(is ? 360.0 : 0.0);
+                    const ResultNumber* number = twin->numberAt(row, column);
+                    const bool isDirection =
+                        number != nullptr && number->kind == ResultNumber::Kind::Direction;
+                    periods.push_back(isDirection ? 360.0 : 0.0);
                 }
             }
         }
@@ -594,7 +587,6 @@ void ToleranceBands::step() {
     } else {
         if (load(*run_, run_->source(), run_->isUp() ? 1.0 : -1.0)) {
             fill(*run_);
-            const AllDigits digits;
             run_->take(run_->numbers());
         } else {
             run_->take(std::nullopt);
@@ -675,13 +667,11 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
         }
     }
     cancelTwin();
-    const AllDigits digits;
     run->layOut();
     return run;
 }
 
 bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
-    const AllDigits digits;
     SceneModel& model = *twin_->model();
     try {
         Json changed = run.input;
@@ -697,7 +687,6 @@ bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
 }
 
 void ToleranceBands::fill(const Run& run) {
-    const AllDigits digits;
     twin_->model()->takeView(*page_->model());
     fillUnseen(*twin_, run.shown);
 }
@@ -784,7 +773,6 @@ std::optional<std::vector<double>> ToleranceBands::read(int run,
     if (run != number_ || run_ == nullptr || !run_->isWhole() || !page_->isVisible()) {
         return std::nullopt;
     }
-    const AllDigits digits;
     take();
     fill(*run_);
     cancelTwin();

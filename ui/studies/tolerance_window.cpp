@@ -275,11 +275,9 @@ QWidget* ToleranceWindow::makeAnswers() {
 
     table_ = new ResultTable(holder);
     table_->setAccessibleName(tr("What the tolerances do"));
-    table_->setColumns({tr("Result"), tr("Nominal"), tr("Mean"), QStringLiteral("σ"),
-                        tr("σ, linear"), QStringLiteral("5 %"), QStringLiteral("95 %"),
-                        tr("Within")});
-    table_->setTips(
-        {{tr("Nominal"), tr("Without any scatter.")},
+    table_->setColumns(
+        {tr("Result"),
+         {tr("Nominal"), tr("Without any scatter.")},
          {tr("Mean"), tr("Of all samples that could be solved.")},
          {QStringLiteral("σ"), tr("Standard deviation of the samples.")},
          {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values alone.")},
@@ -390,7 +388,7 @@ void fitTitles(const QTabWidget* tabs) {
 void ToleranceWindow::showAnswers() {
     fitTitles(tabs_);
     const StudyAnswers* answers = model_->answers();
-    QVector<QStringList> rows;
+    ResultRows rows;
     QStringList lines;
     if (answers == nullptr) {
         lines << (!model_->trouble().isEmpty() ? model_->trouble()

@@ -6,15 +6,12 @@
 #include <cstdlib>
 
 #include "case-file/decimal.h"
-#include "text/all_digits.h"
 #include "text/message_text.h"
 #include "text/preferences.h"
 
 namespace ravnoves {
 
 namespace {
-
-constexpr int allDigits = 15;
 
 QLocale plain(QLocale locale) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
@@ -64,12 +61,11 @@ QString formNumber(double value, const QLocale& locale, int significant) {
         return QStringLiteral("0");
     }
     // 'g' switches to an exponent where the number is very large or very small, which is right.
-    return plain(locale).toString(value, 'g', AllDigits::areWanted() ? allDigits : significant);
+    return plain(locale).toString(value, 'g', significant);
 }
 
 QString shownFormNumber(double value, const QLocale& locale, int significant) {
-    const QString number = formNumber(value, locale, significant);
-    return AllDigits::areWanted() ? number : trueMinus(number);
+    return trueMinus(formNumber(value, locale, significant));
 }
 
 QString trueMinus(QString number) {
@@ -112,9 +108,6 @@ QString signedPercentText(double share, int decimals) {
 QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
-    }
-    if (AllDigits::areWanted()) {
-        return formNumber(value, locale);
     }
     constexpr double longest = 1e9;  // beyond it digits say nothing
     if (std::abs(value) >= longest) {

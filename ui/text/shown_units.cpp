@@ -161,10 +161,6 @@ QString shownShort(double si, const Unit& unit, int digits) {
     return withUnit(shownFigures(si, unit, digits), shownUnit(unit).name);
 }
 
-QStringList shownRow(const QString& name, double si, const Unit& unit, int decimals) {
-    return {name, shownDigits(si, unit, decimals), shownUnit(unit).name};
-}
-
 QString shownNumber(double si, const Unit& unit, int decimals) {
     return withUnit(shownDigits(si, unit, decimals), shownUnit(unit).name);
 }

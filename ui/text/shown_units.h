@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
 
 #include "case-file/field.h"
 #include "numerics/units.h"
@@ -48,7 +47,5 @@ QString shownDigits(double si, const Unit& unit, int decimals);
 /// So many significant digits, with the unit and without it.
 QString shownShort(double si, const Unit& unit, int digits);
 QString shownFigures(double si, const Unit& unit, int digits);
-/// A row of a table: name, number and unit.
-QStringList shownRow(const QString& name, double si, const Unit& unit, int decimals);
 
 }  // namespace ravnoves

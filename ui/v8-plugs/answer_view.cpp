@@ -75,7 +75,6 @@ QWidget* AnswerView::buildAdvice() {
     options_ = new ResultTable(panel);
     options_->setAccessibleName(tr("The options"));
     options_->setColumns(model_->optionColumns());
-    options_->setTips(V8PlugsModel::optionTips());
     // Each over the whole width.
     column->addWidget(advice_);
     column->addWidget(refused_);
@@ -97,7 +96,6 @@ QWidget* AnswerView::buildBobWeights() {
     bobWeights_ = new ResultTable(panel);
     bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
     bobWeights_->setColumns(model_->bobWeightColumns());
-    bobWeights_->setTips(V8PlugsModel::bobWeightTips());
     column->addWidget(bobWeights_);
     check_ = captionLabel({}, panel);
     check_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -180,7 +178,6 @@ void AnswerView::showAdvice() {
         const bool methodAlone = v8_text::methodAlone(
             model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
         for (int column = 0; column < options_->columnCount(); ++column) {
-            options_->setCellToolTip(row, column, model_->optionToolTip(row));
             options_->item(row, column)
                 ->setForeground(methodAlone ? QBrush(theme.warning()) : QBrush());
         }

@@ -241,7 +241,7 @@ double CardPainter::bobWeightTable(double y) {
                 words_.translate("JobCard", "nominal"), words_.translate("JobCard", "before"),
                 words_.translate("JobCard", "after")});
     const auto weights = [&](std::optional<BobWeightLine::Part> part) {
-        return v8_text::bobWeightCells(words_, solution_, part, 3, missing);
+        return v8_text::bobWeightCells(words_, solution_, part, 3, missing).texts();
     };
     for (const BobWeightLine& line : solution_.before->lines) {
         QString name = words_.text(bob_weight_word(line.part).label);

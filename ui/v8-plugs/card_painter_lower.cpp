@@ -65,7 +65,7 @@ double CardPainter::weighIn(double y, double end) {
         } else if (!found->within_permitted) {
             room -= rowHeight;
             QStringList less{words_.translate("JobCard", "take off"), QString()};
-            less << matching_text::takeOff(words_, column.mass);
+            less << matching_text::takeOff(words_, column.mass).texts();
             table.add({less, false, true});
         }
     }

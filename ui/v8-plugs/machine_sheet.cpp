@@ -19,7 +19,6 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     planes_ = new ResultTable(this);
     planes_->setAccessibleName(tr("Correction planes"));
     planes_->setColumns(model_->planeColumns());
-    planes_->setTips(V8PlugsModel::planeTips());
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setRows(model_->planeRows()); });

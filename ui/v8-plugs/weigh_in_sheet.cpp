@@ -169,7 +169,6 @@ void WeighInSheet::buildFindings() {
     crankpins_ = new ResultTable(this);
     crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
     crankpins_->setColumns(model_->crankpinColumns());
-    crankpins_->setTips(V8PlugsModel::crankpinTips());
     crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOf(this)->addWidget(crankpins_);
     follow([this] {

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "text/csv_format.h"
-#include "text/difference_text.h"
 #include "text/number_text.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
@@ -59,25 +58,12 @@ QStringList besideOf(const QVariant& difference, const QVariant& spread) {
     return parts;
 }
 
-/// Digits behind the point; many where a power of ten follows.
-int decimalsOf(const QString& number) {
-    if (number.contains(QLatin1Char('e')) || number.contains(QChar(0x00B7))) {
-        return 9;
-    }
-    const qsizetype point = number.indexOf(QLocale().decimalPoint());
-    qsizetype end = point + 1;
-    while (point >= 0 && end < number.size() && number.at(end).isDigit()) {
-        ++end;
-    }
-    return point < 0 ? 0 : static_cast<int>(end - point - 1);
-}
-
 /// So many digits that two of the larger side say something, beside this number.
-QString spreadText(const ResultTable::Spread& spread, const QString& number) {
+QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
     const double most = std::max(spread.below, spread.above);
     const double least = std::min(spread.below, spread.above);
     const int wanted = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
-    const int decimals = std::min(wanted, decimalsOf(number) + 1);
+    const int decimals = std::min(wanted, number.decimals.value_or(9) + 1);
     if (most < 0.5 * std::pow(10.0, -decimals)) {
         // Far less than the number's last digit.
         return QStringLiteral("± 0") + (spread.fails.isEmpty() ? QString() : QStringLiteral("⚠"));
@@ -248,11 +234,9 @@ void ResultTable::showSpreads() {
     spread_.clear();
     std::vector<std::vector<const Spread*>> shown(static_cast<std::size_t>(rowCount()));
     for (const Spread& each : spreads_) {
-        const QTableWidgetItem* name = item(each.row, 0);
-        const QTableWidgetItem* cell = item(each.row, each.column);
-        if (name == nullptr || cell == nullptr || each.column >= columns_ ||
-            name->text() != each.name || !(std::max(each.below, each.above) > 0.0) ||
-            !readShownNumber(cell->text())) {
+        if (numberAt(each.row, each.column) == nullptr ||
+            rows_[each.row].front().text != each.name ||
+            !(std::max(each.below, each.above) > 0.0)) {
             continue;
         }
         auto& row = shown[static_cast<std::size_t>(each.row)];
@@ -268,7 +252,7 @@ void ResultTable::showSpreads() {
             const Spread* spread =
                 spreads.empty() ? nullptr : spreads[static_cast<std::size_t>(column)];
             const QString text =
-                spread != nullptr ? spreadText(*spread, item(row, column)->text()) : QString();
+                spread != nullptr ? spreadText(*spread, *numberAt(row, column)) : QString();
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
                 continue;
@@ -288,8 +272,7 @@ QStringList ResultTable::differenceAt(int row, int column) const {
 
 int ResultTable::rowInReference(int row) const {
     const auto name = [](const ResultTable& table, int at) {
-        const QTableWidgetItem* cell = table.item(at, 0);
-        return cell != nullptr ? cell->text() : QString();
+        return table.rows_.value(at).value(0).text;
     };
     const QString wanted = name(*this, row);
     if (row < reference_->rowCount() && name(*reference_, row) == wanted) {
@@ -308,24 +291,22 @@ int ResultTable::rowInReference(int row) const {
     return -1;
 }
 
+const ResultNumber* ResultTable::numberAt(int row, int column) const {
+    const bool isThere = row < rows_.size() && column > 0 && column < rows_[row].size();
+    return isThere ? rows_[row][column].number() : nullptr;
+}
+
 void ResultTable::showDifferences() {
     compared_.clear();
-    for (int row = 0; row < rowCount(); ++row) {
+    for (int row = 0; row < rows_.size(); ++row) {
         const int other = reference_ != nullptr ? rowInReference(row) : -1;
+        const ResultRow was = other >= 0 ? reference_->rows_[other] : ResultRow();
         for (int column = 1; column < columns_; ++column) {
-            QTableWidgetItem* cell = item(row, column);
-            // Marked: the column says itself how others differ.
-            const bool isChange = horizontalHeaderItem(column)->data(Qt::UserRole).toBool();
-            const QTableWidgetItem* was =
-                other >= 0 && !isChange ? reference_->item(other, column) : nullptr;
-            const bool isAngle = horizontalHeaderItem(column)->text().endsWith(QChar(0x00B0));
-            const auto found = cell != nullptr && was != nullptr
-                                   ? difference(cell->text(), was->text(), isAngle)
-                                   : std::nullopt;
+            const auto found = rows_[row].value(column).from(was.value(column));
             const QStringList parts =
                 found ? QStringList{found->absolute, found->percent} : QStringList();
             if (differenceAt(row, column) != parts) {
-                cell->setData(differenceRole, found ? QVariant(parts) : QVariant());
+                item(row, column)->setData(differenceRole, found ? QVariant(parts) : QVariant());
             }
             if (found && !compared_.contains(column)) {
                 compared_ << column;
@@ -470,18 +451,20 @@ void ResultTable::placeBeside() {
 
 // ----------------------------------------------------------------------------------------- table
 
-void ResultTable::setColumns(const QStringList& headings) {
-    columns_ = static_cast<int>(headings.size());
+void ResultTable::setColumns(const ResultColumns& columns) {
+    headings_ = columns;
+    columns_ = static_cast<int>(columns.size());
     setColumnCount(columns_);
     isOver_ = false;
-    setHorizontalHeaderLabels(headings);
-    for (int column = 0; column < headings.size(); ++column) {
-        horizontalHeaderItem(column)->setTextAlignment(
-            (column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    for (int column = 0; column < columns_; ++column) {
+        auto* heading = new QTableWidgetItem(columns[column].heading);
+        heading->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) |
+                                  Qt::AlignVCenter);
+        heading->setToolTip(columns[column].tip);
+        setHorizontalHeaderItem(column, heading);
     }
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    showTips();
     fitColumns();
 }
 
@@ -663,14 +646,15 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
     }
 }
 
-void ResultTable::setRows(const QVector<QStringList>& rows) {
+void ResultTable::setRows(const ResultRows& rows) {
+    rows_ = rows;
     if (rowCount() != rows.size()) {
         setRowCount(static_cast<int>(rows.size()));
         updateGeometry();
     }
     for (int row = 0; row < rows.size(); ++row) {
         for (int column = 0; column < columns_; ++column) {
-            const QString text = rows[row].value(column);
+            const QString text = rows[row].value(column).text;
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
                 cell = new QTableWidgetItem(text);
@@ -696,53 +680,16 @@ void ResultTable::setRows(const QVector<QStringList>& rows) {
     }
 }
 
-void ResultTable::setTips(const ResultTips& tips) {
-    tips_.clear();
-    for (const auto& [name, tip] : tips) {
-        tips_.insert(name, tip);
-    }
-    showTips();
-}
-
-QString ResultTable::tipOf(const QString& name) const {
-    const auto exact = tips_.constFind(name);
-    if (exact != tips_.constEnd()) {
-        return *exact;
-    }
-    for (auto tip = tips_.constBegin(); tip != tips_.constEnd(); ++tip) {
-        const qsizetype place = tip.key().indexOf(QLatin1String("%1"));
-        if (place >= 0 && name.startsWith(tip.key().left(place)) &&
-            name.endsWith(tip.key().mid(place + 2))) {
-            return *tip;
-        }
-    }
-    return {};
-}
-
 void ResultTable::showTips() {
-    if (tips_.isEmpty()) {
-        return;
-    }
-    QStringList ofColumns;
-    for (int column = 0; column < columns_; ++column) {
-        QTableWidgetItem* heading = horizontalHeaderItem(column);
-        ofColumns << (heading != nullptr ? tipOf(heading->text()) : QString());
-        if (heading != nullptr) {
-            heading->setToolTip(ofColumns.last());
-        }
-    }
-    for (int row = 0; row < rowCount(); ++row) {
-        const QTableWidgetItem* name = item(row, 0);
-        const QString ofRow = name != nullptr ? tipOf(name->text()) : QString();
-        for (int column = 0; name != nullptr && column < columns_; ++column) {
-            if (QTableWidgetItem* cell = item(row, column)) {
-                QStringList lines{ofRow};
-                if (column > 0 || ofRow.isEmpty()) {
-                    lines << ofColumns[column];
-                }
-                lines.removeAll(QString());
-                cell->setToolTip(lines.join(QLatin1Char('\n')));
+    for (int row = 0; row < rows_.size(); ++row) {
+        const QString& ofRow = rows_[row].tip;
+        for (int column = 0; column < columns_; ++column) {
+            QStringList lines{ofRow};
+            if (column > 0 || ofRow.isEmpty()) {
+                lines << headings_[column].tip;
             }
+            lines.removeAll(QString());
+            item(row, column)->setToolTip(lines.join(QLatin1Char('\n')));
         }
     }
 }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QHash>
 #include <QStringList>
 #include <QTableWidget>
 #include <QVector>
 #include <utility>
 #include <vector>
 
-#include "text/result_tips.h"
+#include "text/result_row.h"
 #include "widgets/whole_rows.h"
 
 namespace ravnoves {
@@ -26,13 +25,13 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     ~ResultTable() override;
 
     /// Sets headings once; rows follow with setRows().
-    void setColumns(const QStringList& headings);
+    void setColumns(const ResultColumns& columns);
     /// Replaces the cells; only what differs is touched, so it may be called at every step of a
-    /// slider.
-    void setRows(const QVector<QStringList>& rows);
-    /// What rows and columns are, by the row's first cell and the column's heading, where %1 stands
-    /// for anything: every cell says what its row and its column mean.
-    void setTips(const ResultTips& tips);
+    /// slider. Every cell says what its row and its column mean.
+    void setRows(const ResultRows& rows);
+    const ResultRows& rows() const { return rows_; }
+    /// Null where the cell holds no number, or two.
+    const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);
     /// Shows beside its numbers how they differ from those that the same table of a page with
     /// another input has, row by row's name: absolute and in percent, in columns of their own where
@@ -114,7 +113,6 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     int heightOf(int rowHeight) const;
 
     void showTips();
-    QString tipOf(const QString& name) const;
 
     WrappedHeader* header_;
     bool small_ = false;  ///< its text, at the width `wrapsAt_`
@@ -124,7 +122,8 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     bool isOver_ = false;  ///< wider than its room
     int shownRows_ = 0;    ///< 0: all
     bool fitted_ = false;
-    QHash<QString, QString> tips_;
+    ResultColumns headings_;
+    ResultRows rows_;
     int columns_ = 0;  ///< without those of the differences
     ResultTable* reference_ = nullptr;
     ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one

@@ -161,11 +161,9 @@ void MatchingSheet::addAngles() {
              }});
 }
 
-ResultTable* MatchingSheet::addTable(const QString& name,
-                                     const QVector<std::pair<QString, QString>>& tips) {
+ResultTable* MatchingSheet::addTable(const QString& name) {
     auto* table = new ResultTable(this);
     table->setAccessibleName(name);
-    table->setTips(tips);
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOfSheet(this)->addWidget(table);
     return table;
@@ -173,7 +171,6 @@ ResultTable* MatchingSheet::addTable(const QString& name,
 
 void MatchingSheet::addFindings(std::function<Findings()> findings, std::function<void()> move,
                                 std::function<void()> moveBack) {
-    const Words words;
     auto* summary = new QLabel(this);
     summary->setObjectName(QStringLiteral("weigh_in_summary"));
     summary->setWordWrap(true);
@@ -193,11 +190,9 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     connect(back, &QPushButton::clicked, this, std::move(moveBack));
     found->addWidget(back, 0, Qt::AlignTop);
     columnOfSheet(this)->addLayout(found);
-    ResultTable* effects =
-        addTable(tr("What the placing makes of the differences"), matching_text::effectTips(words));
-    ResultTable* assignment =
-        addTable(tr("Which set goes to which cylinder"), matching_text::assignmentTips(words));
-    ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"), {});
+    ResultTable* effects = addTable(tr("What the placing makes of the differences"));
+    ResultTable* assignment = addTable(tr("Which set goes to which cylinder"));
+    ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"));
     const auto show = [=, this, findings = std::move(findings)] {
         const Findings now = findings();
         const Theme& theme = Theme::instance();
@@ -216,18 +211,18 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
         colourText(summary, now.isAmber ? theme.warning() : theme.text());
         button->setVisible(now.canMove);
         const Words own;
-        const auto fill = [](ResultTable* table, const QStringList& head,
-                             const QVector<QStringList>& rows) {
-            if (!rows.isEmpty() && table->property("columns") != head.size()) {
-                table->setProperty("columns", head.size());
-                table->setColumns(head);
+        const auto fill = [](ResultTable* table, const ResultColumns& columns,
+                             const ResultRows& rows) {
+            if (!rows.isEmpty() && table->property("columns") != columns.size()) {
+                table->setProperty("columns", columns.size());
+                table->setColumns(columns);
             }
             table->setRows(rows);
             table->setVisible(!rows.isEmpty());
         };
-        fill(effects, matching_text::effectHead(own), now.effects);
-        fill(assignment, matching_text::cylinderHead(own, now.cylinders), now.assignment);
-        fill(takeOff, matching_text::takeOffHead(own, now.cylinders), now.takeOff);
+        fill(effects, matching_text::effectColumns(own), now.effects);
+        fill(assignment, matching_text::assignmentColumns(own, now.cylinders), now.assignment);
+        fill(takeOff, matching_text::takeOffColumns(own, now.cylinders), now.takeOff);
     };
     connect(&Theme::instance(), &Theme::changed, this, show);
     follow(show);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "text/result_row.h"
 #include "workshop/matching_rules.h"
 #include "workshop/sheet_form.h"
 
@@ -29,9 +30,9 @@ class MatchingSheet : public SheetForm {
         bool isAmber = false;
         bool canMove = false;
         bool isSearching = false;
-        QVector<QStringList> effects;
-        QVector<QStringList> assignment;
-        QVector<QStringList> takeOff;
+        ResultRows effects;
+        ResultRows assignment;
+        ResultRows takeOff;
         std::size_t cylinders = 0;
     };
 
@@ -45,7 +46,7 @@ class MatchingSheet : public SheetForm {
 
   private:
     void addAngles();
-    ResultTable* addTable(const QString& name, const QVector<std::pair<QString, QString>>& tips);
+    ResultTable* addTable(const QString& name);
 
     std::function<Rules()> rules_;
     std::function<void(const QString&, const std::function<void(Rules&)>&)> edit_;

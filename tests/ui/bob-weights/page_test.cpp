@@ -27,6 +27,7 @@
 #include "events.h"
 #include "model/case_document.h"
 #include "painted.h"
+#include "shown_number.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
@@ -243,7 +244,8 @@ TEST_F(BobPageTest, WeighedPartsGoBeforeTypedOnes) {
     type("mass_piston_2", u"592"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1512.3 g"_s);
     EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
-    EXPECT_EQ(model->takeOffRows(), (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
+    EXPECT_EQ(test::textsOf(model->takeOffRows()),
+              (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
     type("cylinders", u"4"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "two of four are weighed";
 }
@@ -437,7 +439,7 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_TRUE(label("other_bob_weight").startsWith(why));
     EXPECT_FALSE(model->isDone());
     EXPECT_TRUE(model->holeRows().isEmpty()) << "nothing is to be drilled";
-    EXPECT_TRUE(model->planeRows().last().contains(u"another bob weight"_s));
+    EXPECT_TRUE(model->planeRows().last().texts().contains(u"another bob weight"_s));
     EXPECT_EQ(model->planeRows().at(3).at(1), u"–"_s) << "nothing is known to remain";
     EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
     EXPECT_FALSE(find<NumberField>("position_1")->isDoubtful());
@@ -599,11 +601,12 @@ TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
     EXPECT_FALSE(model->input().tolerance->by_grade);
     type("g_mm", u"3000"_s);
     EXPECT_EQ(rowsOf("Holes and slugs"), 0) << "both readings are within the limit";
-    EXPECT_EQ(model->planeRows().last(), QStringList({u"Verdict"_s, u"passes"_s, u"passes"_s}));
+    EXPECT_EQ(model->planeRows().last().texts(),
+              QStringList({u"Verdict"_s, u"passes"_s, u"passes"_s}));
     EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
     EXPECT_TRUE(card().contains(u"limit of the shop’s own"_s));
     type("g_mm", u"2000"_s);
-    EXPECT_EQ(model->planeRows().last(),
+    EXPECT_EQ(model->planeRows().last().texts(),
               QStringList({u"Verdict"_s, u"fails → passes"_s, u"passes"_s}));
     EXPECT_EQ(label("verdict"), u"Before, measured: fails. After the correction: passes."_s);
     pressSave();

@@ -99,7 +99,7 @@ TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {
         EXPECT_GE(model.orderRows().size(), 60);
         for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
                                  model.weightRows(), model.remainingRows()}) {
-            for (const QStringList& row : rows) {
+            for (const ResultRow& row : rows) {
                 for (const QString& cell : row) {
                     EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << name.toStdString();
                     EXPECT_FALSE(cell.contains(QStringLiteral("inf"))) << name.toStdString();
@@ -424,11 +424,12 @@ TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {
             });
             for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
                                      model.weightRows(), model.remainingRows()}) {
-                for (const QStringList& row : rows) {
+                for (const ResultRow& row : rows) {
                     // The high orders of a small engine are some 1e-6 N·m, and no rounding.
                     static const QRegularExpression rounding(QStringLiteral("E-(0[89]|[1-9])"));
-                    EXPECT_FALSE(row.join(QLatin1Char(';')).contains(rounding))
-                        << layout.toStdString() << ": " << row.join(QLatin1Char(';')).toStdString();
+                    EXPECT_FALSE(row.texts().join(QLatin1Char(';')).contains(rounding))
+                        << layout.toStdString() << ": "
+                        << row.texts().join(QLatin1Char(';')).toStdString();
                 }
             }
         }

@@ -13,7 +13,7 @@
 #include "model/case_document.h"
 #include "model/input_differences.h"
 #include "model/root_model.h"
-#include "text/difference_text.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 namespace {
@@ -225,31 +225,50 @@ TEST_F(VariantsTest, InputsThatDifferAreListedByLabel) {
     EXPECT_TRUE(lists[2].absolute().isEmpty());
 }
 
-TEST(DifferenceText, IsOfTheNumbersThatAreShown) {
-    const auto check = [](const char16_t* now, const char16_t* was, const char16_t* absolute,
-                          const char16_t* percent) {
-        const auto found = difference(QString::fromUtf16(now), QString::fromUtf16(was));
-        ASSERT_TRUE(found) << QString::fromUtf16(now).toStdString();
-        EXPECT_EQ(found->absolute, QString::fromUtf16(absolute));
-        EXPECT_EQ(found->percent, QString::fromUtf16(percent));
+TEST(ResultCells, DifferByTheNumbersThatAreShown) {
+    using namespace Qt::StringLiterals;
+    using Kind = ResultCell::Kind;
+    const auto check = [](const ResultCell& now, const ResultCell& was, const QString& absolute,
+                          const QString& percent) {
+        const auto found = now.from(was);
+        ASSERT_TRUE(found) << now.text.toStdString();
+        EXPECT_EQ(found->absolute, absolute);
+        EXPECT_EQ(found->percent, percent);
     };
-    check(u"1208.0", u"1200.5", u"+7.5", u"+0.6\u00A0%");
-    check(u"\u2212893.0", u"\u2212900.0", u"+7.0", u"+0.8\u00A0%");
-    check(u"0.65", u"0.6580", u"\u22120.0080", u"\u22121.2\u00A0%");
-    check(u"5", u"5", u"0", u"0\u00A0%");
-    check(u"5", u"0", u"+5", u"–");
-    check(u"+32.1\u00A0%", u"+30.0\u00A0%", u"+2.1", u"");
-    check(u"359.0°", u"1.0°", u"\u22122.0", u"");
-    check(u"1.2E6", u"1.0E6", u"+2e+05", u"+20.0\u00A0%");
-    check(u"0.30 / 0.50", u"0.25 / 0.60", u"+0.05 / −0.10", u"+20.0\u00A0% / −16.7\u00A0%");
-    check(u"178 × 305", u"170 × 305", u"+8 × 0", u"+4.7\u00A0% × 0\u00A0%");
-    check(u"1.20 (0.5\u00A0%)", u"1.00 (0.4\u00A0%)", u"+0.20 (+0.1\u00A0%)", u"+20.0\u00A0%");
-    check(u"12.50 (÷ 9.1)", u"10.00 (÷ 11.4)", u"+2.50", u"+25.0\u00A0%");
-    EXPECT_FALSE(difference(QStringLiteral("0.30 / 0.50"), QStringLiteral("–")));
-    for (const char16_t* text : {u"–", u"178 × 305", u"", u"none", u"1-3-4-2", u"5/6"}) {
-        EXPECT_FALSE(readShownNumber(QString::fromUtf16(text)))
-            << QString::fromUtf16(text).toStdString();
-    }
+    const auto number = [](double value, const char16_t* text, Kind kind = Kind::Plain,
+                           const QString& unit = {}) {
+        return ResultCell(value, QString::fromUtf16(text), kind, unit);
+    };
+    const auto two = [](const char16_t* pattern, const ResultCell& first,
+                        const ResultCell& second) {
+        return ResultCell::two(QString::fromUtf16(pattern), first, second);
+    };
+    check(number(1208.04, u"1208.0"), number(1200.47, u"1200.5"), u"+7.5"_s, u"+0.6\u00A0%"_s);
+    check(number(-893, u"\u2212893.0"), number(-900, u"\u2212900.0"), u"+7.0"_s, u"+0.8\u00A0%"_s);
+    check(number(0.65, u"0.65"), number(0.658, u"0.6580"), u"\u22120.0080"_s,
+          u"\u22121.2\u00A0%"_s);
+    check(number(5.04, u"5"), number(4.96, u"5"), u"0"_s, u"0\u00A0%"_s);
+    check(number(5, u"5"), number(0, u"0"), u"+5"_s, u"–"_s);
+    check(number(32.1, u"+32.1\u00A0%", Kind::Percent), number(30, u"+30.0\u00A0%", Kind::Percent),
+          u"+2.1"_s, {});
+    check(number(359, u"359.0°", Kind::Direction), number(1, u"1.0°", Kind::Direction),
+          u"\u22122.0"_s, {});
+    check(number(1.2e6, u"1.2e+06"), number(1e6, u"1.0·10⁶"), u"+2e+05"_s, u"+20.0\u00A0%"_s);
+    check(number(12.3, u"12.3 g·mm"), number(12.1, u"12.1 g·mm"), u"+0.2"_s, u"+1.7\u00A0%"_s);
+    check(two(u"%1 / %2", number(0.3, u"0.30"), number(0.5, u"0.50")),
+          two(u"%1 / %2", number(0.25, u"0.25"), number(0.6, u"0.60")), u"+0.05 / −0.10"_s,
+          u"+20.0\u00A0% / −16.7\u00A0%"_s);
+    check(two(u"%1 × %2", number(178, u"178"), number(305, u"305")),
+          two(u"%1 × %2", number(170, u"170"), number(305, u"305")), u"+8 × 0"_s,
+          u"+4.7\u00A0% × 0\u00A0%"_s);
+    check(two(u"%1 (%2)", number(1.2, u"1.20"), number(0.5, u"0.5\u00A0%", Kind::Percent)),
+          two(u"%1 (%2)", number(1, u"1.00"), number(0.4, u"0.4\u00A0%", Kind::Percent)),
+          u"+0.20 (+0.1\u00A0%)"_s, u"+20.0\u00A0%"_s);
+    EXPECT_FALSE(number(5, u"5").from(u"–"_s));
+    EXPECT_FALSE(ResultCell(u"5"_s).from(u"4"_s)) << "words";
+    EXPECT_FALSE(number(5, u"5", Kind::Plain, u"N"_s).from(number(4, u"4", Kind::Plain, u"kg"_s)));
+    EXPECT_FALSE(number(5, u"5", Kind::Change).from(number(4, u"4", Kind::Change)));
+    EXPECT_EQ(number(std::nan(""), u"–").number(), nullptr);
 }
 
 }  // namespace

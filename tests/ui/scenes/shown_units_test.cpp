@@ -26,8 +26,8 @@
 #include "scenes/open_example.h"
 #include "shell/page_drawing.h"
 #include "shell/scene_page.h"
+#include "shown_number.h"
 #include "text/csv_format.h"
-#include "text/difference_text.h"
 #include "text/preferences.h"
 #include "widgets/result_table.h"
 
@@ -154,8 +154,8 @@ void compare(const QVector<QStringList>& own, const QVector<QStringList>& other,
     ASSERT_EQ(own.size(), other.size());
     for (qsizetype row = 1; row < own.size(); ++row) {
         for (qsizetype column = 1; column < own[row].size(); ++column) {
-            const auto was = readShownNumber(own[row][column]);
-            const auto is = readShownNumber(other[row].value(column));
+            const auto was = test::readShownNumber(own[row][column]);
+            const auto is = test::readShownNumber(other[row].value(column));
             if (!was || !is) {
                 continue;
             }

@@ -22,7 +22,7 @@
 #include "shell/input_comparison.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
-#include "text/difference_text.h"
+#include "shown_number.h"
 #include "widgets/compared_figure.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/number_field.h"
@@ -187,23 +187,24 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
                 const QStringList found = table.differenceAt(row, column);
                 const auto& was = kept[t][static_cast<std::size_t>(row)];
                 const Cell& cell = was[static_cast<std::size_t>(column)];
-                numbers += cell.name == table.item(row, 0)->text() &&
-                                   readShownNumber(cell.text).has_value() &&
-                                   readShownNumber(table.item(row, column)->text()).has_value()
-                               ? 1
-                               : 0;
+                numbers +=
+                    cell.name == table.item(row, 0)->text() &&
+                            test::readShownNumber(cell.text).has_value() &&
+                            test::readShownNumber(table.item(row, column)->text()).has_value()
+                        ? 1
+                        : 0;
                 if (found.isEmpty() || cell.name != table.item(row, 0)->text()) {
                     continue;
                 }
                 ++compared;
-                if (!readShownNumber(cell.text)) {  // two numbers in a cell, "178 × 305"
+                const auto now = test::readShownNumber(table.item(row, column)->text());
+                const auto before = test::readShownNumber(cell.text);
+                if (!now || !before) {  // "178 × 305", "1.2·10⁻⁵"
                     EXPECT_TRUE(found[0].contains(QRegularExpression(u"\\d"_s)));
                     continue;
                 }
-                const auto now = readShownNumber(table.item(row, column)->text());
-                const auto before = readShownNumber(cell.text);
-                const auto difference = readShownNumber(found[0]);
-                ASSERT_TRUE(now && before && difference) << cell.text.toStdString();
+                const auto difference = test::readShownNumber(found[0]);
+                ASSERT_TRUE(difference) << cell.text.toStdString();
                 const bool isAngle = table.horizontalHeaderItem(column)->text().endsWith(u'°') ||
                                      now->unit == u"°"_s;
                 const double wanted = now->value - before->value;

@@ -18,11 +18,11 @@
 #include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
+#include "shown_number.h"
 #include "studies/band_progress.h"
 #include "studies/tolerance_bands.h"
 #include "studies/tolerance_switch.h"
 #include "text/csv_format.h"
-#include "text/difference_text.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -100,7 +100,7 @@ TEST_F(Bands, OfSeveralInputsAddUpBySquares) {
     for (const ResultTable* table : page->findChildren<ResultTable*>()) {
         for (int row = 0; row < table->rowCount(); ++row) {
             if (table->item(row, 0)->text().startsWith(u"Amplitude of Mₛ"_s)) {
-                const auto half = readShownNumber(table->spreadAt(row, 1).mid(2));
+                const auto half = test::readShownNumber(table->spreadAt(row, 1).mid(2));
                 ASSERT_TRUE(half);
                 EXPECT_NEAR(half->value, point95 * relative * shaft.y[top], 0.5);
                 EXPECT_TRUE(table->asText().contains(table->spreadAt(row, 1)));

@@ -69,16 +69,17 @@ TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     model.loadInput(example("v8-4.25-repair.case.json"), {});
     const auto rows = model.optionRows();
     ASSERT_EQ(rows.size(), 5);
-    EXPECT_EQ(rows.at(0), (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s,
-                                       u"4.604"_s, u"1.832"_s, u"0.000"_s, u"0.0"_s}));
+    EXPECT_EQ(rows.at(0).texts(),
+              (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s, u"4.604"_s,
+                           u"1.832"_s, u"0.000"_s, u"0.0"_s}));
     // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
-    EXPECT_EQ(rows.at(4),
+    EXPECT_EQ(rows.at(4).texts(),
               (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
                            u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
     EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
-    EXPECT_TRUE(model.optionToolTip(4).startsWith(u"For the other crankshaft."_s));
+    EXPECT_TRUE(rows.at(4).tip.startsWith(u"For the other crankshaft."_s));
     model.edit(u"crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
-    EXPECT_TRUE(model.optionRows().at(2).constFirst().startsWith(u"✓ "_s));
+    EXPECT_TRUE(model.optionRows().at(2).constFirst().text.startsWith(u"✓ "_s));
 }
 
 TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {

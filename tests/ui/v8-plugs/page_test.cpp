@@ -135,10 +135,10 @@ TEST_F(V8PageTest, AnswerIsAmberWhereTheNeglectedShiftMatters) {
     EXPECT_TRUE(label("troubles").contains(u"Bore to"_s)) << qPrintable(label("troubles"));
     // Nothing below it says that all is well, and what is copied has the warning.
     EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
-    EXPECT_TRUE(model->optionRows().at(0).constFirst().startsWith(u"! "_s));
+    EXPECT_TRUE(model->optionRows().at(0).constFirst().text.startsWith(u"! "_s));
     EXPECT_EQ(find<QLabel>("check")->palette().color(QPalette::WindowText),
               Theme::instance().warning());
-    EXPECT_TRUE(model->optionToolTip(0).contains(u"By the method alone"_s));
+    EXPECT_TRUE(model->optionRows().at(0).tip.contains(u"By the method alone"_s));
     EXPECT_TRUE(page.resultsAsText().contains(u"Bore to"_s));
     model->edit(u"excess"_s, [](Input& input) {
         input.plug.reset();

@@ -16,13 +16,15 @@ class ResultTableTest : public ::testing::Test {
   protected:
     ResultTableTest() {
         for (ResultTable* each : {&table, &reference}) {
-            each->setColumns({u"Quantity"_s, u"Value, N"_s});
-            each->setTips({{u"Force"_s, u"what it is"_s}, {u"Value, N"_s, u"of this input"_s}});
-            each->setRows({{u"Force"_s, u"1.5"_s}});
+            each->setColumns({u"Quantity"_s, {u"Value, N"_s, u"of this input"_s}});
+            each->setRows({force(1.5, u"1.5"_s)});
         }
         table.setReference(&reference, u"A"_s);
     }
-    void show(const QString& value) { table.setRows({{u"Force"_s, value}}); }
+    static ResultRow force(double value, const QString& shown) {
+        return {{u"Force"_s, {value, shown}}, u"what it is"_s};
+    }
+    void show(const QString& value) { table.setRows({force(value.toDouble(), value)}); }
     bool differencesInColumns() const { return table.columnCount() == 4; }
 
     ResultTable reference;
@@ -139,7 +141,7 @@ TEST(NarrowResultTable, WritesSmallBeforeItScrolls) {
 TEST(LowResultTable, ShowsNoRowInPart) {
     ResultTable table;
     table.setColumns({u"Order"_s, u"N"_s});
-    table.setRows(QVector<QStringList>(9, {u"████"_s, u"████"_s}));
+    table.setRows(ResultRows(9, {u"████"_s, u"████"_s}));
     test::showAt(table, {200, 100});
     const int row = table.verticalHeader()->defaultSectionSize();
     const int room = table.viewport()->height();
@@ -172,7 +174,7 @@ TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
 TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
     ResultTable table;
     table.setColumns({u"Quantity"_s, u"Value"_s});
-    table.setRows({{u"Force"_s, u"0.145"_s}});
+    table.setRows({ResultRow{u"Force"_s, {0.145, u"0.145"_s}}});
     const auto shown = [&](double half) {
         table.setSpreads({{0, 1, u"Force"_s, half, half}});
         return table.spreadAt(0, 1);
@@ -186,7 +188,7 @@ TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
 TEST(WholeRows, AreWholeAtTheEndOfUnequalOnes) {
     ResultTable table;
     table.setColumns({u"Quantity"_s});
-    table.setRows(QVector<QStringList>(12, QStringList(u"x"_s)));
+    table.setRows(ResultRows(12, ResultRow{u"x"_s}));
     for (int row = 0; row < 12; row += 3) {
         table.verticalHeader()->resizeSection(row, 47);
     }

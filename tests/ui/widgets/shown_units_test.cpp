@@ -16,6 +16,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
+#include "text/result_row.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
@@ -158,7 +159,8 @@ TEST_F(ShownUnits, OfAJobCardAreInItsLanguage) {
 }
 
 TEST_F(ShownUnits, OfTablesAreOfTheSameQuantity) {
-    EXPECT_EQ(shownRow(u"r"_s, 0.0254, units::mm, 1), (QStringList{u"r"_s, u"1.000"_s, u"in"_s}));
+    EXPECT_EQ(shownRow(u"r"_s, 0.0254, units::mm, 1).texts(),
+              (QStringList{u"r"_s, u"1.000"_s, u"in"_s}));
     EXPECT_EQ(shownShort(0.05, units::mm, 4), u"1.969\u00A0in"_s);
     EXPECT_EQ(shownFigures(1.5, units::kg, 3), u"1500"_s);  // no 1.5e+03
     EXPECT_DOUBLE_EQ(shownValue(1.3558179483314004, units::N_m), 1.0);

@@ -36,14 +36,6 @@ QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
 }
 
-/// A fraction as a signed percentage.
-QString percent(const std::optional<double>& fraction) {
-    if (!fraction) {
-        return QStringLiteral("–");
-    }
-    return signedPercentText(*fraction);
-}
-
 }  // namespace
 
 Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
@@ -391,15 +383,25 @@ double BalanceShaftModel::otherMasses() const {
     return sum;
 }
 
-QStringList BalanceShaftModel::criteriaColumns() const {
-    return {shownUnit(units::N_m).name, tr("Mᵤₚ"), tr("Mₛ"), tr("Mᵤₚₛ"), tr("change")};
+ResultColumns BalanceShaftModel::criteriaColumns() const {
+    return {
+        shownUnit(units::N_m).name,
+        {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ")},
+        {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ)")},
+        {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ")},
+        {tr("change"),
+         tr("Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, "
+            "a minimum nearer to zero.")},
+    };
 }
 
-QVector<QStringList> BalanceShaftModel::criteriaRows() const {
-    const auto moment = [](double value) { return shownDigits(value, units::N_m, 1); };
-    const auto row = [&](const QString& name, double MomentMetrics::*value, const QString& change) {
-        return QStringList{name, moment(result().M_up.*value), moment(result().M_s.*value),
-                           moment(result().M_ups.*value), change};
+ResultRows BalanceShaftModel::criteriaRows() const {
+    const auto moment = [](double value) { return shownCell(value, units::N_m, 1); };
+    const auto row = [&](const QString& name, double MomentMetrics::*value,
+                         const ResultCell& change, const QString& tip) {
+        return ResultRow({name, moment(result().M_up.*value), moment(result().M_s.*value),
+                          moment(result().M_ups.*value), change},
+                         tip);
     };
     double scale = 0.0;
     for (const MomentMetrics* each : {&result().M_up, &result().M_s, &result().M_ups}) {
@@ -419,78 +421,125 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
     const auto unlessNoise = [&](const std::optional<double>& change, double without) {
         return isNoise(without) ? std::nullopt : change;
     };
+    const auto percent = [](const std::optional<double>& fraction) {
+        return fraction ? ResultCell(100.0 * *fraction, signedPercentText(*fraction),
+                                     ResultCell::Kind::Change)
+                        : ResultCell(QStringLiteral("–"));
+    };
     // The sign of a change does not say whether it is a good one.
-    const auto judged = [](const std::optional<double>& fraction, bool lessIsBetter) {
+    const auto judged = [&](const std::optional<double>& fraction, bool lessIsBetter) {
         const double rounded = fraction ? std::round(1e3 * *fraction) / 10.0 : 0.0;
         if (rounded == 0.0) {
             return percent(fraction);
         }
         const QString size = percentText(std::abs(*fraction), std::abs(rounded) < 100.0 ? 1 : 0);
-        return (rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
-                                               : tr("%1 worse").arg(size);
+        return ResultCell((rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
+                                                          : tr("%1 worse").arg(size));
     };
-    return {row(tr("range"), &MomentMetrics::range,
-                judged(unlessNoise(result().range_change, result().M_up.range), true)),
-            row(tr("RMS"), &MomentMetrics::rms,
-                judged(unlessNoise(result().rms_change, result().M_up.rms), true)),
-            row(tr("mean"), &MomentMetrics::mean,
-                percent(relative(result().M_ups.mean, result().M_up.mean))),
-            {tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
-             moment(result().printed_mean_M_ups),
-             percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
-            row(tr("max"), &MomentMetrics::max,
-                judged(relative(result().M_ups.max, result().M_up.max), true)),
-            row(tr("min"), &MomentMetrics::min,
-                judged(relative(result().M_ups.min, result().M_up.min), false))};
+    return {
+        row(tr("range"), &MomentMetrics::range,
+            judged(unlessNoise(result().range_change, result().M_up.range), true),
+            tr("Largest less smallest value over the cycle, max − min")),
+        row(tr("RMS"), &MomentMetrics::rms,
+            judged(unlessNoise(result().rms_change, result().M_up.rms), true),
+            tr("Root of the mean square about the mean over the cycle")),
+        row(tr("mean"), &MomentMetrics::mean,
+            percent(relative(result().M_ups.mean, result().M_up.mean)),
+            tr("Mean over the cycle; that of the shaft is 0 at every α")),
+        {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
+          moment(result().printed_mean_M_ups),
+          percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
+         tr("Mean the way the paper takes it: over the printed rows, with the end of the cycle "
+            "counted twice. It shows what the paper's numbers are and says nothing of the shaft.")},
+        row(tr("max"), &MomentMetrics::max,
+            judged(relative(result().M_ups.max, result().M_up.max), true),
+            tr("Largest value over the cycle")),
+        row(tr("min"), &MomentMetrics::min,
+            judged(relative(result().M_ups.min, result().M_up.min), false),
+            tr("Smallest value over the cycle; most are negative, and nearer to zero is better"))};
 }
 
-QStringList BalanceShaftModel::quantityColumns() const {
+ResultColumns BalanceShaftModel::quantityColumns() const {
     return {tr("Quantity"), tr("Value"), tr("Unit")};
 }
 
-QVector<QStringList> BalanceShaftModel::quantityRows() const {
-    const QString share =
-        result().order_1_share ? number(100.0 * *result().order_1_share, 1) : QStringLiteral("–");
+ResultRows BalanceShaftModel::quantityRows() const {
+    const auto& share = result().order_1_share;
     return {
-        shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1),
-        shownRow(tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4),
-        shownRow(tr("Counterweight force P₁"), result().counterweight_force, units::newton, 1),
-        shownRow(tr("Amplitude of Mₛ, P₁ l"), result().moment_amplitude, units::N_m, 2),
-        {tr("First order's share of Mᵤₚ"), share, QStringLiteral("%")},
-        {tr("Envelope, width × height"),
-         shownDigits(result().envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
-             shownDigits(result().envelope.height(), units::mm, 0),
-         shownUnit(units::mm).name},
+        shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1,
+                 tr("Of first order, mⱼ r ω²")),
+        shownRow(tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4,
+                 tr("Of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered")),
+        shownRow(tr("Counterweight force P₁"), result().counterweight_force, units::newton, 1,
+                 tr("m₁ ρ₁ ω²")),
+        shownRow(tr("Amplitude of Mₛ, P₁ l"), result().moment_amplitude, units::N_m, 2,
+                 tr("Largest moment of the shaft")),
+        {{tr("First order's share of Mᵤₚ"),
+          share ? ResultCell(100.0 * *share, number(100.0 * *share, 1))
+                : ResultCell(QStringLiteral("–")),
+          QStringLiteral("%")},
+         tr("Of the mean square about the mean. It is all that a shaft at crank speed can "
+            "change.")},
+        {{tr("Envelope, width × height"),
+          ResultCell::two(QStringLiteral("%1 × %2"),
+                          shownCell(result().envelope.width(), units::mm, 0),
+                          shownCell(result().envelope.height(), units::mm, 0)),
+          shownUnit(units::mm).name},
+         tr("Box around cylinder, crank circle, shaft circle, gears and wall in the front view")},
     };
 }
 
-QVector<QStringList> BalanceShaftModel::cycleRows() const {
+namespace {
+
+/// In a unit that stays.
+ResultRow ownRow(const QString& name, double value, int decimals, const QString& unit,
+                 const QString& tip) {
+    return {{name, {value, number(value, decimals)}, unit}, tip};
+}
+
+}  // namespace
+
+ResultRows BalanceShaftModel::cycleRows() const {
     if (!result().indicated) {
         return {};
     }
     const balance_shaft::IndicatedCycle& cycle = *result().indicated;
-    QVector<QStringList> rows{
-        {tr("Indicated mean effective pressure"), number(cycle.imep / units::bar, 3), tr("bar")},
-        {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
-        {tr("Indicated power"), number(result().indicated_power / units::kW, 2), tr("kW")},
-        shownRow(tr("Mean torque"), -result().M_up.mean, units::N_m, 2),
-        {tr("Peak pressure"), number(cycle.peak_pressure / units::bar, 1), tr("bar")},
-        {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
-        shownRow(tr("Displacement"), cycle.displacement, units::cm3, 1),
+    ResultRows rows{
+        ownRow(tr("Indicated mean effective pressure"), cycle.imep / units::bar, 3, tr("bar"),
+               tr("Work of a cycle over the displacement")),
+        ownRow(tr("Indicated work per cycle"), cycle.work, 1, tr("J"), tr("∮ (p − p₀) dV")),
+        ownRow(tr("Indicated power"), result().indicated_power / units::kW, 2, tr("kW"),
+               tr("Work of a cycle times cycles a second")),
+        shownRow(tr("Mean torque"), -result().M_up.mean, units::N_m, 2,
+                 tr("Work of a cycle over its crank angle")),
+        ownRow(tr("Peak pressure"), cycle.peak_pressure / units::bar, 1, tr("bar"),
+               tr("Largest pressure in the cylinder")),
+        ownRow(tr("at crank angle"), cycle.peak_pressure_angle / degree, 1, QStringLiteral("°"),
+               tr("Crank angle of the peak pressure")),
+        shownRow(tr("Displacement"), cycle.displacement, units::cm3, 1,
+                 tr("Piston area times stroke")),
     };
     if (cycle.clearance) {
-        rows.push_back(shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2));
+        rows << shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2,
+                         tr("Displacement over the compression ratio less 1"));
     }
     if (cycle.heat) {
-        rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
+        rows << ownRow(tr("Heat per cycle"), *cycle.heat, 1, tr("J"),
+                       tr("Released by the combustion, entered or found for the mean pressure"));
     }
     return rows;
 }
 
-QVector<QStringList> BalanceShaftModel::flywheelRows() const {
+ResultRows BalanceShaftModel::flywheelRows() const {
     const balance_shaft::Flywheel& wheel = result().flywheel;
-    const auto maybe = [](const std::optional<double>& value, const Unit& unit, int digits) {
-        return value ? shownFigures(*value, unit, digits) : QStringLiteral("–");
+    const auto row = [](const QString& name, const std::optional<double>& value, const Unit& unit,
+                        int digits, const QString& tip) {
+        return ResultRow(
+            {name,
+             value ? ResultCell(shownValue(*value, unit), shownFigures(*value, unit, digits))
+                   : ResultCell(QStringLiteral("–")),
+             shownUnit(unit).name},
+            tip);
     };
     const QString angle = QStringLiteral("°");
     // Half of δ to each side of the mean speed.
@@ -498,13 +547,18 @@ QVector<QStringList> BalanceShaftModel::flywheelRows() const {
                            ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0)
                            : std::nullopt;
     return {
-        {tr("Excess work ΔE"), number(wheel.excess_work, 1), tr("J")},
-        {tr("Fluctuation δ"), maybe(wheel.fluctuation, units::none, 4), QString()},
-        {tr("Moment of inertia J"), maybe(wheel.inertia, units::kg_m2, 4),
-         shownUnit(units::kg_m2).name},
-        {tr("Speed swings by ±"), maybe(swing, units::rpm, 3), shownUnit(units::rpm).name},
-        {tr("Fastest at crank angle"), number(wheel.max_angle / degree, 1), angle},
-        {tr("Slowest at crank angle"), number(wheel.min_angle / degree, 1), angle},
+        ownRow(tr("Excess work ΔE"), wheel.excess_work, 1, tr("J"),
+               tr("Largest less smallest ∫ (Mᵢ − mean) dφ over the cycle")),
+        row(tr("Fluctuation δ"), wheel.fluctuation, units::none, 4,
+            tr("(ω_max − ω_min) / ω = ΔE / (J ω²)")),
+        row(tr("Moment of inertia J"), wheel.inertia, units::kg_m2, 4,
+            tr("Of all that turns evenly, ΔE / (δ ω²)")),
+        row(tr("Speed swings by ±"), swing, units::rpm, 3,
+            tr("Half of δ n to either side of the mean speed")),
+        ownRow(tr("Fastest at crank angle"), wheel.max_angle / degree, 1, angle,
+               tr("Where the excess energy is largest")),
+        ownRow(tr("Slowest at crank angle"), wheel.min_angle / degree, 1, angle,
+               tr("Where the excess energy is smallest")),
     };
 }
 

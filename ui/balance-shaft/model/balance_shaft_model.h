@@ -8,7 +8,7 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "model/case_model.h"
-#include "text/result_tips.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 
@@ -124,18 +124,14 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double otherMasses() const;
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
-    QStringList criteriaColumns() const;
-    static ResultTips criteriaTips();
-    static ResultTips quantityTips();
-    static ResultTips cycleTips();
-    static ResultTips flywheelTips();
-    QVector<QStringList> criteriaRows() const;
-    QStringList quantityColumns() const;
-    QVector<QStringList> quantityRows() const;
+    ResultColumns criteriaColumns() const;
+    ResultRows criteriaRows() const;
+    ResultColumns quantityColumns() const;
+    ResultRows quantityRows() const;
     /// Work, pressures and power of a computed torque; empty for a table.
-    QVector<QStringList> cycleRows() const;
+    ResultRows cycleRows() const;
     /// Excess work, fluctuation and moment of inertia.
-    QVector<QStringList> flywheelRows() const;
+    ResultRows flywheelRows() const;
     /// Best α for range and RMS as sentences: of what can be built, and what another would gain.
     QString bestRangeText() const;
     QString bestRmsText() const;

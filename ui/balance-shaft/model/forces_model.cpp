@@ -35,61 +35,52 @@ ForcesModel::Loci ForcesModel::loci() const {
             inKilonewtons(balance_shaft::shaft_locus(balance))};
 }
 
-QVector<QStringList> ForcesModel::forceRows() const {
+ResultRows ForcesModel::forceRows() const {
     const balance_shaft::CrankBalance balance = balance_shaft::crank_balance(model_->solver());
-    const auto row = [](const QString& name, double value, const Unit& unit = units::newton) {
-        return shownRow(name, value, unit, 0);
+    const auto row = [](const QString& name, double value, const QString& tip,
+                        const Unit& unit = units::newton) {
+        return shownRow(name, value, unit, 0, tip);
     };
-    return {row(tr("1st order, P"), balance.first_order),
-            row(tr("along, (1 − κ) P"), balance.along),
-            row(tr("across, κ P"), balance.across),
-            row(tr("1st with shaft"), balance.with_shaft),
-            row(tr("2nd order, λ mⱼ r ω²"), balance.second_order),
-            row(tr("on crank, κ mⱼ r"), balance.counterweight_moment, units::gram_mm)};
-}
-
-QStringList ForcesModel::forceHints() {
-    return {tr("First-order inertia force, mⱼ r ω²"),
-            tr("Half-axis of the ellipse along the cylinder"),
-            tr("Half-axis of the ellipse across the cylinder"),
-            tr("First order that the shaft's two counterweights leave"),
-            tr("Second order along the cylinder; stays with and without a shaft"),
-            tr("Static moment of the counterweight on the crank")};
+    return {
+        row(tr("1st order, P"), balance.first_order, tr("First-order inertia force, mⱼ r ω²")),
+        row(tr("along, (1 − κ) P"), balance.along,
+            tr("Half-axis of the ellipse along the cylinder")),
+        row(tr("across, κ P"), balance.across, tr("Half-axis of the ellipse across the cylinder")),
+        row(tr("1st with shaft"), balance.with_shaft,
+            tr("First order that the shaft's two counterweights leave")),
+        row(tr("2nd order, λ mⱼ r ω²"), balance.second_order,
+            tr("Second order along the cylinder; stays with and without a shaft")),
+        row(tr("on crank, κ mⱼ r"), balance.counterweight_moment,
+            tr("Static moment of the counterweight on the crank"), units::gram_mm)};
 }
 
 balance_shaft::GearError ForcesModel::gearError() const {
     return balance_shaft::gear_error(model_->solver(), model_->input().shaft_angle);
 }
 
-QVector<QStringList> ForcesModel::gearRows(const balance_shaft::GearError& error) {
-    const auto fixed = [](double value, int digits) {
-        return fixedNumber(value, digits, QLocale());
+ResultRows ForcesModel::gearRows(const balance_shaft::GearError& error) {
+    const auto angle = [](double radians, int digits) {
+        return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
     };
-    const auto moment = [](double value, int digits) {
-        return shownDigits(value, units::N_m, digits);
+    const auto moments = [](double one, const QString& sign, double other, int digits) {
+        return shownDigits(one, units::N_m, digits) + sign + shownDigits(other, units::N_m, digits);
     };
-    const auto change = [&](double right, double wrong, int digits) {
-        return moment(right, digits) + QStringLiteral(" → ") + moment(wrong, digits);
-    };
+    const QString to = QStringLiteral(" → ");
     const QString momentUnit = shownUnit(units::N_m).name;
+    const QString degrees = QStringLiteral("°");
     return {
-        {tr("phase error"), fixed(error.phase_error / degree, 2), QStringLiteral("°")},
-        shownRow(tr("force left"), error.residual_force, units::newton, 0),
-        {tr("range"), change(error.right_range, error.range, 0), momentUnit},
-        {tr("RMS"), change(error.right_rms, error.rms, 1), momentUnit},
-        {tr("play, ±"), fixed(error.play / degree, 3), QStringLiteral("°")},
-        {tr("range in play"),
-         moment(error.play_range_low, 0) + QStringLiteral("…") + moment(error.play_range_high, 0),
-         momentUnit}};
-}
-
-QStringList ForcesModel::gearHints() {
-    return {tr("360° k / z"),
-            tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|"),
-            tr("ΔMᵤₚₛ, shaft in its right place → k teeth out"),
-            tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out"),
-            tr("The shaft wanders this far to either side: play / l"),
-            tr("Least and largest ΔMᵤₚₛ while the shaft wanders")};
+        {{tr("phase error"), angle(error.phase_error, 2), degrees}, tr("360° k / z")},
+        shownRow(tr("force left"), error.residual_force, units::newton, 0,
+                 tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
+        {{tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
+         tr("ΔMᵤₚₛ, shaft in its right place → k teeth out")},
+        {{tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
+         tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out")},
+        {{tr("play, ±"), angle(error.play, 3), degrees},
+         tr("The shaft wanders this far to either side: play / l")},
+        {{tr("range in play"),
+          moments(error.play_range_low, QStringLiteral("…"), error.play_range_high, 0), momentUnit},
+         tr("Least and largest ΔMᵤₚₛ while the shaft wanders")}};
 }
 
 }  // namespace ravnoves

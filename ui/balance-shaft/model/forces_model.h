@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QStringList>
-#include <QVector>
 
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/gear_error.h"
@@ -30,13 +28,10 @@ class ForcesModel {
     explicit ForcesModel(const BalanceShaftModel* model) : model_(model) {}
 
     Loci loci() const;
-    /// The table of the forces, and what the names of its rows mean.
-    QVector<QStringList> forceRows() const;
-    static QStringList forceHints();
+    ResultRows forceRows() const;
 
     balance_shaft::GearError gearError() const;
-    static QVector<QStringList> gearRows(const balance_shaft::GearError& error);
-    static QStringList gearHints();
+    static ResultRows gearRows(const balance_shaft::GearError& error);
 
   private:
     const BalanceShaftModel* model_;

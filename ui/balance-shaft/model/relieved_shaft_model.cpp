@@ -58,73 +58,59 @@ void RelievedShaftModel::choose(Sized sized) {
     model_->edit(tr("Size to find"), [&](Input& input) { input.relieved_shaft = next; });
 }
 
-QVector<QStringList> RelievedShaftModel::rows() const {
+ResultRows RelievedShaftModel::rows() const {
     const RelievedShaft& found = shaft();
     const balance_shaft::ShaftBending& bending = found.bending;
-    const auto row = [](const QString& name, double si, int decimals, const Unit& unit) {
-        QStringList cells = shownRow(name, si, unit, decimals);
+    const auto row = [](const QString& name, double si, int decimals, const Unit& unit,
+                        const QString& tip) {
+        ResultRow made = shownRow(name, si, unit, decimals, tip);
         if (!(si > 0.0)) {
-            cells[1] = QStringLiteral("–");
+            made[1] = QStringLiteral("–");
         }
-        return cells;
+        return made;
     };
     using units::mm;
     return {
-        row(tr("unbalance needed, m₁ ρ₁"), found.required, 0, units::gram_mm),
-        row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm),
-        row(tr("width of the flat"), 2.0 * found.half_width, 2, mm),
-        row(tr("mass of the relieved part"), found.mass, 3, units::kg),
-        row(tr("mass milled away"), found.removed_mass, 3, units::kg),
-        row(tr("radius of its centre of mass"), found.centre_of_mass_radius, 2, mm),
-        row(tr("critical bar radius"), found.critical_radius, 2, mm),
-        row(tr("critical length"), found.critical_length, 1, mm),
-        row(tr("bearing span L"), found.bearing_span, 1, mm),
-        row(tr("whirling speed"), bending.critical_speed, 0, units::rpm),
+        row(tr("unbalance needed, m₁ ρ₁"), found.required, 0, units::gram_mm,
+            tr("What both counterweights have by equation (1)")),
+        row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm,
+            tr("U = 2/3 ρ b a³, a² = h (D − h)")),
+        row(tr("width of the flat"), 2.0 * found.half_width, 2, mm, tr("2 a = 2 √(h (D − h))")),
+        row(tr("mass of the relieved part"), found.mass, 3, units::kg,
+            tr("ρ b A of the section that is left")),
+        row(tr("mass milled away"), found.removed_mass, 3, units::kg,
+            tr("ρ b times the area of the segment")),
+        row(tr("radius of its centre of mass"), found.centre_of_mass_radius, 2, mm,
+            tr("U over the mass of the relieved part, on the side away from the flat")),
+        row(tr("critical bar radius"), found.critical_radius, 2, mm,
+            tr("The smallest bar radius that can have the unbalance at this length: with half of "
+               "the bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.")),
+        row(tr("critical length"), found.critical_length, 1, mm,
+            tr("The shortest relief that can have the unbalance with this bar: with half of it "
+               "milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.")),
+        row(tr("bearing span L"), found.bearing_span, 1, mm,
+            tr("As entered, or b + D; the relief stands in the middle")),
+        row(tr("whirling speed"), bending.critical_speed, 0, units::rpm,
+            tr("First bending critical speed between two simple supports, towards the flat; "
+               "finite elements of the beam with its steps")),
         row(tr("over the speed"), bending.critical_speed / model_->input().angular_speed, 2,
-            {"×", 1.0}),
-        row(tr("load of a bearing"), bending.bearing_load, 0, units::newton),
-        row(tr("sag at speed"), bending.deflection, 3, mm),
-        row(tr("permitted sag"), found.permitted_sag, 3, mm),
-        row(tr("sag at rest"), bending.weight_sag, 4, mm),
+            {"×", 1.0},
+            tr("Whirling speed over the speed entered; must reach the margin asked for")),
+        row(tr("load of a bearing"), bending.bearing_load, 0, units::newton,
+            tr("Half of the centrifugal load U ω², grown by the deflection, and of the weight")),
+        row(tr("sag at speed"), bending.deflection, 3, mm,
+            tr("Largest deflection under the centrifugal load, which grows with it, and the "
+               "weight")),
+        row(tr("permitted sag"), found.permitted_sag, 3, mm, tr("As entered, or L / 1200")),
+        row(tr("sag at rest"), bending.weight_sag, 4, mm,
+            tr("Largest deflection under the weight alone, flat up")),
         row(tr("tilt of the journals"), bending.journal_slope, 2,
-            {QT_TRANSLATE_NOOP("core", "mrad"), 1e-3}),
-        row(tr("bending stress"), bending.bending_stress, 1, units::MPa),
-        row(tr("stress with shear"), bending.combined_stress, 1, units::MPa),
-    };
-}
-
-ResultTips RelievedShaftModel::tips() {
-    return {
-        {tr("unbalance needed, m₁ ρ₁"), tr("What both counterweights have by equation (1)")},
-        {tr("unbalance of the shaft"), tr("U = 2/3 ρ b a³, a² = h (D − h)")},
-        {tr("width of the flat"), tr("2 a = 2 √(h (D − h))")},
-        {tr("mass of the relieved part"), tr("ρ b A of the section that is left")},
-        {tr("mass milled away"), tr("ρ b times the area of the segment")},
-        {tr("radius of its centre of mass"),
-         tr("U over the mass of the relieved part, on the side away from the flat")},
-        {tr("critical bar radius"),
-         tr("The smallest bar radius that can have the unbalance at this length: with half of the "
-            "bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.")},
-        {tr("critical length"),
-         tr("The shortest relief that can have the unbalance with this bar: with half of it milled "
-            "away, 3 U / (2 ρ R³). It has nothing to do with vibration.")},
-        {tr("bearing span L"), tr("As entered, or b + D; the relief stands in the middle")},
-        {tr("whirling speed"),
-         tr("First bending critical speed between two simple supports, towards the flat; finite "
-            "elements of the beam with its steps")},
-        {tr("over the speed"),
-         tr("Whirling speed over the speed entered; must reach the margin asked for")},
-        {tr("load of a bearing"),
-         tr("Half of the centrifugal load U ω², grown by the deflection, and of the weight")},
-        {tr("sag at speed"),
-         tr("Largest deflection under the centrifugal load, which grows with it, and the weight")},
-        {tr("permitted sag"), tr("As entered, or L / 1200")},
-        {tr("sag at rest"), tr("Largest deflection under the weight alone, flat up")},
-        {tr("tilt of the journals"),
-         tr("Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.")},
-        {tr("bending stress"), tr("Largest bending moment over the section modulus, σ = M / W")},
-        {tr("stress with shear"),
-         tr("Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress")},
+            {QT_TRANSLATE_NOOP("core", "mrad"), 1e-3},
+            tr("Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.")),
+        row(tr("bending stress"), bending.bending_stress, 1, units::MPa,
+            tr("Largest bending moment over the section modulus, σ = M / W")),
+        row(tr("stress with shear"), bending.combined_stress, 1, units::MPa,
+            tr("Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress")),
     };
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
 #include <QObject>
-#include <QStringList>
-#include <QVector>
 #include <optional>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/relieved_shaft.h"
-#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -33,9 +30,7 @@ class RelievedShaftModel : public QObject {
     std::optional<double> sizeMm(Size size) const;
     bool isGiven(Size size) const { return (sizes().*size).has_value(); }
 
-    /// The page's table, and what the names of its rows mean.
-    QVector<QStringList> rows() const;
-    static ResultTips tips();
+    ResultRows rows() const;
     QString verdict() const;
     /// Section and side view, real size.
     /// @return an empty string, or what went wrong

@@ -20,6 +20,10 @@ QString degreesOf(const Words& words, double angle) {
     return words.number(angle, units::degree, 1);
 }
 
+ResultCell direction(const Words& words, double angle) {
+    return {angle / degree, degreesOf(words, angle), ResultCell::Kind::Direction};
+}
+
 QString unbalanceOf(const Words& words, double unbalance) {
     return words.number(unbalance, units::gram_mm, 1);
 }
@@ -286,16 +290,17 @@ QStringList lineHead(const Words& words) {
             words.translate("BobWeights", "In all, %1").arg(gram)};
 }
 
-QVector<QStringList> lines(const Words& words, const Result& result) {
-    QVector<QStringList> rows;
+ResultRows lines(const Words& words, const Result& result) {
+    ResultRows rows;
     for (const Line& line : result.lines) {
-        rows << QStringList{words.name(line.part->field), words.digits(line.mass, units::gram, 1),
-                            QStringLiteral("× ") + words.plain(line.factor, 4),
-                            words.digits(line.product(), units::gram, 1)};
+        rows << ResultRow({words.name(line.part->field), words.cell(line.mass, units::gram, 1),
+                           QStringLiteral("× ") + words.plain(line.factor, 4),
+                           words.cell(line.product(), units::gram, 1)},
+                          words.text(line.part->field.hint));
     }
     if (result.bob_weight) {
-        rows << QStringList{words.translate("BobWeights", "Sum"), QString(), QString(),
-                            words.digits(*result.bob_weight, units::gram, 1)};
+        rows << ResultRow{words.translate("BobWeights", "Sum"), QString(), QString(),
+                          words.cell(*result.bob_weight, units::gram, 1)};
     }
     return rows;
 }
@@ -313,8 +318,8 @@ QStringList runHead(const Words& words) {
             words.translate("BobWeights", "Measured")};
 }
 
-QVector<QStringList> runs(const Words& words, const Result& result) {
-    QVector<QStringList> rows;
+ResultRows runs(const Words& words, const Result& result) {
+    ResultRows rows;
     for (std::size_t run = 0; run < result.runs.size(); ++run) {
         const auto& planes = result.runs[run].planes;
         const auto cell = [&](std::size_t i) {
@@ -325,8 +330,8 @@ QVector<QStringList> runs(const Words& words, const Result& result) {
         const QString verdict = verdictText(
             words, result.runs[run].holds() ? verdictWord(result.runs[run].passes(), std::nullopt)
                                             : otherWord(result.runs[run]));
-        rows << QStringList{runName(words, run), cell(0), cell(1),
-                            verdict.isEmpty() ? noNumber : verdict};
+        rows << ResultRow{runName(words, run), cell(0), cell(1),
+                          verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
 }
@@ -340,8 +345,8 @@ QStringList planeHead(const Words& words) {
             words.translate("BobWeights", "Verdict")};
 }
 
-QVector<QStringList> planes(const Words& words, const Result& result) {
-    QVector<QStringList> rows;
+ResultRows planes(const Words& words, const Result& result) {
+    ResultRows rows;
     if (!result.correction) {
         return rows;
     }
@@ -350,12 +355,15 @@ QVector<QStringList> planes(const Words& words, const Result& result) {
         const QString verdict = verdictText(
             words, result.holds() ? verdictWord(plane.measured_within, plane.within_tolerance)
                                   : otherWord(*result.newest()));
-        rows << QStringList{planeName(words, i), unbalanceOf(words, plane.unbalance),
-                            degreesOf(words, plane.angle),
-                            words.number(plane.grams_at_radius, units::gram, 2),
-                            // Of readings that may not hold nothing is known to remain.
-                            result.holds() ? unbalanceOf(words, plane.remaining) : noNumber,
-                            verdict.isEmpty() ? noNumber : verdict};
+        const auto unbalance = [&](double value) {
+            return words.cellWithUnit(value, units::gram_mm, 1);
+        };
+        rows << ResultRow{planeName(words, i), unbalance(plane.unbalance),
+                          direction(words, plane.angle),
+                          words.cellWithUnit(plane.grams_at_radius, units::gram, 2),
+                          // Of readings that may not hold nothing is known to remain.
+                          result.holds() ? unbalance(plane.remaining) : ResultCell(noNumber),
+                          verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
 }
@@ -367,16 +375,16 @@ QStringList holeHead(const Words& words) {
             words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram))};
 }
 
-QVector<QStringList> holes(const Words& words, const Result& result, std::size_t plane) {
-    QVector<QStringList> rows;
+ResultRows holes(const Words& words, const Result& result, std::size_t plane) {
+    ResultRows rows;
     // Nothing is drilled by readings that may not hold.
     if (!result.correction || !result.holds()) {
         return rows;
     }
     const auto add = [&](const Hole& hole, const QString& work, double sign) {
-        rows << QStringList{work.arg(words.plainWithUnit(hole.diameter, units::mm, 2)),
-                            words.digits(hole.depth, units::mm, 1), degreesOf(words, hole.angle),
-                            words.digits(sign * hole.mass, units::gram, 2)};
+        rows << ResultRow{work.arg(words.plainWithUnit(hole.diameter, units::mm, 2)),
+                          words.cell(hole.depth, units::mm, 1), direction(words, hole.angle),
+                          words.cell(sign * hole.mass, units::gram, 2)};
     };
     const PlaneResult& found = result.correction->at(plane);
     for (const Hole& hole : found.holes) {
@@ -394,7 +402,7 @@ QVector<QStringList> holes(const Words& words, const Result& result, std::size_t
     return rows;
 }
 
-QVector<QStringList> holes(const Words& words, const Result& result) {
+ResultRows holes(const Words& words, const Result& result) {
     return holes(words, result, 0) + holes(words, result, 1);
 }
 

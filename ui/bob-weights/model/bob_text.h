@@ -50,18 +50,17 @@ std::optional<matching_text::Shown> matchingShown(const bob_weights::Input& inpu
 QString balance(const Words& words, bob_weights::Balance balance);
 
 QStringList lineHead(const Words& words);
-QVector<QStringList> lines(const Words& words, const bob_weights::Result& result);
+ResultRows lines(const Words& words, const bob_weights::Result& result);
 /// "Before", "Run 1".
 QString runName(const Words& words, std::size_t run);
 QStringList runHead(const Words& words);
 /// The runs of the machine, their readings taken to the planes.
-QVector<QStringList> runs(const Words& words, const bob_weights::Result& result);
+ResultRows runs(const Words& words, const bob_weights::Result& result);
 QStringList planeHead(const Words& words);
-QVector<QStringList> planes(const Words& words, const bob_weights::Result& result);
+ResultRows planes(const Words& words, const bob_weights::Result& result);
 QStringList holeHead(const Words& words);
-QVector<QStringList> holes(const Words& words, const bob_weights::Result& result);
+ResultRows holes(const Words& words, const bob_weights::Result& result);
 /// Those of one plane.
-QVector<QStringList> holes(const Words& words, const bob_weights::Result& result,
-                           std::size_t plane);
+ResultRows holes(const Words& words, const bob_weights::Result& result, std::size_t plane);
 
 }  // namespace ravnoves::bob_text

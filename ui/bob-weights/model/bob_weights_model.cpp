@@ -420,9 +420,9 @@ std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
     return bob_text::matchingShown(input(), solution());
 }
 
-QVector<QStringList> BobWeightsModel::takeOffRows() const {
+ResultRows BobWeightsModel::takeOffRows() const {
     return input().weigh_in ? matching_text::takeOff(Words(), masses_of(*input().weigh_in))
-                            : QVector<QStringList>();
+                            : ResultRows();
 }
 
 bool BobWeightsModel::isSearching() const {
@@ -617,91 +617,81 @@ bool BobWeightsModel::isDone() const {
                        [](const PlaneResult& plane) { return plane.reason.empty(); });
 }
 
-QStringList BobWeightsModel::lineColumns() const {
-    return bob_text::lineHead(Words());
+namespace {
+
+/// @param tips  of the headings behind the first
+ResultColumns columnsOf(const QStringList& heads, const QStringList& tips) {
+    ResultColumns columns(heads.begin(), heads.end());
+    for (qsizetype i = 1; i < columns.size(); ++i) {
+        columns[i].tip = tips.value(i - 1);
+    }
+    return columns;
 }
 
-QVector<QStringList> BobWeightsModel::lineRows() const {
-    return bob_text::lines(Words(), solution());
+}  // namespace
+
+ResultColumns BobWeightsModel::lineColumns() const {
+    return columnsOf(
+        bob_text::lineHead(Words()),
+        {QString(),
+         tr("How many times the mass is in the bob weight: rods on it, times the factor for what "
+            "moves with the piston"),
+         tr("Mass × how often it counts")});
 }
 
-QStringList BobWeightsModel::runColumns() const {
-    return bob_text::runHead(Words());
+ResultRows BobWeightsModel::lineRows() const {
+    ResultRows rows = bob_text::lines(Words(), solution());
+    if (solution().bob_weight) {
+        rows.last().tip = tr("The bob weight: weigh it out so");
+    }
+    return rows;
 }
 
-QVector<QStringList> BobWeightsModel::runRows() const {
-    return newestRun() > 0 ? bob_text::runs(Words(), solution()) : QVector<QStringList>();
+ResultColumns BobWeightsModel::runColumns() const {
+    return columnsOf(bob_text::runHead(Words()),
+                     {tr("The readings of the run taken to the front plane"),
+                      tr("The readings of the run taken to the rear plane"),
+                      tr("By the limits of both planes")});
 }
 
-QStringList BobWeightsModel::planeColumns() const {
+ResultRows BobWeightsModel::runRows() const {
+    return newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows();
+}
+
+ResultColumns BobWeightsModel::planeColumns() const {
     const Words words;
     return {bob_text::planeHead(words).first(), words.translate("BobWeights", "Front"),
             words.translate("BobWeights", "Rear")};
 }
 
-QVector<QStringList> BobWeightsModel::planeRows() const {
+ResultRows BobWeightsModel::planeRows() const {
     const Words words;
-    const QVector<QStringList> planes = bob_text::planes(words, solution());
+    const ResultRows planes = bob_text::planes(words, solution());
     const QStringList names = bob_text::planeHead(words);
-    QVector<QStringList> rows;
+    const QStringList tips{
+        tr("Both readings taken to the correction planes: same force, same moment"),
+        tr("Angle of the heavy spot from the machine's zero mark"),
+        tr("Mass that makes this unbalance at the plane's radius"),
+        tr("What the holes below leave, their depths rounded, added up as vectors"),
+        tr("By the limit of the plane: as measured → after the correction")};
+    ResultRows rows;
     for (qsizetype i = 1; i < names.size() && planes.size() == 2; ++i) {
-        rows << QStringList{names[i], planes[0][i], planes[1][i]};
+        rows << ResultRow({names[i], planes[0][i], planes[1][i]}, tips.value(i - 1));
     }
     return rows;
 }
 
-QStringList BobWeightsModel::holeColumns() const {
-    return bob_text::holeHead(Words());
+ResultColumns BobWeightsModel::holeColumns() const {
+    return columnsOf(
+        bob_text::holeHead(Words()),
+        {tr("To the full diameter; the cone of the drill's point lies beyond"),
+         tr("From the machine's zero mark"),
+         tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
+            "steel weighed")});
 }
 
-QVector<QStringList> BobWeightsModel::holeRows() const {
+ResultRows BobWeightsModel::holeRows() const {
     return bob_text::holes(Words(), solution());
-}
-
-ResultTips BobWeightsModel::lineTips() {
-    ResultTips tips{
-        {Words().translate("BobWeights", "Counts"),
-         tr("How many times the mass is in the bob weight: rods on it, times the factor for what "
-            "moves with the piston")},
-        {Words().translate("BobWeights", "In all, %1"), tr("Mass × how often it counts")},
-        {Words().translate("BobWeights", "Sum"), tr("The bob weight: weigh it out so")}};
-    for (const PartField& part : part_fields()) {
-        tips << std::pair(fieldName(part.field), shownText(part.field.hint));
-    }
-    return tips;
-}
-
-ResultTips BobWeightsModel::planeTips() {
-    const Words words;
-    return {{words.translate("BobWeights", "Measured"),
-             tr("Both readings taken to the correction planes: same force, same moment")},
-            {words.translate("BobWeights", "Heavy at"),
-             tr("Angle of the heavy spot from the machine's zero mark")},
-            {words.translate("BobWeights", "At the radius"),
-             tr("Mass that makes this unbalance at the plane's radius")},
-            {words.translate("BobWeights", "After correction"),
-             tr("What the holes below leave, their depths rounded, added up as vectors")},
-            {words.translate("BobWeights", "Verdict"),
-             tr("By the limit of the plane: as measured → after the correction")}};
-}
-
-ResultTips BobWeightsModel::runTips() {
-    const Words words;
-    return {{words.translate("BobWeights", "Front, %1"),
-             tr("The readings of the run taken to the front plane")},
-            {words.translate("BobWeights", "Rear, %1"),
-             tr("The readings of the run taken to the rear plane")},
-            {words.translate("BobWeights", "Measured"), tr("By the limits of both planes")}};
-}
-
-ResultTips BobWeightsModel::holeTips() {
-    const Words words;
-    return {{words.translate("BobWeights", "Depth, %1"),
-             tr("To the full diameter; the cone of the drill's point lies beyond")},
-            {words.translate("BobWeights", "Angle"), tr("From the machine's zero mark")},
-            {words.translate("BobWeights", "Takes off, %1"),
-             tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
-                "steel weighed")}};
 }
 
 // ------------------------------------------------------------------------------------- journal

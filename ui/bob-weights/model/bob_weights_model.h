@@ -6,7 +6,7 @@
 #include "bob-weights/input.h"
 #include "bob-weights/solver.h"
 #include "model/case_model.h"
-#include "text/result_tips.h"
+#include "text/result_row.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/matching_text.h"
 
@@ -99,7 +99,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString weighInText() const;
     /// Which sets to move; nothing where no column is weighed whole.
     std::optional<matching_text::Shown> matchingShown() const;
-    QVector<QStringList> takeOffRows() const;
+    ResultRows takeOffRows() const;
     /// True while the best placing is still looked for.
     bool isSearching() const;
     /// The weights change places as the placing says.
@@ -127,19 +127,15 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// True where all planes are within their limits, or no limit is given and all is taken off.
     bool isDone() const;
 
-    QStringList lineColumns() const;
-    QVector<QStringList> lineRows() const;
-    QStringList runColumns() const;
-    QVector<QStringList> runRows() const;  ///< nothing where there is but one run
+    ResultColumns lineColumns() const;
+    ResultRows lineRows() const;
+    ResultColumns runColumns() const;
+    ResultRows runRows() const;  ///< nothing where there is but one run
     /// A row for each quantity, a column for each plane.
-    QStringList planeColumns() const;
-    QVector<QStringList> planeRows() const;
-    QStringList holeColumns() const;
-    QVector<QStringList> holeRows() const;
-    static ResultTips lineTips();
-    static ResultTips planeTips();
-    static ResultTips runTips();
-    static ResultTips holeTips();
+    ResultColumns planeColumns() const;
+    ResultRows planeRows() const;
+    ResultColumns holeColumns() const;
+    ResultRows holeRows() const;
 
     // ------------------------------------------------------------------------------- journal
     JobDesk* desk() { return &desk_; }

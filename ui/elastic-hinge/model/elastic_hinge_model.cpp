@@ -59,10 +59,11 @@ QString withItsUnit(double si, const Unit& unit, int digits = 4) {
 }
 
 /// A preload, rounded up so that what is shown suffices.
-QString preloadUp(double length) {
+ResultCell preloadUp(double length) {
     const int decimals = 4 + shownUnit(units::mm).decimals;
     const double parts = std::pow(10.0, decimals);
-    return number(std::ceil(shownValue(length, units::mm) * parts - 1e-9) / parts, decimals);
+    const double shown = std::ceil(shownValue(length, units::mm) * parts - 1e-9) / parts;
+    return {shown, number(shown, decimals)};
 }
 
 /// The largest of 1, 2, 5, 10, … that is not above the value, at least 1.
@@ -409,86 +410,95 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
                              .arg(relief, error, spoilt)};
 }
 
-QStringList ElasticHingeModel::quantityColumns() const {
+ResultColumns ElasticHingeModel::quantityColumns() const {
     return {tr("Quantity"), tr("Value"), tr("Unit")};
 }
 
-QVector<QStringList> ElasticHingeModel::quantityRows() const {
-    QString none = QStringLiteral("–");
-    const auto name = [](const Unit& unit) { return shownUnit(unit).name; };
-    const QString newton = name(units::newton);
-    const QString millimetre = name(units::mm);
-    const auto length = [](double value, int decimals) {
-        return shownDigits(value, units::mm, decimals);
-    };
+ResultRows ElasticHingeModel::quantityRows() const {
+    const ResultCell none(QStringLiteral("–"));
     const Guide& guide = result().crank_guide;
     const bool there = guide.feasible;
-    const bool known = guide.shape != nullptr;
-    const auto when = [&](bool shown, const QString& text) { return shown ? text : none; };
-
-    QVector<QStringList> rows;
-    rows << QStringList{tr("Relief of the guide"), when(there, length(guide.relief, 4)),
-                        millimetre};
-    rows << QStringList{tr("Preload needed / given"),
-                        when(known, preloadUp(guide.minimum_preload) + QStringLiteral(" / ") +
-                                        length(guide.preload, 2)),
-                        millimetre};
-    rows << QStringList{tr("Spring travel"), when(there, length(guide.spring_travel, 3)),
-                        millimetre};
-    rows << QStringList{tr("Largest spring force"),
-                        when(there, significant(guide.largest_spring_force, units::kN)),
-                        name(units::kN)};
-    rows << QStringList{
-        tr("Moment error from %1").arg(withItsUnit(input().profile_error, units::micrometre, 3)),
-        when(there, shownDigits(guide.error.torque, units::N_m, 2) + QStringLiteral(" (") +
-                        percentText(guide.error.relative) + QLatin1Char(')')),
-        name(units::N_m)};
-    rows << QStringList{tr("Least curvature radius"),
-                        when(there, length(guide.summary().smallest_curvature_radius, 2)),
-                        millimetre};
-    rows << QStringList{tr("Largest roller radius"),
-                        when(there, guide.summary().largest_roller_radius
-                                        ? length(*guide.summary().largest_roller_radius, 2)
-                                        : tr("any")),
-                        millimetre};
-    rows << QStringList{tr("∮ M₁₂ dφ"), number(result().rod_hinge_integral, 3), tr("J")};
-    rows << QStringList{tr("Side force without hinge"),
-                        shownDigits(result().largest_side_force_without, units::newton, 1), newton};
+    const auto when = [&](bool shown, const ResultCell& cell) { return shown ? cell : none; };
+    const auto row = [&](const QString& name, const ResultCell& cell, const Unit& unit,
+                         const QString& tip) {
+        return ResultRow({name, cell, shownUnit(unit).name}, tip);
+    };
+    const auto length = [&](const QString& name, double value, int decimals, const QString& tip) {
+        return row(name, when(there, shownCell(value, units::mm, decimals)), units::mm, tip);
+    };
+    const auto& roller = guide.summary().largest_roller_radius;
     const double with = result().largest_side_force_with;
     const double reduction = result().largest_side_force_without / with;
-    rows << QStringList{tr("Side force with rod hinge"),
-                        shownDigits(with, units::newton, 2) +
-                            (with > 0.0 && std::isfinite(reduction)
-                                 ? QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')')
-                                 : QString()),
-                        newton};
-    const double gravity = input().gravity;
-    rows << QStringList{
-        tr("Counterweight P₄"),
-        when(result().has_counterweight,
-             input().masses_as_weights
-                 ? shownDigits(result().counterweight_mass * gravity, units::newton, 3)
-                 : shownDigits(result().counterweight_mass, units::kg, 4)),
-        input().masses_as_weights ? newton : name(units::kg)};
-    const auto ripple = [&](const std::optional<Motion>& motion) {
-        if (!motion) {
-            return none;
-        }
-        if (motion->end == MotionEnd::reversed) {
-            return tr("reverses");
-        }
-        return number(100.0 * motion->ripple, motion->ripple < 1e-3 ? 5 : 2);
+    ResultCell sideForce = shownCell(with, units::newton, 2);
+    if (with > 0.0 && std::isfinite(reduction)) {
+        sideForce.text += QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')');
+    }
+    const Unit weight = input().masses_as_weights ? units::newton : units::kg;
+    const double counterweight =
+        result().counterweight_mass * (input().masses_as_weights ? input().gravity : 1.0);
+    const auto ripple = [&](const QString& name, const std::optional<Motion> HingeMotions::*which,
+                            const QString& tip) {
+        const Motion* motion = motions_ && (*motions_).*which ? &*((*motions_).*which) : nullptr;
+        const ResultCell cell =
+            motion == nullptr ? none
+            : motion->end == MotionEnd::reversed
+                ? ResultCell(tr("reverses"))
+                : ResultCell(100.0 * motion->ripple,
+                             number(100.0 * motion->ripple, motion->ripple < 1e-3 ? 5 : 2));
+        return ResultRow({name, cell, QStringLiteral("%")}, tip);
     };
-    const QString share = QStringLiteral("%");
-    rows << QStringList{tr("Ripple without hinge"), motions_ ? ripple(motions_->without) : none,
-                        share};
-    rows << QStringList{tr("Ripple with hinge"), motions_ ? ripple(motions_->crank) : none, share};
-    rows << QStringList{
-        tr("Ripple from %1")
-            .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
-                             units::rad_per_s)),
-        motions_ ? ripple(motions_->offDesign) : none, share};
-    return rows;
+    return {
+        length(tr("Relief of the guide"), guide.relief, 4,
+               tr("Largest less smallest radius of the guide")),
+        row(tr("Preload needed / given"),
+            when(guide.shape != nullptr,
+                 ResultCell::two(QStringLiteral("%1 / %2"), preloadUp(guide.minimum_preload),
+                                 shownCell(guide.preload, units::mm, 2))),
+            units::mm,
+            tr("|ℓ₀/2 − ρ₀|: the least with which the spring can store the energy, and the present "
+               "one")),
+        length(tr("Spring travel"), guide.spring_travel, 3,
+               tr("Largest less smallest length of the spring over a turn")),
+        row(tr("Largest spring force"),
+            when(there, {shownValue(guide.largest_spring_force, units::kN),
+                         significant(guide.largest_spring_force, units::kN)}),
+            units::kN, tr("c |ℓ − ℓ₀|, largest over a turn")),
+        row(tr("Moment error from %1")
+                .arg(withItsUnit(input().profile_error, units::micrometre, 3)),
+            when(there, ResultCell::two(
+                            QStringLiteral("%1 (%2)"), shownCell(guide.error.torque, units::N_m, 2),
+                            {100.0 * guide.error.relative, percentText(guide.error.relative),
+                             ResultCell::Kind::Percent})),
+            units::N_m,
+            tr("Largest error of the hinge's moment when the guide is made so much off its "
+               "profile; in brackets against the largest moment")),
+        length(tr("Least curvature radius"), guide.summary().smallest_curvature_radius, 2,
+               tr("Of the guide; a cutter must be smaller")),
+        row(tr("Largest roller radius"),
+            when(there, roller ? shownCell(*roller, units::mm, 2) : ResultCell(tr("any"))),
+            units::mm, tr("That still touches the whole guide")),
+        {{tr("∮ M₁₂ dφ"),
+          {result().rod_hinge_integral, number(result().rod_hinge_integral, 3)},
+          tr("J")},
+         tr("Work of the rod hinge's moment over a turn; 0 where a spring can give it")},
+        shownRow(tr("Side force without hinge"), result().largest_side_force_without, units::newton,
+                 1, tr("Largest force of the slider on its guide")),
+        row(tr("Side force with rod hinge"), sideForce, units::newton,
+            tr("The same with the hinge in the rod; in brackets how many times less")),
+        row(tr("Counterweight P₄"),
+            when(result().has_counterweight,
+                 shownCell(counterweight, weight, input().masses_as_weights ? 3 : 4)),
+            weight, tr("On the rod, with which ∮ M₁₂ dφ = 0, or as entered")),
+        ripple(tr("Ripple without hinge"), &HingeMotions::without,
+               tr("(ω_max − ω_min) / ω mean of the free motion, %")),
+        ripple(tr("Ripple with hinge"), &HingeMotions::crank,
+               tr("The same with the crank's hinge")),
+        ripple(tr("Ripple from %1")
+                   .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
+                                    units::rad_per_s)),
+               &HingeMotions::offDesign,
+               tr("The same when the crank starts at another speed than the hinge is made for")),
+    };
 }
 
 QString ElasticHingeModel::notesText() const {

@@ -12,7 +12,7 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
-#include "text/result_tips.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 
@@ -107,9 +107,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     Verdict verdict() const;
     // What the page's tables show: text in the user's locale, the first column the row's name.
-    QStringList quantityColumns() const;
-    static ResultTips quantityTips();
-    QVector<QStringList> quantityRows() const;
+    ResultColumns quantityColumns() const;
+    ResultRows quantityRows() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
     /// How the motions went, one line each.

@@ -12,7 +12,6 @@
 #include "model/case_model_json.h"
 #include "numerics/angle.h"
 #include "plot/model/ticks.h"
-#include "text/all_digits.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -63,16 +62,16 @@ QString figure(double value) {
         return number(0.0, 0);
     }
     if (size >= 1e6 || size < 1e-4) {
-        return AllDigits::areWanted() ? formNumber(value, QLocale())
-                                      : powerText(value, QLocale(), 4);
+        return powerText(value, QLocale(), 4);
     }
     const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
     return number(value, std::min(decimals, 3));
 }
 
 /// Of a quantity, in the unit shown.
-QString figure(double si, const Unit& unit) {
-    return figure(shownValue(si, unit));
+ResultCell figure(double si, const Unit& unit) {
+    const double value = shownValue(si, unit);
+    return {value, figure(value)};
 }
 
 const Unit& unitOf(Quantity quantity) {
@@ -84,21 +83,27 @@ QString forceAndMoment() {
 }
 
 /// The same, and 0 where it is nothing but rounding beside its scale.
-QString figure(double si, double scale, const Unit& unit) {
-    return std::abs(si) > inertia_moments::zero_share * scale ? figure(si, unit)
-                                                              : QStringLiteral("0");
+ResultCell figure(double si, double scale, const Unit& unit) {
+    return std::abs(si) > inertia_moments::zero_share * scale
+               ? figure(si, unit)
+               : ResultCell(0.0, QStringLiteral("0"));
 }
 
-QString degrees(double radians) {
+ResultCell degrees(double radians) {
+    const double angle = wrap(radians / degree, 360.0);
     // 359.96 would print as 360.0
-    const double rounded = std::round(wrap(radians / degree, 360.0) * 10.0) / 10.0;
-    return number(rounded >= 360.0 ? 0.0 : rounded, 1);
+    const double rounded = std::round(angle * 10.0) / 10.0;
+    return {angle, number(rounded >= 360.0 ? 0.0 : rounded, 1), ResultCell::Kind::Direction};
 }
 
 /// A direction, or a dash where the vector is nothing beside its scale.
-QString directionText(const Complex& vector, double scale) {
+ResultCell directionOf(const Complex& vector, double scale) {
     return std::abs(vector) > inertia_moments::zero_share * scale ? degrees(std::arg(vector))
-                                                                  : dash;
+                                                                  : ResultCell(dash);
+}
+
+ResultCell percent(double share) {
+    return {100.0 * share, number(100.0 * share, 1)};
 }
 
 std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double Cylinder::*member) {
@@ -674,6 +679,35 @@ QString componentName(const Difference& d) {
     return order + QStringLiteral("Mz");
 }
 
+QString componentTip(const Difference& d) {
+    const bool isHorizontal = d.plane == Plane::horizontal;
+    switch (d.quantity) {
+        case Quantity::force:
+            return isHorizontal
+                       ? InertiaMomentsModel::tr("Force to the right; the number is its order")
+                       : InertiaMomentsModel::tr("Force upwards; the number is its order");
+        case Quantity::moment:
+            return isHorizontal
+                       ? InertiaMomentsModel::tr("Moment in the horizontal plane, Σ Fx (z − z_ref)")
+                       : InertiaMomentsModel::tr("Moment in the vertical plane, Σ Fy (z − z_ref)");
+        case Quantity::roll:
+            break;
+    }
+    return InertiaMomentsModel::tr(
+        "Roll moment on the engine, of offsets, rods and the reaction of the torque");
+}
+
+/// The rows of force and moment of an order.
+void addOrder(ResultRows& rows, int order, QVector<ResultCell> force, QVector<ResultCell> moment) {
+    const QString k = QString::number(order) + wideSpace;
+    force.prepend(k + QStringLiteral("F"));
+    moment.prepend(k + QStringLiteral("M"));
+    rows << ResultRow(std::move(force),
+                      InertiaMomentsModel::tr("Force of the order k = the number"))
+         << ResultRow(std::move(moment),
+                      InertiaMomentsModel::tr("Moment of the order k = the number"));
+}
+
 Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
     if (d.quantity == Quantity::roll) {
         return order.roll();
@@ -684,129 +718,155 @@ Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
 
 }  // namespace
 
-QStringList InertiaMomentsModel::orderColumns() const {
-    return {forceAndMoment(), tr("exact"), tr("phase, °"), tr("two-term"), tr("diff., %")};
+ResultColumns InertiaMomentsModel::orderColumns() const {
+    return {forceAndMoment(),
+            {tr("exact"), tr("Amplitude of the order in the exact motion of the pistons")},
+            {tr("phase, °"), tr("kφ at which the exact component is largest")},
+            {tr("two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
+            {tr("diff., %"), tr("Two-term against exact, as a share of exact")}};
 }
 
-QVector<QStringList> InertiaMomentsModel::orderRows() const {
-    QVector<QStringList> rows;
+ResultRows InertiaMomentsModel::orderRows() const {
+    ResultRows rows;
     rows.reserve(static_cast<qsizetype>(result().differences.size()));
+    const ResultCell zero(0.0, QStringLiteral("0"));
     for (const Difference& d : result().differences) {
         const Harmonic<double> h = componentOf(result().exact.order(d.order), d);
-        if (!d.relative) {
-            rows.push_back(
-                {componentName(d), QStringLiteral("0"), dash, QStringLiteral("0"), dash});
-            continue;
-        }
         const Unit& unit = unitOf(d.quantity);
-        rows.push_back({componentName(d), figure(d.exact, unit), degrees(inertia_moments::phase(h)),
-                        figure(d.two_term, std::abs(d.exact), unit),
-                        number(100.0 * *d.relative, 1)});
+        ResultRow row({componentName(d)}, componentTip(d));
+        row << (d.relative
+                    ? ResultRow{figure(d.exact, unit), degrees(inertia_moments::phase(h)),
+                                figure(d.two_term, std::abs(d.exact), unit), percent(*d.relative)}
+                    : ResultRow{zero, dash, zero, dash});
+        rows << row;
     }
     return rows;
 }
 
-QStringList InertiaMomentsModel::rotatingColumns() const {
-    return {forceAndMoment(), tr("+kω"), tr("at, °"), tr("−kω"), tr("at, °")};
+ResultColumns InertiaMomentsModel::rotatingColumns() const {
+    const ResultColumn at(
+        tr("at, °"), tr("Direction of the part to the left at φ = 0, counter-clockwise from x"));
+    return {forceAndMoment(),
+            {tr("+kω"), tr("Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)")},
+            at,
+            {tr("−kω"), tr("Part B that turns against the crank")},
+            at};
 }
 
-QVector<QStringList> InertiaMomentsModel::rotatingRows() const {
-    QVector<QStringList> rows;
-    const auto add = [&](const QString& name, const RotatingPair& pair, double scale,
-                         const Unit& unit) {
-        rows.push_back(
-            {name, figure(std::abs(pair.forward), scale, unit), directionText(pair.forward, scale),
-             figure(std::abs(pair.backward), scale, unit), directionText(pair.backward, scale)});
+ResultRows InertiaMomentsModel::rotatingRows() const {
+    ResultRows rows;
+    const auto cells = [](const RotatingPair& pair, double scale, const Unit& unit) {
+        return QVector<ResultCell>{
+            figure(std::abs(pair.forward), scale, unit), directionOf(pair.forward, scale),
+            figure(std::abs(pair.backward), scale, unit), directionOf(pair.backward, scale)};
     };
     for (const EngineOrder& order : result().exact.orders) {
-        const QString k = QString::number(order.order) + QStringLiteral("\u2002");
-        add(k + QStringLiteral("F"), order.force, order.force_scale, units::newton);
-        add(k + QStringLiteral("M"), order.moment, order.moment_scale, units::N_m);
+        addOrder(rows, order.order, cells(order.force, order.force_scale, units::newton),
+                 cells(order.moment, order.moment_scale, units::N_m));
     }
     return rows;
 }
 
-QStringList InertiaMomentsModel::shaftColumns() const {
-    return {forceAndMoment(), tr("cancels"), shownTitle(tr("mρ, g·mm")).text, tr("at, °"),
-            tr("left")};
+ResultColumns InertiaMomentsModel::shaftColumns() const {
+    return {{forceAndMoment(), tr("Order, task and direction; a full dot is switched on")},
+            {tr("cancels"), tr("The part of the order that the shaft cancels")},
+            {shownTitle(tr("mρ, g·mm")).text,
+             tr("Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled")},
+            {tr("at, °"), tr("Direction of its weight (of that towards cylinder 1) at φ = 0, "
+                             "counter-clockwise from x")},
+            {tr("left"), tr("Largest value of the order with this shaft alone")}};
 }
 
-QVector<QStringList> InertiaMomentsModel::shaftRows() const {
-    QVector<QStringList> rows;
+ResultRows InertiaMomentsModel::shaftRows() const {
+    ResultRows rows;
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
         const Unit& unit = design.shaft.balances == Balances::force ? units::newton : units::N_m;
-        rows.push_back(
-            {mark + shaftTitle(design.shaft), figure(std::abs(design.target), design.scale, unit),
-             design.phase ? figure(design.unbalance, units::gram_mm) : QStringLiteral("0"),
-             design.phase ? degrees(*design.phase) : dash,
-             figure(design.remaining, design.scale, unit)});
+        rows.push_back({mark + shaftTitle(design.shaft),
+                        figure(std::abs(design.target), design.scale, unit),
+                        design.phase ? figure(design.unbalance, units::gram_mm)
+                                     : ResultCell(0.0, QStringLiteral("0")),
+                        design.phase ? degrees(*design.phase) : ResultCell(dash),
+                        figure(design.remaining, design.scale, unit)});
     }
     return rows;
 }
 
-QStringList InertiaMomentsModel::weightColumns() const {
-    return {tr("Rotating masses"), tr("value"), tr("angle, °"), tr("lag, °")};
+ResultColumns InertiaMomentsModel::weightColumns() const {
+    return {tr("Rotating masses"),
+            tr("value"),
+            {tr("angle, °"), tr("From crankpin 1, counter-clockwise")},
+            {tr("lag, °"), tr("From crankpin 1 against the rotation")}};
 }
 
-QVector<QStringList> InertiaMomentsModel::weightRows() const {
+ResultRows InertiaMomentsModel::weightRows() const {
     const inertia_moments::RotatingMasses& rotating = result().rotating;
-    const auto row = [](const QString& name, const QString& value, const Complex& vector,
-                        double scale) {
-        return QStringList{name, value, directionText(vector, scale),
-                           directionText(std::conj(vector), scale)};
+    const auto row = [](const QString& name, const ResultCell& value, const Complex& vector,
+                        double scale, const QString& tip) {
+        return ResultRow({shownTitle(name).text, value, directionOf(vector, scale),
+                          directionOf(std::conj(vector), scale)},
+                         tip);
     };
-    QVector<QStringList> rows{
-        row(shownTitle(tr("Force, N")).text,
+    ResultRows rows{
+        row(tr("Force, N"),
             figure(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force,
                    units::newton),
-            rotating.force_factor, rotating.force_scale),
-        row(shownTitle(tr("Moment, N·m")).text,
+            rotating.force_factor, rotating.force_scale,
+            tr("Of the rotating masses, m R ω² |Σ exp(iκ)|")),
+        row(tr("Moment, N·m"),
             figure(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force,
                    units::N_m),
-            rotating.moment_factor, rotating.moment_scale),
-        row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
-        row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
+            rotating.moment_factor, rotating.moment_scale,
+            tr("Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|")),
+        row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale,
+            tr("Where a counterweight against the force stands")),
+        row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale,
+            tr("Where the front one of two opposite counterweights against the moment stands"))};
     for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
-        rows.push_back({shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
-                        figure(result().engine.mass_on(*kind), units::gram),
-                        {},
-                        {}});
+        rows << ResultRow(
+            {shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
+             figure(result().engine.mass_on(*kind), units::gram)},
+            tr("Rotating mass on one crankpin that carries so many rods, at the crank radius"));
     }
     if (result().counterweights) {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
-        const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
-            rows.push_back(row(shownTitle(name + tr(", g·mm")).text,
-                               figure(std::abs(w.unbalance), design.scale, units::gram_mm),
-                               w.unbalance, design.scale));
-            rows.push_back({shownTitle(name + tr(", g")).text,
-                            figure(w.mass(), design.scale / w.radius, units::gram),
-                            {},
-                            {}});
+        const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
+                                const QString& unbalanceTip, const QString& massTip) {
+            rows << row(name + tr(", g·mm"),
+                        figure(std::abs(w.unbalance), design.scale, units::gram_mm), w.unbalance,
+                        design.scale, unbalanceTip)
+                 << ResultRow({shownTitle(name + tr(", g")).text,
+                               figure(w.mass(), design.scale / w.radius, units::gram)},
+                              massTip);
         };
-        weight(tr("Front web"), design.front);
-        weight(tr("Rear web"), design.rear);
+        weight(tr("Front web"), design.front, tr("Mass times radius of the counterweight in front"),
+               tr("Mass of the counterweight in front at its radius"));
+        weight(tr("Rear web"), design.rear,
+               tr("Mass times radius of the counterweight at the rear"),
+               tr("Mass of the counterweight at the rear at its radius"));
     }
     return rows;
 }
 
-QStringList InertiaMomentsModel::remainingColumns() const {
-    return {forceAndMoment(), tr("before"), tr("left"), tr("left, %")};
+ResultColumns InertiaMomentsModel::remainingColumns() const {
+    return {forceAndMoment(),
+            {tr("before"),
+             tr("Largest value over a turn, with the rotating masses, without balancing")},
+            {tr("left"), tr("Largest value with the counterweights and shafts that are on")},
+            {tr("left, %"), tr("What is left as a share of what was there before")}};
 }
 
-QVector<QStringList> InertiaMomentsModel::remainingRows() const {
-    QVector<QStringList> rows;
+ResultRows InertiaMomentsModel::remainingRows() const {
+    ResultRows rows;
+    const auto cells = [](double was, double is, double scale, const Unit& unit) {
+        const bool isZero = !(was > inertia_moments::zero_share * scale);
+        return QVector<ResultCell>{figure(was, scale, unit), figure(is, scale, unit),
+                                   isZero ? ResultCell(dash) : percent(is / was)};
+    };
     for (std::size_t i = 0; i < result().exact.orders.size(); ++i) {
         const EngineOrder& before = result().exact.orders[i];
         const EngineOrder& after = result().remaining.orders[i];
-        const QString k = QString::number(before.order) + QStringLiteral("\u2002");
-        const auto add = [&](const QString& name, double was, double is, double scale,
-                             const Unit& unit) {
-            const bool isZero = !(was > inertia_moments::zero_share * scale);
-            rows.push_back({name, figure(was, scale, unit), figure(is, scale, unit),
-                            isZero ? dash : number(100.0 * is / was, 1)});
-        };
         // Of the rotating masses too, in order 1: they count as there from the start.
         RotatingPair force = before.force;
         RotatingPair moment = before.moment;
@@ -815,10 +875,9 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
             force.forward += result().rotating.force() * pin;
             moment.forward += result().rotating.moment_about(input().reference_position) * pin;
         }
-        const double forces = before.force_scale;
-        const double moments = before.moment_scale;
-        add(k + QStringLiteral("F"), force.max(), after.force.max(), forces, units::newton);
-        add(k + QStringLiteral("M"), moment.max(), after.moment.max(), moments, units::N_m);
+        addOrder(rows, before.order,
+                 cells(force.max(), after.force.max(), before.force_scale, units::newton),
+                 cells(moment.max(), after.moment.max(), before.moment_scale, units::N_m));
     }
     return rows;
 }

@@ -10,7 +10,7 @@
 #include "inertia-moments/presets.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
-#include "text/result_tips.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 
@@ -136,21 +136,16 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void setTab(Tabs group, int index);
 
     // What the page's tables show: text in the user's locale.
-    static ResultTips orderTips();
-    static ResultTips rotatingTips();
-    static ResultTips shaftTips();
-    static ResultTips weightTips();
-    static ResultTips remainingTips();
-    QStringList orderColumns() const;
-    QVector<QStringList> orderRows() const;
-    QStringList rotatingColumns() const;
-    QVector<QStringList> rotatingRows() const;
-    QStringList shaftColumns() const;
-    QVector<QStringList> shaftRows() const;
-    QStringList weightColumns() const;
-    QVector<QStringList> weightRows() const;
-    QStringList remainingColumns() const;
-    QVector<QStringList> remainingRows() const;
+    ResultColumns orderColumns() const;
+    ResultRows orderRows() const;
+    ResultColumns rotatingColumns() const;
+    ResultRows rotatingRows() const;
+    ResultColumns shaftColumns() const;
+    ResultRows shaftRows() const;
+    ResultColumns weightColumns() const;
+    ResultRows weightRows() const;
+    ResultColumns remainingColumns() const;
+    ResultRows remainingRows() const;
     /// Where the two-term form is not enough, one sentence a line; empty where it is.
     QString warningText() const;
 

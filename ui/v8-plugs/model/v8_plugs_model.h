@@ -5,7 +5,7 @@
 #include <QVector>
 
 #include "model/case_model.h"
-#include "text/result_tips.h"
+#include "text/result_row.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/solver.h"
 #include "workshop/model/job_desk.h"
@@ -111,22 +111,17 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
-    static ResultTips optionTips();
-    static ResultTips bobWeightTips();
-    static ResultTips planeTips();
-    static ResultTips crankpinTips();
-    QStringList optionColumns() const;
+    ResultColumns optionColumns() const;
     /// @param isShort  the options in the fewest words
-    QVector<QStringList> optionRows(bool isShort = false) const;
-    QString optionToolTip(int row) const;
-    QStringList bobWeightColumns() const;
-    QVector<QStringList> bobWeightRows() const;
-    QStringList planeColumns() const;
-    QVector<QStringList> planeRows() const;
-    QVector<QStringList> assignmentRows() const;
+    ResultRows optionRows(bool isShort = false) const;
+    ResultColumns bobWeightColumns() const;
+    ResultRows bobWeightRows() const;
+    ResultColumns planeColumns() const;
+    ResultRows planeRows() const;
+    ResultRows assignmentRows() const;
     /// What the placing makes of spread, force and couple.
-    QVector<QStringList> effectRows() const;
-    QVector<QStringList> takeOffRows() const;
+    ResultRows effectRows() const;
+    ResultRows takeOffRows() const;
     /// True while the best placing is still looked for.
     bool isSearching() const;
     void moveParts();
@@ -136,8 +131,8 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     void confirmReadings();
     /// What is wrong with readings of another bob weight; empty where nothing.
     QString otherReadingsText() const;
-    QStringList crankpinColumns() const;
-    QVector<QStringList> crankpinRows() const;
+    ResultColumns crankpinColumns() const;
+    ResultRows crankpinRows() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.
     struct ColumnNote {
         QString mean;
@@ -168,6 +163,9 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     }
     void taken() override;
     bool hasNumbers() const;
+    /// It is for the crankshaft that there is.
+    bool isFitted(v8_plugs::OptionId id) const;
+    QString optionTip(const v8_plugs::Option& option) const;
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     void takeJob(const CaseFile& file, bool isCopy);

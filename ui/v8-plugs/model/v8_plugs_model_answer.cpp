@@ -127,81 +127,90 @@ QStringList V8PlugsModel::notCounted() const {
     return v8_text::notCounted(words_, input());
 }
 
-QStringList V8PlugsModel::optionColumns() const {
-    QStringList columns{tr("Option"),    tr("const., g"), tr("slope"),     tr("reach, g"),
-                        tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
-    for (QString& column : columns) {
-        column = shownTitle(column).text;
-    }
-    return columns;
+ResultColumns V8PlugsModel::optionColumns() const {
+    return {
+        {tr("Option"), tr("What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the "
+                          "method")},
+        {shownTitle(tr("const., g")).text,
+         tr("Unbalanced mass that the option takes away with nothing bored, "
+            "kₚ times the exchange of plugs")},
+        {tr("slope"), tr("Unbalanced mass for each gram that is bored out of a plug")},
+        {shownTitle(tr("reach, g")).text,
+         tr("Largest unbalanced mass that the option compensates")},
+        {shownTitle(tr("needed, g")).text,
+         tr("To come off each plug; negative or beyond what is possible where the "
+            "option cannot")},
+        {shownTitle(tr("left, g")).text, tr("Unbalanced mass that stays")},
+        {shownTitle(tr("left, g·mm")).text, tr("Unbalance that stays, mass times crank radius")},
+    };
 }
 
-QVector<QStringList> V8PlugsModel::optionRows(bool isShort) const {
-    QVector<QStringList> rows;
+ResultRows V8PlugsModel::optionRows(bool isShort) const {
+    ResultRows rows;
     for (const OptionId id : all_options) {
         const auto& option = solution().option(id);
         const QString name =
             isShort ? v8_text::shortOption(words_, id) : v8_text::optionName(words_, id);
         if (!option) {
-            rows << QStringList{name, dash, dash, dash, dash, dash, dash};
+            rows << ResultRow({name, dash, dash, dash, dash, dash, dash},
+                              tr("The engine has no such plug, or its data are missing."));
             continue;
         }
-        const bool fitted =
-            needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
-        const bool doubtful = v8_text::methodAlone(solution(), id);
         const bool works = option->feasible && solution().can_be_made(id);
-        const QString mark = !works     ? QStringLiteral("✗")
-                             : doubtful ? QStringLiteral("!")
-                                        : QStringLiteral("✓");
-        rows << QStringList{
-            // in brackets what the crankshaft that is fitted does not allow
-            (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
-            words_.digits(option->constant, gram, 3),
-            words_.number(option->slope, 3),
-            words_.digits(option->maximum, gram, 3),
-            words_.digits(option->required_reduction, gram, 3),
-            words_.digits(option->residual_mass, gram, 3),
-            words_.digits(option->residual_unbalance, gram_mm, 1)};
+        const QString mark = !works                                 ? QStringLiteral("✗")
+                             : v8_text::methodAlone(solution(), id) ? QStringLiteral("!")
+                                                                    : QStringLiteral("✓");
+        rows << ResultRow(
+            {// in brackets what the crankshaft that is fitted does not allow
+             (isFitted(id) ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
+             words_.cell(option->constant, gram, 3), words_.cell(option->slope, units::none, 3),
+             words_.cell(option->maximum, gram, 3),
+             words_.cell(option->required_reduction, gram, 3),
+             words_.cell(option->residual_mass, gram, 3),
+             words_.cell(option->residual_unbalance, gram_mm, 1)},
+            optionTip(*option));
     }
     return rows;
 }
 
-QString V8PlugsModel::optionToolTip(int row) const {
-    const OptionId id = all_options.at(static_cast<std::size_t>(row));
-    const auto& option = solution().option(id);
-    if (!option) {
-        return tr("The engine has no such plug, or its data are missing.");
-    }
-    const bool fitted = needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
+bool V8PlugsModel::isFitted(OptionId id) const {
+    return needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
+}
+
+QString V8PlugsModel::optionTip(const Option& option) const {
     QStringList text;
-    if (!fitted) {
+    if (!isFitted(option.id)) {
         text << tr("For the other crankshaft.");
     }
-    if (v8_text::methodAlone(solution(), id)) {
+    if (v8_text::methodAlone(solution(), option.id)) {
         text << tr("By the method alone; the shift that it neglects leaves up to %1.")
                     .arg(v8_text::gramMillimetres(
-                        words_, std::abs(solution().shift[index(id)]->residual_unbalance)));
+                        words_, std::abs(solution().shift[index(option.id)]->residual_unbalance)));
     }
     text << QStringList{
-        tr("%1: %2.").arg(v8_text::optionName(words_, id),
-                          words_.message(describe_verdict(*option, input().tolerance))),
+        tr("%1: %2.").arg(v8_text::optionName(words_, option.id),
+                          words_.message(describe_verdict(option, input().tolerance))),
         tr("At most %1 may come off a plug; slope kᵤ = %2, %3°.")
-            .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
-                 words_.number(std::atan(option->slope) / units::degree, 1))};
-    const QString boring = v8_text::boring(words_, input(), solution(), id);
+            .arg(v8_text::grams(words_, option.max_reduction, 3), words_.number(option.slope, 3),
+                 words_.number(std::atan(option.slope) / units::degree, 1))};
+    const QString boring = v8_text::boring(words_, input(), solution(), option.id);
     if (!boring.isEmpty()) {
         text << boring;
     }
-    text << v8_text::shiftText(words_, input(), solution(), *option);
+    text << v8_text::shiftText(words_, input(), solution(), option);
     return text.join(QLatin1Char('\n'));
 }
 
-QStringList V8PlugsModel::bobWeightColumns() const {
-    return {shownTitle(tr("factor × mass, g")).text, tr("nominal"), tr("before"), tr("after")};
+ResultColumns V8PlugsModel::bobWeightColumns() const {
+    return {{shownTitle(tr("factor × mass, g")).text,
+             tr("Share of the part in the bob weight times its mass")},
+            {tr("nominal"), tr("By the nominal masses")},
+            {tr("before"), tr("With the parts as they are")},
+            {tr("after"), tr("After the compensation")}};
 }
 
-QVector<QStringList> V8PlugsModel::bobWeightRows() const {
-    QVector<QStringList> rows;
+ResultRows V8PlugsModel::bobWeightRows() const {
+    ResultRows rows;
     if (!solution().nominal || !solution().before) {
         return rows;
     }
@@ -211,64 +220,78 @@ QVector<QStringList> V8PlugsModel::bobWeightRows() const {
     }
     rows << v8_text::bobWeightCells(words_, solution(), std::nullopt, 2, dash);
     rows.last().prepend(tr("Bob weight"));
+    rows.last().tip = tr("Sum of the lines: what is hung on each crankpin");
     return rows;
 }
 
-QStringList V8PlugsModel::planeColumns() const {
-    return {tr("Plane"), shownTitle(tr("allowed, g·mm")).text, shownTitle(tr("reading, g·mm")).text,
-            tr("verdict")};
+ResultColumns V8PlugsModel::planeColumns() const {
+    return {
+        {tr("Plane"), tr("Correction plane of the crankshaft")},
+        {shownTitle(tr("allowed, g·mm")).text,
+         tr("Permissible residual unbalance, share of U = G m / ω "
+            "(ISO 21940-11)")},
+        {shownTitle(tr("reading, g·mm")).text, tr("What the balancing machine reads")},
+        {tr("verdict"), tr("Passes where the reading is not above what is allowed")},
+    };
 }
 
-QVector<QStringList> V8PlugsModel::planeRows() const {
-    QVector<QStringList> rows;
+ResultRows V8PlugsModel::planeRows() const {
+    ResultRows rows;
     const auto add = [&](const QString& name, const PlaneVerdict& plane) {
-        rows << QStringList{name, words_.digits(plane.permissible, gram_mm, 1),
-                            plane.reading ? words_.digits(*plane.reading, gram_mm, 1) : dash,
-                            !plane.passes         ? dash
-                            : !solution().holds() ? verdictText(words_, otherWord(solution()))
-                            : *plane.passes       ? tr("✓ passes")
-                                                  : tr("✗ fails")};
+        rows << ResultRow{
+            name, words_.cell(plane.permissible, gram_mm, 1),
+            plane.reading ? words_.cell(*plane.reading, gram_mm, 1) : ResultCell(dash),
+            !plane.passes         ? dash
+            : !solution().holds() ? verdictText(words_, otherWord(solution()))
+            : *plane.passes       ? tr("✓ passes")
+                                  : tr("✗ fails")};
     };
     add(tr("Front (pulley)"), solution().planes[0]);
     add(tr("Rear (flywheel)"), solution().planes[1]);
     return rows;
 }
 
-QVector<QStringList> V8PlugsModel::assignmentRows() const {
+ResultRows V8PlugsModel::assignmentRows() const {
     const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::assignment(words_, *shown) : QVector<QStringList>();
+    return shown ? matching_text::assignment(words_, *shown) : ResultRows();
 }
 
-QVector<QStringList> V8PlugsModel::effectRows() const {
+ResultRows V8PlugsModel::effectRows() const {
     const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::effects(words_, *shown) : QVector<QStringList>();
+    return shown ? matching_text::effects(words_, *shown) : ResultRows();
 }
 
-QVector<QStringList> V8PlugsModel::takeOffRows() const {
+ResultRows V8PlugsModel::takeOffRows() const {
     return input().weigh_in ? matching_text::takeOff(words_, masses_of(*input().weigh_in))
-                            : QVector<QStringList>();
+                            : ResultRows();
 }
 
-QStringList V8PlugsModel::crankpinColumns() const {
-    return {tr("Crankpin"),      QStringLiteral("1"), QStringLiteral("2"),
-            QStringLiteral("3"), QStringLiteral("4"), tr("spread")};
+ResultColumns V8PlugsModel::crankpinColumns() const {
+    return {tr("Crankpin"),
+            QStringLiteral("1"),
+            QStringLiteral("2"),
+            QStringLiteral("3"),
+            QStringLiteral("4"),
+            {tr("spread"), tr("Largest less smallest excess of the four crankpins")}};
 }
 
-QVector<QStringList> V8PlugsModel::crankpinRows() const {
-    QVector<QStringList> rows;
+ResultRows V8PlugsModel::crankpinRows() const {
     if (!solution().crankpin_excess || !solution().assigned_excess) {
-        return rows;
+        return {};
     }
-    const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess) {
-        QStringList cells{name};
+    const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess,
+                         const QString& tip) {
+        ResultRow cells({shownTitle(name).text}, tip);
         for (const double mass : excess) {
-            cells << words_.digits(mass, gram, 2);
+            cells << words_.cell(mass, gram, 2);
         }
-        cells << words_.digits(spread(excess), gram, 2);
+        cells << words_.cell(spread(excess), gram, 2);
         return cells;
     };
-    return {row(shownTitle(tr("as weighed, g")).text, *solution().crankpin_excess),
-            row(shownTitle(tr("after moving, g")).text, *solution().assigned_excess)};
+    return {row(tr("as weighed, g"), *solution().crankpin_excess,
+                tr("Excess on each crankpin over the mean, parts where they are")),
+            row(tr("after moving, g"), *solution().assigned_excess,
+                tr("Excess on each crankpin over the mean, parts moved"))};
 }
 
 V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {

@@ -278,16 +278,16 @@ const BobWeight* bobWeightAfter(const Result& solution) {
     return weights != nullptr && *weights ? &(*weights)->after : nullptr;
 }
 
-QStringList bobWeightCells(const Words& words, const Result& solution,
-                           std::optional<BobWeightLine::Part> part, int decimals,
-                           const QString& missing) {
-    QStringList cells;
+ResultRow bobWeightCells(const Words& words, const Result& solution,
+                         std::optional<BobWeightLine::Part> part, int decimals,
+                         const QString& missing) {
+    ResultRow cells;
     for (const BobWeight* weight :
          {&*solution.nominal, &*solution.before, bobWeightAfter(solution)}) {
         const auto mass = weight == nullptr ? std::nullopt
                           : part            ? weight->product(*part)
                                             : std::optional(weight->sum());
-        cells << (mass ? words.digits(*mass, units::gram, decimals) : missing);
+        cells << (mass ? words.cell(*mass, units::gram, decimals) : ResultCell(missing));
     }
     return cells;
 }

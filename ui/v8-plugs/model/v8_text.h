@@ -52,9 +52,9 @@ std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Result& solution);
 /// The bob weight with it; null where it is not known.
 const v8_plugs::BobWeight* bobWeightAfter(const v8_plugs::Result& solution);
 /// A line of the bob weights nominal, before and after, in g; of the sum where no part is given.
-QStringList bobWeightCells(const Words& words, const v8_plugs::Result& solution,
-                           std::optional<v8_plugs::BobWeightLine::Part> part, int decimals,
-                           const QString& missing);
+ResultRow bobWeightCells(const Words& words, const v8_plugs::Result& solution,
+                         std::optional<v8_plugs::BobWeightLine::Part> part, int decimals,
+                         const QString& missing);
 /// True where the advice is something that works.
 bool works(const v8_plugs::Result& solution);
 /// What to hang on the crankpins, to 0.1 g; empty while it is not known.

@@ -10,24 +10,26 @@ namespace {
 
 const QString dot = QStringLiteral("·");
 
-QString gramsOf(const Words& words, double mass) {
-    return words.number(mass, units::gram, 2);
+ResultCell gramsOf(const Words& words, double mass) {
+    return words.cellWithUnit(mass, units::gram, 2);
 }
 
 /// The force as an unbalance, or as a mass at the crank radius while that is not known.
-QString forceOf(const Words& words, const Shown& shown, double force) {
-    return shown.crank_radius ? words.number(force * *shown.crank_radius, units::gram_mm, 1)
+ResultCell forceOf(const Words& words, const Shown& shown, double force) {
+    return shown.crank_radius ? words.cellWithUnit(force * *shown.crank_radius, units::gram_mm, 1)
                               : gramsOf(words, force);
 }
 
 /// The couple likewise, as a mass at the crank radius times a distance.
-QString coupleOf(const Words& words, const Shown& shown, double couple) {
+ResultCell coupleOf(const Words& words, const Shown& shown, double couple) {
     if (shown.crank_radius) {
-        return words.number(couple * *shown.crank_radius, units::gram_mm2, 0);
+        return words.cellWithUnit(couple * *shown.crank_radius, units::gram_mm2, 0);
     }
     // No unbalance, so not in the unit chosen for those.
-    return words.digits(couple / units::mm, units::gram, 1) + QStringLiteral(" ") +
-           words.unit(units::gram) + QStringLiteral(" × ") + words.unit(units::mm);
+    ResultCell cell = words.cell(couple / units::mm, units::gram, 1);
+    cell.text += QStringLiteral(" ") + words.unit(units::gram) + QStringLiteral(" × ") +
+                 words.unit(units::mm);
+    return cell;
 }
 
 /// What the numbers in newtons are times.
@@ -122,17 +124,18 @@ QString felt(const Words& words, const Shown& shown) {
                .arg(coupleOf(words, shown, before->couple), coupleOf(words, shown, after->couple));
 }
 
-QStringList effectHead(const Words& words) {
+ResultColumns effectColumns(const Words& words) {
     return {words.translate("Matching", "What differs"), words.translate("Matching", "as weighed"),
             words.translate("Matching", "placed so")};
 }
 
-QVector<QStringList> effects(const Words& words, const Shown& shown) {
+ResultRows effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
-    QVector<QStringList> rows{
-        {words.translate("Matching", "Crankpins, spread"),
-         gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
-         gramsOf(words, matched.spread)}};
+    ResultRows rows{
+        {{words.translate("Matching", "Crankpins, spread"),
+          gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
+          gramsOf(words, matched.spread)},
+         words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")}};
     if (!matched.shaking_before || !matched.shaking) {
         return rows;
     }
@@ -141,48 +144,39 @@ QVector<QStringList> effects(const Words& words, const Shown& shown) {
     const auto newtons = newtonsPerMass(shown);
     const QString speed =
         shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();
-    rows << QStringList{shown.crank_radius
-                            ? words.translate("Matching", "Unbalance")
+    rows << ResultRow(
+        {shown.crank_radius ? words.translate("Matching", "Unbalance")
                             : words.translate("Matching", "Unbalance, as mass at the crank radius"),
-                        forceOf(words, shown, before.force), forceOf(words, shown, after.force)};
+         forceOf(words, shown, before.force), forceOf(words, shown, after.force)},
+        words.translate("Matching",
+                        "First-order unbalance of what the parts differ by from their "
+                        "mean, greatest over a turn; what the engine leaves by its "
+                        "design is not in it"));
     if (newtons) {
-        rows << QStringList{words.translate("Matching", "Force at %1").arg(speed),
-                            words.number(before.force * *newtons, units::newton, 2),
-                            words.number(after.force * *newtons, units::newton, 2)};
+        rows << ResultRow{words.translate("Matching", "Force at %1").arg(speed),
+                          words.cellWithUnit(before.force * *newtons, units::newton, 2),
+                          words.cellWithUnit(after.force * *newtons, units::newton, 2)};
     }
     if (matched.spacing_known) {
-        rows << QStringList{
-            shown.crank_radius ? words.translate("Matching", "Couple")
-                               : words.translate("Matching", "Couple, as mass at the crank radius"),
-            coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)};
+        rows << ResultRow(
+            {shown.crank_radius
+                 ? words.translate("Matching", "Couple")
+                 : words.translate("Matching", "Couple, as mass at the crank radius"),
+             coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)},
+            words.translate("Matching", "The same along the crankshaft, about its middle"));
         if (newtons) {
-            rows << QStringList{words.translate("Matching", "Couple at %1").arg(speed),
-                                words.number(before.couple * *newtons, units::N_m, 3),
-                                words.number(after.couple * *newtons, units::N_m, 3)};
+            rows << ResultRow{words.translate("Matching", "Couple at %1").arg(speed),
+                              words.cellWithUnit(before.couple * *newtons, units::N_m, 3),
+                              words.cellWithUnit(after.couple * *newtons, units::N_m, 3)};
         }
     }
-    rows << QStringList{words.translate("Matching", "At the ends, mean"),
-                        forceOf(words, shown, before.ends), forceOf(words, shown, after.ends)};
+    rows << ResultRow({words.translate("Matching", "At the ends, mean"),
+                       forceOf(words, shown, before.ends), forceOf(words, shown, after.ends)},
+                      words.translate("Matching",
+                                      "Root mean square over a turn and both end cylinders, of "
+                                      "force and couple together: what “Least shaking” "
+                                      "makes small"));
     return rows;
-}
-
-ResultTips effectTips(const Words& words) {
-    return {
-        {words.translate("Matching", "Crankpins, spread"),
-         words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")},
-        {words.translate("Matching", "Unbalance"),
-         words.translate("Matching",
-                         "First-order unbalance of what the parts differ by from their "
-                         "mean, greatest over a turn; what the engine leaves by its "
-                         "design is not in it")},
-        {words.translate("Matching", "Couple"),
-         words.translate("Matching", "The same along the crankshaft, about its middle")},
-        {words.translate("Matching", "At the ends, mean"),
-         words.translate("Matching",
-                         "Root mean square over a turn and both end cylinders, of "
-                         "force and couple together: what “Least shaking” "
-                         "makes small")},
-    };
 }
 
 QStringList cylinderHead(const Words& words, std::size_t cylinders) {
@@ -198,10 +192,19 @@ std::vector<int> setNumbers(const SetNumbers& numbers, std::size_t cylinders,
     return whole_numbers(from != nullptr ? moved_numbers(numbers, *from) : numbers, cylinders);
 }
 
-QVector<QStringList> assignment(const Words& words, const Shown& shown) {
+ResultColumns assignmentColumns(const Words& words, std::size_t cylinders) {
+    const QStringList head = cylinderHead(words, cylinders);
+    ResultColumns columns(head.begin(), head.end());
+    columns.front().tip = words.translate("Matching",
+                                          "A dot: the part stays; a number: it comes from that "
+                                          "cylinder");
+    return columns;
+}
+
+ResultRows assignment(const Words& words, const Shown& shown) {
     const auto row = [](const QString& name, const SetNumbers& numbers,
-                        const std::vector<int>& from) {
-        QStringList cells{name};
+                        const std::vector<int>& from, const QString& tip) {
+        ResultRow cells({name}, tip);
         for (const int number : setNumbers(numbers, from.size(), &from)) {
             // A set that stays where it was weighed needs no number.
             const bool stays = number == static_cast<int>(cells.size());
@@ -210,48 +213,40 @@ QVector<QStringList> assignment(const Words& words, const Shown& shown) {
         return cells;
     };
     return {
-        row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons),
-        row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods)};
+        row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
+            words.translate("Matching", "Cylinder from which the piston comes")),
+        row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
+            words.translate("Matching", "Cylinder from which the rod comes"))};
 }
 
-ResultTips assignmentTips(const Words& words) {
-    return {
-        {words.translate("Matching", "Cylinder"),
-         words.translate("Matching",
-                         "A dot: the part stays; a number: it comes from that "
-                         "cylinder")},
-        {words.translate("Matching", "Piston from"),
-         words.translate("Matching", "Cylinder from which the piston comes")},
-        {words.translate("Matching", "Rod from"),
-         words.translate("Matching", "Cylinder from which the rod comes")},
-    };
+ResultColumns takeOffColumns(const Words& words, std::size_t cylinders) {
+    const QStringList head = cylinderHead(words, cylinders);
+    ResultColumns columns(head.begin(), head.end());
+    columns.front() = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
+    return columns;
 }
 
-QStringList takeOffHead(const Words& words, std::size_t cylinders) {
-    QStringList head = cylinderHead(words, cylinders);
-    head.front() = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
-    return head;
-}
-
-QStringList takeOff(const Words& words, std::span<const Weighed> masses) {
+ResultRow takeOff(const Words& words, std::span<const Weighed> masses) {
     constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
-    QStringList cells;
+    ResultRow cells;
     for (const Weighed& mass : take_off(masses)) {
-        cells << (!mass ? QString() : *mass <= nothing ? dot : words.digits(*mass, units::gram, 2));
+        cells << (!mass              ? ResultCell()
+                  : *mass <= nothing ? ResultCell(dot)
+                                     : words.cell(*mass, units::gram, 2));
     }
     return cells;
 }
 
-QVector<QStringList> takeOff(const Words& words,
-                             const std::array<std::span<const Weighed>, 6>& masses) {
-    QVector<QStringList> rows;
+ResultRows takeOff(const Words& words, const std::array<std::span<const Weighed>, 6>& masses) {
+    ResultRows rows;
     for (const Part part : all_parts) {
-        const QStringList cells = takeOff(words, masses[static_cast<std::size_t>(part)]);
+        ResultRow cells = takeOff(words, masses[static_cast<std::size_t>(part)]);
         const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
             return !cell.isEmpty() && cell != dot;
         });
         if (differs) {
-            rows << QStringList{words.text(part_word(part).label)} + cells;
+            cells.prepend(words.text(part_word(part).label));
+            rows << cells;
         }
     }
     return rows;

@@ -3,7 +3,6 @@
 #include <QStringList>
 #include <QVector>
 
-#include "text/result_tips.h"
 #include "workshop/matching.h"
 #include "workshop/model/words.h"
 
@@ -45,26 +44,25 @@ QStringList remarks(const Words& words, const Shown& shown);
 QString felt(const Words& words, const Shown& shown);
 
 /// What is gained: a quantity, as weighed, placed so.
-QStringList effectHead(const Words& words);
-QVector<QStringList> effects(const Words& words, const Shown& shown);
-ResultTips effectTips(const Words& words);
+ResultColumns effectColumns(const Words& words);
+ResultRows effects(const Words& words, const Shown& shown);
 
 /// "Cylinder", 1, 2, …
 QStringList cylinderHead(const Words& words, std::size_t cylinders);
 /// From which cylinder each set comes; a dot where it was weighed there.
-QVector<QStringList> assignment(const Words& words, const Shown& shown);
-ResultTips assignmentTips(const Words& words);
+ResultColumns assignmentColumns(const Words& words, std::size_t cylinders);
+ResultRows assignment(const Words& words, const Shown& shown);
 /// The number of the set that goes to each cylinder.
 /// @param from  null: as the sheet has them
 std::vector<int> setNumbers(const workshop::SetNumbers& numbers, std::size_t cylinders,
                             const std::vector<int>* from);
 
 /// "Take off, g", 1, 2, …
-QStringList takeOffHead(const Words& words, std::size_t cylinders);
+ResultColumns takeOffColumns(const Words& words, std::size_t cylinders);
 /// What to take off each part to reach the lightest of its column, for columns that differ.
-QVector<QStringList> takeOff(const Words& words,
-                             const std::array<std::span<const workshop::Weighed>, 6>& masses);
+ResultRows takeOff(const Words& words,
+                   const std::array<std::span<const workshop::Weighed>, 6>& masses);
 /// The same of one column, empty cells for what is the lightest or not weighed.
-QStringList takeOff(const Words& words, std::span<const workshop::Weighed> masses);
+ResultRow takeOff(const Words& words, std::span<const workshop::Weighed> masses);
 
 }  // namespace ravnoves::matching_text

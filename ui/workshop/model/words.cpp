@@ -70,6 +70,15 @@ QString Words::digits(double si, Unit unit, int decimals) const {
     return number(shownValue(si, unit), std::max(0, decimals + shownUnit(unit).decimals));
 }
 
+ResultCell Words::cell(double si, Unit unit, int decimals) const {
+    return {shownValue(si, unit), digits(si, unit, decimals)};
+}
+
+ResultCell Words::cellWithUnit(double si, Unit unit, int decimals) const {
+    return {shownValue(si, unit), number(si, unit, decimals), ResultCell::Kind::Plain,
+            this->unit(unit)};
+}
+
 QString Words::number(double value, int decimals) const {
     return fixedDecimals(value, decimals, locale());
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "case-file/field.h"
+#include "text/result_row.h"
 
 class QTranslator;
 
@@ -43,6 +44,9 @@ class Words {
     QString number(double si, Unit unit, int decimals) const;
     /// The same without it.
     QString digits(double si, Unit unit, int decimals) const;
+    /// Both for a table: the number alone, or with its unit.
+    ResultCell cell(double si, Unit unit, int decimals) const;
+    ResultCell cellWithUnit(double si, Unit unit, int decimals) const;
     /// A day of ISO 8601 as the language writes it, "31.05.2024" or "2024-05-31"; what is no day
     /// stays as it is.
     QString day(const QString& iso) const;

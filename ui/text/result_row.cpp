@@ -1,0 +1,115 @@
+#include "text/result_row.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString withSign(double value, const QString& shown) {
+    return value > 0.0 ? QLatin1Char('+') + shown : shown;
+}
+
+std::optional<int> decimalsOf(const QString& shown) {
+    static const QRegularExpression power(QStringLiteral("\\d[eE]|10[⁰¹²³⁴-⁹⁻]"));
+    if (shown.contains(power)) {
+        return std::nullopt;
+    }
+    const qsizetype point = shown.indexOf(QLocale().decimalPoint());
+    qsizetype end = point + 1;
+    while (point >= 0 && end < shown.size() && shown[end].isDigit()) {
+        ++end;
+    }
+    return point < 0 ? 0 : static_cast<int>(end - point - 1);
+}
+
+/// What the text says, so that differences are those of the texts.
+double asShown(const ResultNumber& number) {
+    const double scale = std::pow(10.0, number.decimals.value_or(0));
+    return number.decimals ? std::round(number.value * scale) / scale : number.value;
+}
+
+std::optional<ShownDifference> difference(const ResultNumber& now, const ResultNumber& was) {
+    using Kind = ResultNumber::Kind;
+    if (now.kind != was.kind || now.unit != was.unit || now.kind == Kind::Change) {
+        return std::nullopt;
+    }
+    double value = asShown(now) - asShown(was);
+    if (now.kind == Kind::Direction) {
+        value = std::remainder(value, 360.0);
+    }
+    return ShownDifference{
+        now.decimals && was.decimals ? signedNumber(value, std::max(*now.decimals, *was.decimals))
+                                     : withSign(value, trueMinus(formNumber(value, QLocale(), 3))),
+        now.kind == Kind::Plain ? signedPercent(value, asShown(was)) : QString()};
+}
+
+}  // namespace
+
+ResultCell::ResultCell(double value, QString shown, Kind kind, QString unit)
+    : text(std::move(shown)) {
+    if (std::isfinite(value)) {
+        numbers << ResultNumber{value, kind, std::move(unit), decimalsOf(text)};
+    }
+}
+
+ResultCell ResultCell::two(const QString& pattern, const ResultCell& first,
+                           const ResultCell& second) {
+    ResultCell cell(pattern.arg(first.text, second.text));
+    cell.numbers = first.numbers + second.numbers;
+    cell.pattern = pattern;
+    return cell;
+}
+
+std::optional<ShownDifference> ResultCell::from(const ResultCell& reference) const {
+    if (numbers.isEmpty() || numbers.size() != reference.numbers.size() ||
+        pattern != reference.pattern) {
+        return std::nullopt;
+    }
+    const auto first = difference(numbers.front(), reference.numbers.front());
+    const auto second = difference(numbers.back(), reference.numbers.back());
+    if (numbers.size() == 1 || !first || !second) {
+        return numbers.size() == 1 ? first : std::nullopt;
+    }
+    const bool isPercent = numbers.back().kind == Kind::Percent;
+    return ShownDifference{
+        pattern.arg(first->absolute,
+                    isPercent ? withUnit(second->absolute, unitText("%")) : second->absolute),
+        second->percent.isEmpty() ? first->percent : pattern.arg(first->percent, second->percent)};
+}
+
+ResultCell shownCell(double si, const Unit& unit, int decimals) {
+    return {shownValue(si, unit), shownDigits(si, unit, decimals), ResultCell::Kind::Plain,
+            shownUnit(unit).name};
+}
+
+ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,
+                   const QString& tip) {
+    return {{name, shownCell(si, unit, decimals), shownUnit(unit).name}, tip};
+}
+
+QString signedNumber(double value, int decimals) {
+    const QString shown = fixedDecimals(value, decimals, QLocale());
+    const double half = 0.5 * std::pow(10.0, -decimals);
+    return std::abs(value) < half ? QStringLiteral("0") : withSign(value, shown);
+}
+
+QString signedPercent(double value, double reference) {
+    if (reference == 0.0 || !std::isfinite(value / reference)) {
+        return value == 0.0 ? QStringLiteral("0") : QStringLiteral("–");
+    }
+    const double percent = 100.0 * value / std::abs(reference);
+    const QString shown = std::abs(percent) < 1000.0
+                              ? fixedDecimals(percent, std::abs(percent) < 99.95 ? 1 : 0, QLocale())
+                              : formNumber(percent, QLocale(), 3);
+    return (std::abs(percent) < 0.05 ? QStringLiteral("0") : withSign(percent, shown)) +
+           QStringLiteral("\u00A0%");
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <optional>
+#include <utility>
+
+#include "numerics/units.h"
+
+namespace ravnoves {
+
+/// A number of a result, as a table shows it.
+struct ResultNumber {
+    /// Directions go round at 360°; a change says itself how far two results are apart.
+    enum class Kind { Plain, Percent, Direction, Change };
+
+    double value = 0.0;  ///< in the unit shown, with all its digits
+    Kind kind = Kind::Plain;
+    QString unit = {};                 ///< that is shown, where it may be another one
+    std::optional<int> decimals = {};  ///< that are shown; none with a power of ten
+};
+
+/// How what is shown differs from a reference, in its own decimals.
+struct ShownDifference {
+    QString absolute;  ///< with its sign
+    QString percent;   ///< of the reference; empty where it says nothing: of percents, directions
+};
+
+/// A cell of a table of results: words, or a number or two. Differences and ± are of the numbers,
+/// whatever the text.
+struct ResultCell {
+    using Kind = ResultNumber::Kind;
+
+    ResultCell() = default;
+    ResultCell(QString words) : text(std::move(words)) {}
+    /// @param shown  the number as text, with what stands behind it
+    ResultCell(double value, QString shown, Kind kind = Kind::Plain, QString unit = {});
+    /// Two numbers by a pattern: "%1 × %2".
+    static ResultCell two(const QString& pattern, const ResultCell& first,
+                          const ResultCell& second);
+
+    operator const QString&() const { return text; }
+    /// The only number; null where there is none or two.
+    const ResultNumber* number() const { return numbers.size() == 1 ? &numbers.front() : nullptr; }
+    /// Nothing where there is nothing to compare.
+    std::optional<ShownDifference> from(const ResultCell& reference) const;
+    friend bool operator==(const ResultCell& a, const ResultCell& b) { return a.text == b.text; }
+    friend bool operator==(const ResultCell& a, const QString& b) { return a.text == b; }
+
+    QString text;
+    QVector<ResultNumber> numbers;
+    QString pattern;  ///< of two
+};
+
+/// A row of such a table, its name first.
+struct ResultRow : QVector<ResultCell> {
+    using QVector<ResultCell>::QVector;
+    ResultRow(QVector<ResultCell> cells, QString meaning)
+        : QVector<ResultCell>(std::move(cells)), tip(std::move(meaning)) {}
+
+    QStringList texts() const { return {begin(), end()}; }
+
+    QString tip;  ///< what the result is, with its formula
+};
+using ResultRows = QVector<ResultRow>;
+
+/// A heading, and what its column is.
+struct ResultColumn {
+    ResultColumn(QString title, QString meaning = {})
+        : heading(std::move(title)), tip(std::move(meaning)) {}
+
+    QString heading;
+    QString tip;
+};
+using ResultColumns = QVector<ResultColumn>;
+
+/// Of a quantity, in the unit shown: so many decimals, unless the user has chosen digits.
+ResultCell shownCell(double si, const Unit& unit, int decimals);
+/// A row of the columns name, value, unit.
+ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,
+                   const QString& tip = {});
+
+/// A difference with a sign, "0" for none.
+QString signedNumber(double value, int decimals);
+QString signedPercent(double value, double reference);
+
+}  // namespace ravnoves
