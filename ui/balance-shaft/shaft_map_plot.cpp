@@ -89,9 +89,8 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 
 /// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
 /// triangle, over a band of speeds a square; hollow where it cannot be built.
-void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker,
-               double r = glyphRadius()) {
-    const Theme& theme = Theme::instance();
+QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
+                   double r = glyphRadius()) {
     QPainterPath shape;
     if (marker.worst) {
         shape.addRect(QRectF(at - QPointF(0.9 * r, 0.9 * r), QSizeF(1.8 * r, 1.8 * r)));
@@ -105,6 +104,12 @@ void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker
         shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
                                    at + QPointF(-1.15 * r, 0.9 * r), at + QPointF(0, -1.2 * r)});
     }
+    return shape;
+}
+
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
+    const Theme& theme = Theme::instance();
+    const QPainterPath shape = glyph(at, marker);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.panel(), 4.5));
     painter.drawPath(shape);
@@ -174,6 +179,8 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
         standingStale_ = true;
         setFaded(map_->isStale());
     });
+    setPaintsGhosts();
+    connect(this, &PlotView::referenceChanged, this, &ShaftMapPlot::followReference);
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
     connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this] {
         standingStale_ = true;
@@ -213,6 +220,7 @@ void ShaftMapPlot::showMap() {
             break;
     }
     chosen_.reset();
+    leadReference();
     const ShaftMap* map = map_->map();
     const double view = map != nullptr ? map->view / units::mm : 100.0;
     if (view != view_) {
@@ -234,6 +242,85 @@ void ShaftMapPlot::showImage() {
         fieldImage(field, map_->changes(), map_->levels()),
         QRectF(field.left / units::mm, field.bottom / units::mm,
                (field.right - field.left) / units::mm, (field.top - field.bottom) / units::mm));
+}
+
+// The reference.
+
+const ShaftMapModel* ShaftMapPlot::referenceMap() const {
+    const auto* other = qobject_cast<const ShaftMapPlot*>(reference());
+    return other != nullptr && data().referenceShown ? other->map_ : nullptr;
+}
+
+void ShaftMapPlot::followReference() {
+    disconnect(followed_);
+    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference())) {
+        followed_ = connect(other->map_, &ShaftMapModel::mapChanged, this,
+                            &ShaftMapPlot::referenceMapChanged);
+    }
+    leadReference();
+    Q_EMIT referenceMapChanged();
+}
+
+void ShaftMapPlot::leadReference() {
+    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference())) {
+        other->map_->setCriterion(map_->criterion());
+        other->map_->setWeight(map_->weight());
+    }
+}
+
+QString ShaftMapPlot::placeWords(const ShaftMapModel::Position& position, int decimals) const {
+    const ShaftMapModel* other = referenceMap();
+    const QString against =
+        other != nullptr ? map_->againstText(*other, data().referenceName, position) : QString();
+    return map_->placeText(position, decimals) +
+           (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
+}
+
+QString ShaftMapPlot::markerWords(const ShaftMapModel::Marker& marker) const {
+    return marker.worst ? map_->markerText(marker) : placeWords(marker.position);
+}
+
+QString ShaftMapPlot::bestWords() const {
+    const ShaftMapModel* other = referenceMap();
+    const QString against =
+        other != nullptr ? map_->bestAgainstText(*other, data().referenceName) : QString();
+    return map_->bestText() + (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
+}
+
+void ShaftMapPlot::paintReference(QPainter& painter) const {
+    const ShaftMapModel* other = referenceMap();
+    if (other == nullptr || other->map() == nullptr) {
+        return;
+    }
+    // Wide and pale, as ghosts of curves are.
+    const Theme& theme = Theme::instance();
+    const auto wide = [&](double alpha, double width) {
+        return QPen(faint(theme.text(), alpha), strokeScale() * width, Qt::SolidLine, Qt::FlatCap,
+                    Qt::BevelJoin);
+    };
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(wide(0.18, 4.0));
+    for (const QPolygonF& line : other->map()->blocked) {
+        painter.drawPolygon(pixels(line));
+    }
+    painter.setPen(wide(0.34, 6.0));
+    for (const ShaftMapModel::Contour& contour : other->contours()) {
+        for (const QPolygonF& line : contour.lines) {
+            if (contour.level == 0.0) {
+                painter.drawPolyline(pixels(line));
+            }
+        }
+    }
+    for (const ShaftMapModel::Marker& marker : other->markers()) {
+        if (marker.criterion == map_->criterion()) {
+            const QPainterPath shape =
+                glyph(pixelOf(marker.position), marker, 1.25 * glyphRadius());
+            painter.setPen(wide(0.34, 4.0));
+            painter.drawPath(shape);
+            painter.setPen(QPen(theme.panel(), 1.4 * strokeScale()));
+            painter.drawPath(shape);
+        }
+    }
 }
 
 // The key.
@@ -400,6 +487,7 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.save();
     painter.setClipRect(plotArea());
     paintBlocked(painter);
+    paintReference(painter);
     labelMarkers();  // first: the contours' numbers give way to theirs
     paintContours(painter);
     paintMarkers(painter);
@@ -708,9 +796,8 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
     const QColor colour = canBeBuilt ? theme.accent() : theme.error();
     painter.setBrush(Qt::NoBrush);
-    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference());
-        other != nullptr && data().referenceShown) {
-        const auto was = other->map_->present();
+    if (const ShaftMapModel* other = referenceMap()) {
+        const auto was = other->present();
         painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
         drawDashedCircle(painter, crank, was.centre_distance() * k);
         painter.drawEllipse(pixelOf(was), handleRadius, handleRadius);
@@ -808,8 +895,8 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
     Q_EMIT hovered(!inside             ? QString()
-                   : marker != nullptr ? map_->markerText(*marker)
-                                       : map_->placeText(placeAt(event->position()), 1));
+                   : marker != nullptr ? markerWords(*marker)
+                                       : placeWords(placeAt(event->position()), 1));
 }
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
@@ -849,13 +936,13 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
     const auto move = [&](double x, double y) {
         const auto present = map_->present();
         map_->dragTo({present.x + x * step, present.y + y * step});
-        Q_EMIT hovered(map_->placeText(map_->present()));
+        Q_EMIT hovered(placeWords(map_->present()));
     };
     const auto choose = [&](std::size_t by) {
         const std::size_t count = map_->markers().size();
         if (count > 0) {
             chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
-            Q_EMIT hovered(map_->markerText(map_->markers()[*chosen_]));
+            Q_EMIT hovered(markerWords(map_->markers()[*chosen_]));
             update();
         }
     };
@@ -888,7 +975,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
             if (dragging_) {
                 model_->takeBack();
                 endDrag();
-                Q_EMIT hovered(map_->placeText(map_->present()));
+                Q_EMIT hovered(placeWords(map_->present()));
                 return;
             }
             if (chosen_) {

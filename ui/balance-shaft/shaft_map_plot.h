@@ -36,12 +36,20 @@ class ShaftMapPlot : public PlotView {
         bool isBold = false;
     };
     const std::vector<Label>& labels() const { return labels_; }
+    /// The map of the reference; null where there is none or it is switched off.
+    const ShaftMapModel* referenceMap() const;
+    /// ShaftMapModel::placeText(), and below it what it is there against the reference.
+    QString placeWords(const ShaftMapModel::Position& position, int decimals = 2) const;
+    /// What is best, and below it what is best of the reference.
+    QString bestWords() const;
     /// Where the signs of the markers are drawn: those of places near one another stand apart.
     std::vector<QPointF> signPlaces() const;
 
   Q_SIGNALS:
     /// What is under the pointer, in words; empty where it left.
     void hovered(const QString& text);
+    /// The map of the reference is another one, or there is none.
+    void referenceMapChanged();
 
   protected:
     void paintGround(QPainter& painter) override;
@@ -67,6 +75,10 @@ class ShaftMapPlot : public PlotView {
 
     void showMap();
     void showImage();
+    /// The reference's map is by the criterion of this one.
+    void leadReference();
+    void followReference();
+    QString markerWords(const ShaftMapModel::Marker& marker) const;
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
@@ -76,6 +88,8 @@ class ShaftMapPlot : public PlotView {
     bool isLow() const;
     QString signsInWords() const;
     void paintBlocked(QPainter& painter) const;
+    /// Of the reference: what cannot be built, no change and the best places, pale.
+    void paintReference(QPainter& painter) const;
     void paintContours(QPainter& painter);
     void paintMarkers(QPainter& painter) const;
     void labelMarkers();
@@ -97,6 +111,7 @@ class ShaftMapPlot : public PlotView {
     std::vector<Label> labels_;
     QPixmap standing_;  ///< what lies over the map and rests while the shaft moves
     bool standingStale_ = true;
+    QMetaObject::Connection followed_;  ///< the reference's map
 };
 
 }  // namespace ravnoves

@@ -96,12 +96,16 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     buildCharts();
 
     connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
+    connect(plot_, &ShaftMapPlot::referenceMapChanged, this, [this] {
+        fitWords();
+        showWords();
+    });
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapView::showMap);
     connect(map_, &ShaftMapModel::staleChanged, this, &ShaftMapView::showStale);
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
             showPresent();
-            showWords(map_->isAtBest() ? QString() : map_->placeText(map_->present()));
+            showWords(map_->isAtBest() ? QString() : plot_->placeWords(map_->present()));
         }
     });
     arrange();
@@ -281,8 +285,12 @@ void ShaftMapView::hideEvent(QHideEvent* event) {
 void ShaftMapView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrange();
-    // Room for the words, so that the map rests while they change.
-    const int rows = width() < Theme::withText(500) ? 5 : 3;
+    fitWords();
+}
+
+void ShaftMapView::fitWords() {
+    const bool isNarrow = width() < Theme::withText(500);
+    const int rows = (isNarrow ? 5 : 3) + (plot_->reference() == nullptr ? 0 : isNarrow ? 3 : 1);
     wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 
@@ -315,7 +323,7 @@ void ShaftMapView::showStale() {
 }
 
 void ShaftMapView::showWords(const QString& hovered) {
-    const QString text = hovered.isEmpty() ? map_->bestText() : hovered;
+    const QString text = hovered.isEmpty() ? plot_->bestWords() : hovered;
     words_->setText(text);
     words_->setToolTip(text);
 }
@@ -414,7 +422,7 @@ void ShaftMapView::showPresent() {
     }
     distance_->setValue(present);
     distances_->setPresentX(present);
-    plot_->setAccessibleDescription(map_->placeText(map_->present()));
+    plot_->setAccessibleDescription(plot_->placeWords(map_->present()));
     showPresentSize();
 }
 

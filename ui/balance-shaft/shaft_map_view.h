@@ -56,6 +56,8 @@ class ShaftMapView : public QWidget {
     void showStale();
     bool nothingIsBuilt() const;  ///< though there is something to balance
     void showWords(const QString& hovered = {});
+    /// Room for the words, so that the map rests while they change.
+    void fitWords();
     void pickSize(double size, double change);
 
     BalanceShaftModel* model_;

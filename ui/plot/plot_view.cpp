@@ -83,6 +83,7 @@ void PlotView::setReference(PlotView* plot, const QString& name) {
             connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
                 data_.referenceShown = on;
                 chartChanged();
+                Q_EMIT referenceChanged();
             });
         }
         constexpr int longest = 24;
@@ -93,6 +94,7 @@ void PlotView::setReference(PlotView* plot, const QString& name) {
         referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
     }
     chartChanged();
+    Q_EMIT referenceChanged();
 }
 
 QList<LegendItem*> PlotView::shownLegend() const {

@@ -154,6 +154,8 @@ class PlotView : public QWidget {
     QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
+    /// Another reference, or none, or it is switched on or off.
+    void referenceChanged();
     /// A click or drag in a pickable plot.
     void picked(double x);
     /// The same with the value on the left axis (maps).
@@ -171,6 +173,8 @@ class PlotView : public QWidget {
     virtual void paintTop(QPainter& /*painter*/) {}
     /// What the ground paints is new.
     void groundChanged() { chartChanged(); }
+    /// It paints of a reference more than curves, so that the legend has its entry in any case.
+    void setPaintsGhosts() { data_.paintsGhosts = true; }
     /// What lies under the pointer is read out as the hand moves.
     virtual bool readsUnderPointer() const { return true; }
     /// Height of a key of its own between title and chart, pixels.

@@ -19,6 +19,7 @@
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
 #include "model/background_job.h"
+#include "shell/comparison.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
@@ -304,6 +305,34 @@ TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
     EXPECT_NEAR(view->distanceSlider()->value(), 1.5 * seen / mm, 0.01);
 }
 
+TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
+    const Comparison comparison(&page);
+    model->keepVariant(QStringLiteral("old"));
+    model->edit(QStringLiteral("Radius"),
+                [](balance_shaft::Input& input) { input.crank_radius *= 1.2; });
+    wait();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return plot->referenceMap() != nullptr && plot->referenceMap()->map() != nullptr; },
+        60'000));
+    const ShaftMapModel& other = *plot->referenceMap();
+    EXPECT_TRUE(plot->data().hasGhosts());  // hence its entry in the legend
+    EXPECT_NE(other.best()->criteria.range, map->best()->criteria.range);
+    // What is best there, and what is under the pointer, with the differences.
+    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Best place of old: ")))
+        << view->words()->text().toStdString();
+    move(plot->pixelOf({60 * mm, 60 * mm}), Qt::NoButton);
+    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Against old here: range ")))
+        << view->words()->text().toStdString();
+    const QImage both = plot->grab().toImage();
+    map->setCriterion(Criterion::Rms);
+    EXPECT_EQ(other.criterion(), Criterion::Rms);
+    map->setCriterion(Criterion::Range);
+    model->chooseReference(-1);
+    EXPECT_EQ(plot->referenceMap(), nullptr);
+    EXPECT_FALSE(view->words()->text().contains(QStringLiteral("old")));
+    EXPECT_NE(plot->grab().toImage(), both);
+}
+
 TEST_F(ShaftMapTest, ASecondSliderSetsTheDistance) {
     const double alpha = angle();
     QSlider* slider = view->distanceSlider()->slider();
@@ -475,7 +504,8 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
         // The words say what the fields of the form show, and all of it.
         const QString l = QLocale().toString(length() / mm, 'f', 2);
         const QString alpha = QLocale().toString(angle() / degree, 'f', 2);
-        EXPECT_TRUE(view->words()->text().contains(QStringLiteral("l %1\u00A0mm, α %2°").arg(l, alpha)))
+        EXPECT_TRUE(
+            view->words()->text().contains(QStringLiteral("l %1\u00A0mm, α %2°").arg(l, alpha)))
             << view->words()->text().toStdString();
         EXPECT_NEAR(*test::named<NumberField>(page, "centre_distance_mm")->value(), l.toDouble(),
                     1e-12);

@@ -13,6 +13,7 @@
 #include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/result_row.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -454,6 +455,67 @@ const ShaftMapModel::Marker* ShaftMapModel::best() const {
     return found;
 }
 
+namespace {
+
+QString whereText(const ShaftMapModel::Position& position) {
+    return ShaftMapModel::tr("l %1, α %2°")
+        .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
+}
+
+/// "+1.2 N·m (+3.0 %)".
+QString differenceText(double present, double reference, const Unit& unit, int decimals) {
+    const auto found =
+        shownCell(present, unit, decimals).from(shownCell(reference, unit, decimals));
+    return !found ? shownNumber(present, unit, decimals)
+                  : QStringLiteral("%1 (%2)").arg(withUnit(found->absolute, shownUnit(unit).name),
+                                                  found->percent);
+}
+
+}  // namespace
+
+QString ShaftMapModel::valueText(const Criteria& criteria) const {
+    const QString change = signedPercentText(this->change(criteria).value_or(0.0));
+    return criterion_ == Criterion::Both
+               ? change
+               : QStringLiteral("%1 (%2)").arg(
+                     newtonMetres(criterion_ == Criterion::Range ? criteria.range : criteria.rms),
+                     change);
+}
+
+QString ShaftMapModel::againstText(const ShaftMapModel& other, const QString& name,
+                                   const Position& position) const {
+    if (!map_ || !other.map_) {
+        return {};
+    }
+    const Criteria now = map_->study.at(position);
+    const Criteria was = other.map_->study.at(position);
+    return tr("Against %1 here: range %2; RMS %3; box %4")
+        .arg(name, differenceText(now.range, was.range, units::N_m, 1),
+             differenceText(now.rms, was.rms, units::N_m, 1),
+             differenceText(now.size, was.size, units::cm2, 0));
+}
+
+QString ShaftMapModel::bestAgainstText(const ShaftMapModel& other, const QString& name) const {
+    const Marker* best = this->best();
+    const Marker* was = other.best();
+    if (!map_ || !other.map_ || best == nullptr || was == nullptr ||
+        other.criterion_ != criterion_) {
+        return {};
+    }
+    const QString text = tr("Best place of %1: %2 at %3")
+                             .arg(name, other.valueText(was->criteria), whereText(was->position));
+    if (criterion_ == Criterion::Both) {
+        return text + QLatin1Char('.');
+    }
+    const bool byRange = criterion_ == Criterion::Range;
+    const auto value = [&](const Criteria& criteria) {
+        return byRange ? criteria.range : criteria.rms;
+    };
+    return text +
+           tr("; against it %1.")
+               .arg(differenceText(value(best->criteria), value(was->criteria), units::N_m, 1));
+}
+
 QString ShaftMapModel::bestText() const {
     if (!trouble_.isEmpty()) {
         return trouble_;
@@ -465,21 +527,9 @@ QString ShaftMapModel::bestText() const {
     if (best == nullptr || !map_->best.reason.empty()) {
         return messageText(map_->best.reason);
     }
-    const auto where = [](const Position& position) {
-        return tr("l %1, α %2°")
-            .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
-    };
-    const auto value = [this](const Criteria& criteria) {
-        const QString change = signedPercentText(this->change(criteria).value_or(0.0));
-        return criterion_ == Criterion::Both
-                   ? change
-                   : QStringLiteral("%1 (%2)").arg(
-                         newtonMetres(criterion_ == Criterion::Range ? criteria.range
-                                                                     : criteria.rms),
-                         change);
-    };
+    const auto value = [this](const Criteria& criteria) { return valueText(criteria); };
     QString text = tr("Best place by the %1: %2 at %3.")
-                       .arg(criterionName(), value(best->criteria), where(best->position));
+                       .arg(criterionName(), value(best->criteria), whereText(best->position));
     constexpr double shown = 5e-4;  // less is 0.0 %
     if (change(best->criteria).value_or(0.0) >= shown) {
         text += QLatin1Char(' ') + tr("It is worse than without a shaft.");
@@ -492,9 +542,8 @@ QString ShaftMapModel::bestText() const {
     }
     for (const Marker& other : markers_) {
         if (other.criterion == criterion_ && !other.isBuildable && !other.worst) {
-            text +=
-                QLatin1Char(' ') +
-                tr("%1 at %2 – cannot be built.").arg(value(other.criteria), where(other.position));
+            text += QLatin1Char(' ') + tr("%1 at %2 – cannot be built.")
+                                           .arg(value(other.criteria), whereText(other.position));
         }
     }
     return text;

@@ -115,6 +115,11 @@ class ShaftMapModel : public QObject {
     QString placeText(const Position& position, int decimals = 2) const;
     /// The same but for the reason, a line each.
     QStringList placeLines(const Position& position, int decimals = 2) const;
+    /// What the place gives here against what it gives in another map, the difference of each.
+    QString againstText(const ShaftMapModel& other, const QString& name,
+                        const Position& position) const;
+    /// What is best in another map by the criterion of this one, and this one's best against it.
+    QString bestAgainstText(const ShaftMapModel& other, const QString& name) const;
     QString reason(const Position& position) const;
     QString markerText(const Marker& marker) const;
 
@@ -163,6 +168,8 @@ class ShaftMapModel : public QObject {
     double rangeWeight() const;
     double weighted(double range, double rms) const;
     double valueOf(const Criteria& criteria, Criterion by) const;
+    /// By the criterion, with its change.
+    QString valueText(const Criteria& criteria) const;
     void placeShaft(double centreDistance, double shaftAngle);
     void addMarker(Criterion criterion, bool isBuildable,
                    const std::optional<balance_shaft::BestPosition>& best);

@@ -152,6 +152,7 @@ struct PlotData {
     const PlotData* reference = nullptr;
     QString referenceName = {};
     bool referenceShown = true;
+    bool paintsGhosts = false;  ///< a drawing that shows more of the reference than its curves
 
     PlotScale& scale(Side side) { return side == Side::Left ? left : right; }
     const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
