@@ -1,5 +1,9 @@
 #include "workshop/kilograms.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace ravnoves::workshop {
 
 namespace {
@@ -29,6 +33,49 @@ std::optional<double> mass_in_kilograms(Part part, const std::optional<double>& 
         }
     }
     return std::nullopt;
+}
+
+namespace {
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+}  // namespace
+
+std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
+                                std::span<const Weighed> masses) {
+    constexpr double most = 3.0;
+    std::optional<OddMass> found;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        std::vector<double> others;
+        for (std::size_t k = 0; k < masses.size(); ++k) {
+            if (k != i && masses[k] && *masses[k] > 0.0) {
+                others.push_back(*masses[k]);
+            }
+        }
+        if (!masses[i] || !(*masses[i] > 0.0) || others.empty()) {
+            continue;
+        }
+        const double usual = median(others);
+        const double away = std::abs(std::log(*masses[i] / usual));
+        if (away <= std::log(most)) {
+            continue;
+        }
+        // Of two both are as far from each other: the nominal mass says which is right.
+        const double tie = others.size() > 1 ? 0.0
+                           : nominal && *nominal > 0.0
+                               ? 1e-3 * std::abs(std::log(*masses[i] / *nominal))
+                               : 1e-3 * (*masses[i] > usual ? 1.0 : 0.0);
+        if (away + tie > farthest) {
+            farthest = away + tie;
+            found = OddMass{i, *masses[i], usual};
+        }
+    }
+    return found;
 }
 
 }  // namespace ravnoves::workshop

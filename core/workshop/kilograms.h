@@ -13,4 +13,17 @@ namespace ravnoves::workshop {
 std::optional<double> mass_in_kilograms(Part part, const std::optional<double>& nominal,
                                         std::span<const Weighed> masses);
 
+/// A mass that is unlike the others of its column, as a slip of the keys makes it.
+struct OddMass {
+    std::size_t cylinder;  ///< counted from 0
+    double mass;           ///< kg
+    double usual;          ///< median of the others, kg
+};
+/// The mass that is farthest from the others, where that is by a factor of more than 3: parts of
+/// one engine differ by a few percent, a decimal sign in the wrong place makes it ten times. Of two
+/// the one that is farther from the nominal mass, or the heavier one. Nothing where there is none;
+/// 0 is no mass.
+std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
+                                std::span<const Weighed> masses);
+
 }  // namespace ravnoves::workshop

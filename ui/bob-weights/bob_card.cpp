@@ -209,7 +209,8 @@ void BobCard::draw(CardPage& page) const {
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
     QStringList wrong{refusedText(), bob_text::otherReadings(words(), solution_)};
-    wrong << bob_text::doubts(words(), solution_) << bob_text::shortfalls(words(), solution_);
+    wrong << bob_text::doubts(words(), input_, solution_)
+          << bob_text::shortfalls(words(), solution_);
     wrong.removeAll(QString());
     QStringList more{known ? bob_text::factor(words(), input_, solution_) : QString(),
                      bob_text::verdict(words(), solution_)};

@@ -80,6 +80,30 @@ TEST(WeighInSheet, KilogramsAreNoticed) {
     EXPECT_FALSE(mass_in_kilograms(Part::rings, PartColumn{3 * gram, {}, {}}));
 }
 
+TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
+    using workshop::odd_mass;
+    using workshop::Weighed;
+    const auto grams = [](std::initializer_list<double> values) {
+        std::vector<Weighed> masses;
+        for (const double value : values) {
+            masses.push_back(value > 0.0 ? Weighed(value * gram) : Weighed());
+        }
+        return masses;
+    };
+    EXPECT_FALSE(odd_mass({}, grams({})));
+    EXPECT_FALSE(odd_mass({}, grams({584, 0, 0})));
+    EXPECT_FALSE(odd_mass({}, grams({584, 600, 400, 0})));
+    const auto heavy = odd_mass({}, grams({584, 583, 5840, 585}));
+    ASSERT_TRUE(heavy);
+    EXPECT_EQ(heavy->cylinder, 2U);
+    EXPECT_NEAR(heavy->mass, 5840 * gram, 1e-12);
+    EXPECT_NEAR(heavy->usual, 584 * gram, 1e-12);
+    EXPECT_EQ(odd_mass({}, grams({58.4, 583, 584, 0}))->cylinder, 0U);
+    // Of two the nominal mass says which is right.
+    EXPECT_EQ(odd_mass(584 * gram, grams({584, 58.4}))->cylinder, 1U);
+    EXPECT_EQ(odd_mass(58 * gram, grams({584, 58.4}))->cylinder, 0U);
+}
+
 TEST(WeighInSheet, StatisticsOfAColumn) {
     PartColumn column;
     EXPECT_FALSE(statistics(column));

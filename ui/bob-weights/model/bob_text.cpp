@@ -4,6 +4,7 @@
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
 #include "text/capital.h"
+#include "workshop/model/mass_doubts.h"
 #include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
 #include "workshop/tolerance.h"
@@ -164,13 +165,12 @@ QString otherRun(const Words& words, const Result& result) {
     return {};
 }
 
-QStringList doubts(const Words& words, const Result& result) {
+QStringList doubts(const Words& words, const Input& input, const Result& result) {
     QStringList list;
     for (const auto& [part, mass] : result.in_kilograms) {
-        list << words.translate("V8", "%1: %2 looks like kilograms; masses are in grams.")
-                    .arg(words.name(part->field), words.number(mass, units::gram, 3));
+        list << kilogramText(words, words.name(part->field), mass);
     }
-    return list;
+    return input.weigh_in ? list + oddMassTexts(words, *input.weigh_in) : list;
 }
 
 QStringList warnings(const Words& words, const Input& input, const Result& result) {

@@ -33,8 +33,9 @@ QString verdict(const Words& words, const bob_weights::Result& result);
 QString otherReadings(const Words& words, const bob_weights::Result& result);
 /// The same of the newest run that does not hold, with its name where it is an earlier one.
 QString otherRun(const Words& words, const bob_weights::Result& result);
-/// Masses that look like kilograms: the answer is not to be trusted.
-QStringList doubts(const Words& words, const bob_weights::Result& result);
+/// Masses that look like kilograms or are unlike the others: the answer is not to be trusted.
+QStringList doubts(const Words& words, const bob_weights::Input& input,
+                   const bob_weights::Result& result);
 /// What counts as 0 because it was not given, and readings that lie far outside the planes.
 QStringList warnings(const Words& words, const bob_weights::Input& input,
                      const bob_weights::Result& result);

@@ -593,7 +593,7 @@ QString BobWeightsModel::holeNote() const {
 }
 
 QStringList BobWeightsModel::doubts() const {
-    return bob_text::doubts(Words(), solution());
+    return bob_text::doubts(Words(), input(), solution());
 }
 
 QStringList BobWeightsModel::troubles() const {

@@ -120,7 +120,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString limitText() const;
     QString verdictText() const;
     QString holeNote() const;
-    /// Masses that look like kilograms: the answer is not to be trusted.
+    /// Masses that look like kilograms or are unlike the others: the answer is not to be trusted.
     QStringList doubts() const;
     /// Rules broken and what falls short, a sentence each.
     QStringList troubles() const;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QStringList>
+
+#include "workshop/kilograms.h"
+#include "workshop/model/words.h"
+
+namespace ravnoves {
+
+/// "Piston: 0.584 g looks like kilograms; masses are in grams."
+QString kilogramText(const Words& words, const QString& name, double mass);
+/// "Piston: cylinder 3 weighs 5840 g, the others about 584 g; look at the decimal sign."
+QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd);
+
+/// Weights of a sheet that are unlike the others of their column; one that looks like kilograms is
+/// said as such.
+template <typename Sheet>
+QStringList oddMassTexts(const Words& words, const Sheet& sheet) {
+    QStringList list;
+    for (const workshop::Part part : workshop::all_parts) {
+        const auto& column = sheet[part];
+        const auto odd = workshop::odd_mass(column.nominal, column.mass);
+        if (odd && !workshop::mass_in_kilograms(part, column.nominal, column.mass)) {
+            list << oddMassText(words, part, *odd);
+        }
+    }
+    return list;
+}
+
+}  // namespace ravnoves
