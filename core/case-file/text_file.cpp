@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "case-file/input_error.h"
+#include "case-file/system_fault.h"
 #include "case-file/text_size.h"
 
 namespace ravnoves {
@@ -20,11 +21,11 @@ namespace ravnoves {
 namespace {
 
 InputError not_written() {
-    return {"", {CORE_TEXT("core", "cannot be written: %1"), std::strerror(errno)}};
+    return {"", {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)}};
 }
 
 InputError not_read() {
-    return {"", {CORE_TEXT("core", "cannot be read: %1"), std::strerror(errno)}};
+    return {"", {CORE_TEXT("core", "cannot be read: %1"), system_fault(errno)}};
 }
 
 constexpr std::size_t block_size = 1U << 16U;
