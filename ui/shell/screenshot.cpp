@@ -1,6 +1,7 @@
 #include "shell/screenshot.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTabWidget>
@@ -9,6 +10,7 @@
 #include "model/case_sources.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
+#include "text/write_file.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -103,10 +105,13 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
         focus->clearFocus();  // no blinking text cursor in the picture
     }
     QApplication::processEvents();
-    if (!window.grab().save(path, "PNG")) {
+    // Drawn before the file is begun: an old picture stays whole when that fails.
+    QBuffer picture;
+    picture.open(QIODevice::WriteOnly);
+    if (!window.grab().save(&picture, "PNG")) {
         return path + QStringLiteral(": cannot be written");
     }
-    return {};
+    return writeFile(path, [&] { return picture.data().toStdString(); });
 }
 
 }  // namespace ravnoves
