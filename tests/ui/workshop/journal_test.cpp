@@ -20,6 +20,8 @@
 #include <csignal>
 #include <map>
 
+#include "workshop/model/journal_rows.h"
+
 namespace ravnoves {
 namespace {
 
@@ -222,6 +224,17 @@ TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
     // A place that cannot be written is said, and nothing else changes.
     EXPECT_FALSE(journal.exportCsv(path(u"nowhere/out.csv"_s), {}));
     EXPECT_TRUE(journal.lastError().contains(u"nowhere"_s));
+}
+
+TEST_F(JournalTest, FaultsAreSaidInWords) {
+    const auto said = [](const char* code) {
+        return journal_rows::faultText(QSqlError(u"Unable to fetch row"_s, u"of the database"_s,
+                                                 QSqlError::StatementError,
+                                                 QString::fromLatin1(code)));
+    };
+    EXPECT_EQ(said("13"), u"there is no space left on the disk"_s);
+    EXPECT_EQ(said("778"), u"the disk does not read or write it"_s);  // IOERR_WRITE
+    EXPECT_EQ(said("1"), u"of the database"_s);
 }
 
 TEST_F(JournalTest, CsvFollowsTheLanguageAndHoldsNoFormulas) {

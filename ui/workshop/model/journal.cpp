@@ -116,8 +116,7 @@ bool Journal::run(QSqlQuery& query, const QString& what) {
     }
     busy_ = journal_rows::saysBusy(query.lastError());
     damaged_ = journal_rows::saysDamaged(query.lastError());
-    return fail(what,
-                busy_ ? tr("another program is writing to the journal") : query.lastError().text());
+    return fail(what, journal_rows::faultText(query.lastError()));
 }
 
 bool Journal::runText(const QString& sql, const QString& what) {
@@ -126,7 +125,7 @@ bool Journal::runText(const QString& sql, const QString& what) {
         return true;
     }
     busy_ = journal_rows::saysBusy(query.lastError());
-    return fail(what, query.lastError().text());
+    return fail(what, journal_rows::faultText(query.lastError()));
 }
 
 Journal::Saved Journal::save(JournalJob& job) {
@@ -141,7 +140,7 @@ Journal::Saved Journal::save(JournalJob& job) {
 }
 
 Journal::Saved Journal::saveOnce(JournalJob& job) {
-    const QString cannot = tr("The job could not be saved.");
+    const QString cannot = tr("The job could not be saved: the journal keeps nothing of it.");
     job.saved = QDateTime::currentDateTimeUtc();
     bool asCopy = false;
     if (job.id != 0) {

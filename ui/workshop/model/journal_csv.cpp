@@ -1,9 +1,9 @@
 // The journal's list for a spreadsheet.
 
-#include <QSaveFile>
 #include <algorithm>
 
 #include "text/csv_format.h"
+#include "text/write_file.h"
 #include "workshop/model/journal.h"
 
 namespace ravnoves {
@@ -85,13 +85,9 @@ QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
 }
 
 bool Journal::exportCsv(const QString& file, const QList<JournalJob>& jobs) {
-    QSaveFile out(file);
     const QByteArray text = QByteArrayLiteral("\xEF\xBB\xBF") + csvText(jobs).toUtf8();
-    if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit()) {
-        return fail(tr("%1 could not be written.").arg(file), out.errorString());
-    }
-    error_.clear();
-    return true;
+    error_ = writeFile(file, [&] { return text.toStdString(); });
+    return error_.isEmpty();
 }
 
 }  // namespace ravnoves

@@ -170,7 +170,8 @@ bool Journal::openDatabase() {
         db.setDatabaseName(path_);
         db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=10"));
         if (!db.open()) {
-            return fail(tr("The journal %1 cannot be opened.").arg(path_), db.lastError().text());
+            return fail(tr("The journal %1 cannot be opened.").arg(path_),
+                        journal_rows::faultText(db.lastError()));
         }
     }
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
@@ -195,7 +196,7 @@ bool Journal::prepareSchema() {
         if (!execute(query, [&] { return query.exec(QStringLiteral("PRAGMA user_version")); }) ||
             !query.next()) {
             busy_ = journal_rows::saysBusy(query.lastError());
-            return fail(cannot, query.lastError().text());
+            return fail(cannot, journal_rows::faultText(query.lastError()));
         }
         version = query.value(0).toInt();
     }
@@ -206,7 +207,7 @@ bool Journal::prepareSchema() {
     {
         QSqlQuery query(database());
         if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
-            return fail(cannot, query.lastError().text());
+            return fail(cannot, journal_rows::faultText(query.lastError()));
         }
         if (query.value(0).toString() != QLatin1String("ok")) {
             return fail(cannot, query.value(0).toString());
@@ -218,12 +219,12 @@ bool Journal::prepareSchema() {
         return query.exec(
                    QStringLiteral("SELECT %1, search FROM job LIMIT 1").arg(journal_rows::columns))
                    ? true
-                   : fail(cannot, query.lastError().text());
+                   : fail(cannot, journal_rows::faultText(query.lastError()));
     }
     if (version == 0) {
         QSqlQuery query(database());
         if (!query.exec(QStringLiteral("SELECT count(*) FROM sqlite_master")) || !query.next()) {
-            return fail(cannot, query.lastError().text());
+            return fail(cannot, journal_rows::faultText(query.lastError()));
         }
         if (query.value(0).toInt() > 0 && !database().tables().contains(QStringLiteral("job"))) {
             return fail(tr("%1 is a database of another program; it was left as it is.").arg(path_),
@@ -301,7 +302,7 @@ bool Journal::fromVersionOne() {
     QSqlQuery rows(database());
     rows.setForwardOnly(true);
     if (!rows.exec(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne))) {
-        return fail(cannot, rows.lastError().text());
+        return fail(cannot, journal_rows::faultText(rows.lastError()));
     }
     QList<JournalJob> jobs;
     while (rows.next()) {

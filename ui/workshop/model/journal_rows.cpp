@@ -4,13 +4,20 @@
 #include <QJsonObject>
 #include <QSqlRecord>
 
+#include "workshop/model/journal.h"
+
 namespace ravnoves::journal_rows {
 
 namespace {
 
 // SQLite's primary result codes.
 constexpr int sqliteBusy = 5;
+constexpr int sqliteLocked = 6;
+constexpr int sqliteReadOnly = 8;
+constexpr int sqliteInput = 10;
 constexpr int sqliteCorrupt = 11;
+constexpr int sqliteFull = 13;
+constexpr int sqliteCannotOpen = 14;
 constexpr int sqliteNotADatabase = 26;
 
 /// -1 where there is none.
@@ -129,6 +136,28 @@ bool saysBusy(const QSqlError& error) {
 bool saysDamaged(const QSqlError& error) {
     const int code = primaryCode(error);
     return code == sqliteCorrupt || code == sqliteNotADatabase;
+}
+
+QString faultText(const QSqlError& error) {
+    switch (primaryCode(error)) {
+        case sqliteFull:
+            return Journal::tr("there is no space left on the disk");
+        case sqliteReadOnly:
+            return Journal::tr("the journal may only be read");
+        case sqliteInput:
+            return Journal::tr("the disk does not read or write it");
+        case sqliteCannotOpen:
+            return Journal::tr("the file cannot be opened");
+        case sqliteBusy:
+        case sqliteLocked:
+            return Journal::tr("another program is writing to the journal");
+        case sqliteCorrupt:
+        case sqliteNotADatabase:
+            return Journal::tr("the file is damaged");
+        default:
+            // The database's own word: the driver's says no more than what was tried.
+            return error.databaseText().isEmpty() ? error.text() : error.databaseText();
+    }
 }
 
 }  // namespace ravnoves::journal_rows

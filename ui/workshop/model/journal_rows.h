@@ -39,5 +39,7 @@ inline constexpr int patience = 15'000;
 bool saysBusy(const QSqlError& error);
 /// True where SQLite says that the file is damaged or no database.
 bool saysDamaged(const QSqlError& error);
+/// What SQLite says, in words for who works with the journal.
+QString faultText(const QSqlError& error);
 
 }  // namespace ravnoves::journal_rows
