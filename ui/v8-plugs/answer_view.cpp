@@ -160,7 +160,9 @@ void AnswerView::showAdvice() {
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, !isStale));
-    const bool doubtful = isStale || model_->solution().shift_that_matters() != nullptr;
+    const bool isUneven = v8_text::hasUnequalCrankpins(model_->input(), model_->solution());
+    const bool doubtful = isStale || isUneven || model_->solution().shift_that_matters() != nullptr;
+    colourText(excess_, isUneven ? theme.warning() : theme.text());
     colourText(advice_, !advice    ? theme.mutedText()
                         : doubtful ? theme.warning()
                         : works    ? theme.text()

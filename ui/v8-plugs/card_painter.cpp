@@ -99,7 +99,11 @@ double CardPainter::answer(double y) {
         fact = words_.translate("JobCard", "Not known without: %1.")
                    .arg(v8_text::missingNames(words_, input_, false));
     }
-    return cardAnswer(sheet_, {fact, action, more.join(QLatin1Char(' ')), warning}, y);
+    QStringList wrong{warning, v8_text::unequalCrankpins(words_, input_, solution_),
+                      v8_text::otherReadings(words_, solution_)};
+    wrong.removeAll(QString());
+    return cardAnswer(sheet_,
+                      {fact, action, more.join(QLatin1Char(' ')), wrong.join(QLatin1Char(' '))}, y);
 }
 
 double CardPainter::inputs(double y) {
@@ -161,7 +165,7 @@ void CardPainter::changesTable(double x, double y, double width) {
 
 double CardPainter::options(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
-    CardTable table({{60, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {22}, {26, Qt::AlignRight}}, 7.5,
+    CardTable table({{57, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {21}, {30, Qt::AlignRight}}, 7.5,
                     3.8);
     const QString g = unitGram();
     table.head({QString(), words_.translate("JobCard", "constant, %1").arg(g),
@@ -182,20 +186,24 @@ double CardPainter::options(double y) {
         const bool fitted =
             needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
         const bool best = recommended && chosen && chosen->id == id;
-        table.add({{v8_text::optionName(words_, id), grams(option->constant, 3),
-                    grams(option->maximum, 3), grams(option->required_reduction, 3),
-                    grams(option->max_reduction, 3),
-                    words_.digits(option->residual_unbalance, units::gram_mm, 1),
-                    !fitted                      ? words_.translate("JobCard", "other crankshaft")
-                    : !solution_.can_be_made(id) ? words_.translate("JobCard", "cannot be made")
-                    : best && v8_text::methodAlone(solution_, id)
-                        ? words_.translate("JobCard", "check: see above")
-                    : v8_text::methodAlone(solution_, id)
-                        ? words_.translate("JobCard", "by the method alone")
-                    : option->feasible ? words_.translate("JobCard", "works")
-                                       : words_.translate("JobCard", "does not work")},
-                   best,
-                   best});
+        table.add(
+            {{v8_text::optionName(words_, id), grams(option->constant, 3),
+              grams(option->maximum, 3), grams(option->required_reduction, 3),
+              grams(option->max_reduction, 3),
+              words_.digits(option->residual_unbalance, units::gram_mm, 1),
+              !fitted ? words_.translate("JobCard", "other crankshaft") + QStringLiteral(": ") +
+                            (option->feasible && solution_.can_be_made(id)
+                                 ? words_.translate("JobCard", "works")
+                                 : words_.translate("JobCard", "does not work"))
+              : !solution_.can_be_made(id) ? words_.translate("JobCard", "cannot be made")
+              : best && v8_text::methodAlone(solution_, id)
+                  ? words_.translate("JobCard", "check: see above")
+              : v8_text::methodAlone(solution_, id)
+                  ? words_.translate("JobCard", "by the method alone")
+              : option->feasible ? words_.translate("JobCard", "works")
+                                 : words_.translate("JobCard", "does not work")},
+             best,
+             best});
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
     sheet_.text(

@@ -125,9 +125,11 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
         troubles.removeAll(each);
     }
-    troubles.removeAll(v8_text::otherReadings(words_, solution_));  // beside them
+    // The answer itself says these.
     const QString warning = v8_text::shiftWarning(words_, input_, solution_);
-    troubles.removeAll(warning);  // the answer itself says it
+    for (const QString& said : {warning, v8_text::otherReadings(words_, solution_)}) {
+        troubles.removeAll(said);
+    }
     QString rest;
     if (warning.isEmpty() && solution_.plugs) {
         const auto chosen = v8_text::chosenOption(solution_);
@@ -169,13 +171,8 @@ void CardPainter::machine(double y) {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
     sheet_.text(left, y + 5.2, full, limits, 8);
-    const QString other = v8_text::otherReadings(words_, solution_);
-    if (other.isEmpty()) {
-        sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_),
-                         6.5, 2, false, CardPage::grey);
-    } else {
-        sheet_.paragraph(left, y + 8.4, full, other, 7.5, 2, true, CardPage::amber);
-    }
+    sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_), 6.5, 2,
+                     false, CardPage::grey);
     CardTable table({{44, Qt::AlignLeft},
                      {38},
                      {38, Qt::AlignHCenter},

@@ -203,13 +203,17 @@ class Sketch {
                labels.thread, style_.thin);
         along(section_.top(), section_.bottom(), section_.left(), section_.left() - 0.9 * em_,
               labels.height, style_.thin);
-        double above = section_.top() - 0.7 * em_;
         double beside = section_.right() + 0.9 * em_;
         double deepest = 0.0;
-        if (plug.bore_diameter > 0.0 && plug.bore_depth > 0.0) {
-            across(x(-plug.bore_diameter / 2.0), x(plug.bore_diameter / 2.0), y(0), above,
-                   labels.boreDiameter, style_.thin);
-            above -= 1.9 * em_;
+        const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
+        // The narrower one stands nearer: no line crosses the other's number.
+        const double near = section_.top() - 0.7 * em_;
+        const double far = near - 1.9 * em_;
+        const bool isCutInside =
+            hasBore && cutsAnotherWidth(drawing) && *drawing.cutterDiameter < plug.bore_diameter;
+        if (hasBore) {
+            across(x(-plug.bore_diameter / 2.0), x(plug.bore_diameter / 2.0), y(0),
+                   isCutInside ? far : near, labels.boreDiameter, style_.thin);
             deepest = plug.bore_depth;
             along(y(0), y(plug.bore_depth), x(plug.bore_diameter / 2.0), beside, labels.boreDepth,
                   style_.thin);
@@ -217,7 +221,8 @@ class Sketch {
         if (cuts(drawing)) {
             const double half = *drawing.cutterDiameter / 2.0;
             if (cutsAnotherWidth(drawing)) {
-                across(x(-half), x(half), y(0), above, labels.cutDiameter, style_.cut);
+                across(x(-half), x(half), y(0), hasBore && !isCutInside ? far : near,
+                       labels.cutDiameter, style_.cut);
             }
             const double depth = std::min(drawing.cutDepth, plug.height);
             if (deepest > 0.0) {
@@ -226,8 +231,13 @@ class Sketch {
             along(y(0), y(depth), x(half), beside, labels.cutDepth, style_.cut);
             deepest = std::max(deepest, depth);
         }
-        // The bottom that stays, under the deepest bore.
-        if (deepest > 0.0 && deepest < plug.height) {
+        // The bottom that stays, under the deepest bore; where that has no room for the number it
+        // follows the depth on its line.
+        constexpr double roomForNumber = 2.0;
+        if (deepest > 0.0 && deepest < plug.height && y(deepest) - y(0) < roomForNumber * em_) {
+            along(y(deepest), section_.bottom(), section_.right(), beside, labels.bottom,
+                  style_.thin);
+        } else if (deepest > 0.0 && deepest < plug.height) {
             const double at = x(0) + std::min(0.22 * section_.width(), 2.0 * em_);
             painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
             const double y1 = y(deepest);

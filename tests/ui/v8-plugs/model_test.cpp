@@ -291,9 +291,12 @@ TEST_F(V8ModelTest, SpreadAbovePermittedIsWarnedOf) {
         input.changes_from_weigh_in = true;
     });
     EXPECT_TRUE(model.columnNote(Part::piston).tooWide);
-    ASSERT_EQ(model.troubles().size(), 1);
+    ASSERT_EQ(model.troubles().size(), 2);
+    EXPECT_TRUE(model.troubles().constFirst().startsWith(u"The crankpins are unequal: "_s))
+        << qPrintable(model.troubles().constFirst());
+    EXPECT_TRUE(model.excessText().endsWith(u"the mean of unequal crankpins"_s));
     EXPECT_EQ(
-        model.troubles().constFirst(),
+        model.troubles().constLast(),
         u"Piston: spread 7.00\u00A0g, permitted 2.00\u00A0g (heaviest: cylinder 8, lightest: 1)."_s);
     EXPECT_NEAR(model.solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
     EXPECT_EQ(model.assignmentRows().size(), 2);

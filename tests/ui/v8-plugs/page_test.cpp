@@ -847,6 +847,18 @@ TEST_F(V8PageTest, MassesInKilogramsAreNoticed) {
     EXPECT_TRUE(label("troubles").contains(u"mⱼ: 1.020\u00A0g looks like kilograms"_s));
 }
 
+TEST_F(V8PageTest, AMassUnlikeTheOthersIsNoticed) {
+    type("mass_piston_1", u"568.2"_s);
+    type("mass_piston_2", u"5682"_s);
+    type("mass_piston_3", u"568"_s);
+    EXPECT_TRUE(
+        label("troubles").contains(u"Piston: cylinder 2 weighs 5682\u00A0g, the others about"_s))
+        << qPrintable(label("troubles"));
+    EXPECT_FALSE(label("troubles").contains(u"Piston: spread"_s));
+    type("mass_piston_2", u"568.2"_s);
+    EXPECT_FALSE(label("troubles").contains(u"the others"_s));
+}
+
 TEST_F(V8PageTest, FieldsStayWhereTheyAreWhileOneTypes) {
     const auto places = [&](int sheet) {
         QList<QPoint> points;

@@ -40,7 +40,9 @@ QString V8PlugsModel::excessText() const {
     if (!solution().unbalanced_mass || !input().engine.crank_radius) {
         return tr("Excess Δmᵤ: not known yet");
     }
-    return tr("Excess Δmᵤ: %1, %2")
+    return (v8_text::hasUnequalCrankpins(input(), solution())
+                ? tr("Excess Δmᵤ: %1, %2, the mean of unequal crankpins")
+                : tr("Excess Δmᵤ: %1, %2"))
         .arg(v8_text::grams(words_, *solution().unbalanced_mass, 3),
              v8_text::gramMillimetres(words_,
                                       *solution().unbalanced_mass * *input().engine.crank_radius));

@@ -1,10 +1,13 @@
 #include "v8-plugs/model/v8_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "text/capital.h"
 #include "text/number_text.h"
 #include "v8-plugs/model/v8_names.h"
+#include "workshop/kilograms.h"
+#include "workshop/model/mass_doubts.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves::v8_text {
@@ -131,8 +134,7 @@ QStringList engineTroubles(const Words& words, const Engine& engine) {
 QStringList kilogramTroubles(const Words& words, const Input& input) {
     QStringList list;
     const auto suspect = [&](const QString& name, double mass) {
-        list << words.translate("V8", "%1: %2 looks like kilograms; masses are in grams.")
-                    .arg(name, grams(words, mass, 3));
+        list << kilogramText(words, name, mass);
     };
     constexpr double leastGear = 20 * units::gram;  // the sums of parts that weigh 5 g and more
     for (const char* key : {"reciprocating_mass_g", "rotating_mass_g"}) {
@@ -188,7 +190,8 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
     QStringList list;
     for (const Part part : all_parts) {
         const auto s = statistics(sheet[part]);
-        if (s && !s->within_permitted) {
+        const bool isOdd = workshop::odd_mass(sheet[part].nominal, sheet[part].mass).has_value();
+        if (s && !s->within_permitted && !isOdd) {  // that is said by itself
             list << words
                         .translate(
                             "V8",
@@ -205,7 +208,9 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 }  // namespace
 
 QStringList massTroubles(const Words& words, const Input& input) {
-    return kilogramTroubles(words, input) + gearTroubles(words, input);
+    return kilogramTroubles(words, input) +
+           (input.weigh_in ? oddMassTexts(words, *input.weigh_in) : QStringList()) +
+           gearTroubles(words, input);
 }
 
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
@@ -213,6 +218,7 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
     list << massTroubles(words, input);
     list << otherReadings(words, solution);
     list << shiftWarning(words, input, solution);
+    list << unequalCrankpins(words, input, solution);
     list.removeAll(QString());
     if (input.plug) {
         list << plugTroubles(words, *input.plug);
@@ -227,6 +233,34 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
 
 QString otherReadings(const Words& words, const Result& solution) {
     return otherText(words, solution, solution.hung().value_or(0.0));
+}
+
+bool hasUnequalCrankpins(const Input& input, const Result& solution) {
+    return input.changes_from_weigh_in && solution.crankpin_excess &&
+           0.5 * spread(*solution.crankpin_excess) * input.engine.crank_radius.value_or(0.0) >
+               input.tolerance;
+}
+
+QString unequalCrankpins(const Words& words, const Input& input, const Result& solution) {
+    if (!hasUnequalCrankpins(input, solution)) {
+        return {};
+    }
+    const auto& now = *solution.crankpin_excess;
+    const auto [least, most] = std::minmax_element(now.begin(), now.end());
+    QString text =
+        words
+            .translate("V8",
+                       "The crankpins are unequal: their excess is %1 to %2. The answer is for "
+                       "their mean.")
+            .arg(words.digits(*least, units::gram, 2), grams(words, *most, 2));
+    const double moved = solution.assigned_excess ? spread(*solution.assigned_excess) : 0.0;
+    constexpr double worthWhile = 0.9;
+    if (solution.assigned_excess && moved < worthWhile * spread(now)) {
+        text += QLatin1Char(' ') +
+                words.translate("V8", "Sets moved as sheet 3 says leave a spread of %1.")
+                    .arg(grams(words, moved, 2));
+    }
+    return text;
 }
 
 QString shiftWarning(const Words& words, const Input& input, const Result& solution) {
@@ -363,6 +397,9 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
     const double difference = solution.hung().value() - solution.nominal->sum();
     // Rounding of the sum, not a difference.
     if (std::abs(difference) < 1e-9 * solution.nominal->sum()) {
+        if (!works(solution)) {
+            return words.translate("V8", "After would equal nominal, but this cannot be made.");
+        }
         return solution.shift_that_matters() != nullptr
                    ? words.translate("V8", "(!) After equals nominal by the method alone.")
                    : words.translate("V8", "After equals nominal: balanced.");

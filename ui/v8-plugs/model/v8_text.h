@@ -37,6 +37,11 @@ QStringList massTroubles(const Words& words, const v8_plugs::Input& input);
 /// Rules broken, masses that do not fit, what does not count, spreads too wide.
 QStringList troubles(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
+/// Whether a crankpin is farther from the mean, for which the answer is, than the tolerance allows.
+bool hasUnequalCrankpins(const v8_plugs::Input& input, const v8_plugs::Result& solution);
+/// That in a sentence, and what moving the sets leaves; empty where they are alike.
+QString unequalCrankpins(const Words& words, const v8_plugs::Input& input,
+                         const v8_plugs::Result& solution);
 /// That the answer works by the method alone, and what to do instead; empty where it does work.
 QString shiftWarning(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
