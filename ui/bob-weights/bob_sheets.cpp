@@ -52,7 +52,7 @@ BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(mod
              [this](const QString& name, const QString& day) {
                  model_->edit(name, [&](Input& input) { input.job.date = day.toStdString(); });
              },
-             [](const QString& day) { return Words().day(day); }});
+             [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");
     finish();
 }

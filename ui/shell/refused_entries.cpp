@@ -57,10 +57,12 @@ QList<EntryField*> entriesOfPage(const QWidget* part) {
     return wholePage(part)->findChildren<EntryField*>();
 }
 
-QStringList refusedEntries(const QWidget* part) {
+namespace {
+
+QStringList refusedOf(const QWidget* part, bool ofResultAlone) {
     QStringList refused;
     for (const EntryField* field : entriesOfPage(part)) {
-        if (!field->trouble().isEmpty()) {
+        if (!field->trouble().isEmpty() && (field->isOfResult() || !ofResultAlone)) {
             refused << field->accessibleName() + QStringLiteral(": ") + field->trouble();
         }
     }
@@ -70,6 +72,16 @@ QStringList refusedEntries(const QWidget* part) {
         }
     }
     return refused;
+}
+
+}  // namespace
+
+QStringList refusedEntries(const QWidget* part) {
+    return refusedOf(part, false);
+}
+
+QStringList refusedInputs(const QWidget* part) {
+    return refusedOf(part, true);
 }
 
 bool takeBackRefused(const SceneModel& model) {

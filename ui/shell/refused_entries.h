@@ -15,6 +15,8 @@ QList<EntryField*> entriesOfPage(const QWidget* part);
 /// What is typed and refused in them and in the tables of the page now:
 /// "Crank radius r, mm: The value must be greater than 0 mm."
 QStringList refusedEntries(const QWidget* part);
+/// Those of them that results depend on: not the date of a job.
+QStringList refusedInputs(const QWidget* part);
 
 /// Takes back what was refused last, in an entry or a table: what was there before stands there
 /// again, as after Escape. @return false where nothing is refused

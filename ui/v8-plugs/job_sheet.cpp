@@ -24,7 +24,7 @@ JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent
              [this](const QString& name, const QString& day) {
                  model_->edit(name, [&](Input& input) { input.job.date = day.toStdString(); });
              },
-             [](const QString& day) { return Words().day(day); }});
+             [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");
     buildWork();
     buildChanges();

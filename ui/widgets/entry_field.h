@@ -32,6 +32,9 @@ class EntryField : public QLineEdit {
     /// What stands in it may not hold any more: it has an amber frame, where nothing is wrong.
     void setDoubtful(bool isDoubtful);
     bool isDoubtful() const { return isDoubtful_; }
+    /// Whether results depend on it; where not, they stay up to date while its text is refused.
+    void setIsOfResult(bool isOfResult) { isOfResult_ = isOfResult; }
+    bool isOfResult() const { return isOfResult_; }
     /// What is passed on in an editing is one step of this model's history, and what the model
     /// refuses is a refused text.
     void setModel(SceneModel* model);
@@ -84,6 +87,7 @@ class EntryField : public QLineEdit {
     bool editing_ = false;
     bool isPassing_ = false;
     bool isDoubtful_ = false;
+    bool isOfResult_ = true;
 };
 
 /// An EntryField for values of one type.

@@ -1,15 +1,16 @@
 #include "workshop/job_card.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QImage>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSettings>
 #include <algorithm>
 
+#include "text/write_file.h"
 #include "workshop/card_page.h"
 
 namespace ravnoves {
@@ -54,16 +55,16 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
     drawShop(sheet, shop_);
     draw(sheet);
     constexpr double bottom = 290.0;
-    sheet.text(CardPage::left, bottom, CardPage::full, refusedText(), 8, Qt::AlignLeft, true,
-               CardPage::amber);
+    sheet.text(CardPage::left, bottom, CardPage::full, refusedText(refused_), 8, Qt::AlignLeft,
+               true, CardPage::amber);
     painter.restore();
 }
 
-QString JobCard::refusedText() const {
-    return refused_.isEmpty()
+QString JobCard::refusedText(const QStringList& refused) const {
+    return refused.isEmpty()
                ? QString()
                : words_.translate("JobCard", "Not up to date, for these entries are refused: %1")
-                     .arg(refused_.join(QStringLiteral("; ")));
+                     .arg(refused.join(QStringLiteral("; ")));
 }
 
 void JobCard::setPage(QPagedPaintDevice& device) {
@@ -97,25 +98,20 @@ bool JobCard::print(QPagedPaintDevice& device) const {
 }
 
 QString JobCard::writePdf(const QString& path) const {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return QCoreApplication::translate("JobCard", "%1 cannot be written: %2")
-            .arg(path, file.errorString());
-    }
+    QBuffer whole;  // a file is only begun with a card that is painted
+    whole.open(QIODevice::WriteOnly);
     bool painted = false;
     {
-        QPdfWriter writer(&file);
+        QPdfWriter writer(&whole);
         writer.setResolution(1200);
         writer.setCreator(QStringLiteral("Ravnoves " RAVNOVES_VERSION));
         writer.setTitle(title());
         setPage(writer);
         painted = print(writer);
     }
-    if (!painted || !file.commit()) {
-        return QCoreApplication::translate("JobCard", "%1 cannot be written: %2")
-            .arg(path, file.errorString());
-    }
-    return {};
+    return painted ? writeFile(path, [&] { return whole.data().toStdString(); })
+                   : QCoreApplication::translate("ravnoves::PictureFile", "%1 cannot be written.")
+                         .arg(path);
 }
 
 }  // namespace ravnoves

@@ -47,20 +47,28 @@ class JobCard {
     const Words& words() const { return words_; }
     void setShop(const Shop& shop) { shop_ = shop; }
     /// Entries that the form refuses: the card is of the values before them, and says so.
-    void setRefused(const QStringList& refused) { refused_ = refused; }
+    /// @param ofResult  those of them that the answer depends on
+    void setRefused(const QStringList& refused, const QStringList& ofResult) {
+        refused_ = refused;
+        refusedOfResult_ = ofResult;
+    }
+    void setRefused(const QStringList& refused) { setRefused(refused, refused); }
 
   protected:
     virtual void draw(CardPage& page) const = 0;
     /// Of the PDF.
     virtual QString title() const = 0;
 
-    /// Empty where nothing is refused.
-    QString refusedText() const;
+    /// Empty where nothing is refused that the answer depends on.
+    QString refusedText() const { return refusedText(refusedOfResult_); }
 
   private:
+    QString refusedText(const QStringList& refused) const;
+
     Words words_;
     Shop shop_;
     QStringList refused_;
+    QStringList refusedOfResult_;
 };
 
 }  // namespace ravnoves

@@ -85,6 +85,7 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     enlarge(field);
     field->setHint(shownText(description.hint));
     field->setModel(model_);
+    field->setIsOfResult(text.isOfResult);
     const QString unit = shownUnit(description).name;
     if (!unit.isEmpty()) {
         field->setMaximumWidth(Theme::withText(numberWidth));  // under the numbers

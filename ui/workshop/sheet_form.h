@@ -56,6 +56,7 @@ class SheetForm : public Form {
         std::function<void(const QString& name, const QString& normal)> write;
         /// How the form that is kept is shown; empty: as it is.
         std::function<QString(const QString& normal)> shown = {};
+        bool isOfResult = true;  ///< EntryField::isOfResult()
     };
     /// Its row; what is wrong with it stands below the field.
     void checked(const Field& description, CheckedText text);

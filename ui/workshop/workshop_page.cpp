@@ -88,7 +88,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                showRefused(refusedEntries(this));
+                showRefused(refusedInputs(this));
             });
         }
     }
@@ -384,7 +384,7 @@ void WorkshopPage::restore() {
 std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
     auto made = card();
     made->setShop(Shop::kept());
-    made->setRefused(refusedEntries(this));
+    made->setRefused(refusedEntries(this), refusedInputs(this));
     return made;
 }
 

@@ -32,6 +32,7 @@
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
+#include "workshop/checked_field.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/verdict.h"
 
@@ -698,6 +699,30 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     EXPECT_TRUE(said.contains(u"reads at 500 mm and 600 mm, far outside the planes"_s));
     EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
     EXPECT_TRUE(card().contains(u"far outside"_s));
+}
+
+TEST_F(BobPageTest, ARefusedDateLeavesTheAnswerUpToDate) {
+    typeShopCard();
+    type("date", u"31.02.2024"_s);
+    EXPECT_FALSE(find<CheckedField>("date")->trouble().isEmpty());
+    EXPECT_TRUE(label("refused").isEmpty()) << qPrintable(label("refused"));
+    EXPECT_FALSE(isAmber("headline"));
+    type("date", u"2024-02-29"_s);
+    EXPECT_TRUE(find<CheckedField>("date")->trouble().isEmpty());
+}
+
+TEST_F(BobPageTest, WeightsUnlikeTheOthersAreDoubted) {
+    typeShopCard();
+    type("cylinders", u"4"_s);
+    type("mass_piston_1", u"584"_s);
+    type("mass_piston_2", u"5841"_s);
+    type("mass_piston_3", u"583"_s);
+    EXPECT_TRUE(label("troubles").contains(u"Piston: cylinder 2 weighs 5841 g, the others"_s))
+        << qPrintable(label("troubles"));
+    EXPECT_TRUE(isAmber("headline"));
+    EXPECT_TRUE(card().contains(u"cylinder 2 weighs"_s));
+    type("mass_piston_2", u"584.1"_s);
+    EXPECT_FALSE(label("troubles").contains(u"the others"_s));
 }
 
 TEST_F(BobPageTest, ARefusedEntryMakesTheAnswerStale) {
