@@ -6,6 +6,7 @@
 
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
+#include "text/csv_format.h"
 #include "widgets/figure.h"
 
 namespace ravnoves {
@@ -22,13 +23,14 @@ QPointF onCircle(double angle, double radius) {
 }  // namespace
 
 PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
-    : QWidget(parent), model_(model), plane_(plane) {
+    : ComparedFigure(parent), model_(model), plane_(plane) {
     setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
     setAccessibleName(bob_text::planeName(Words(), plane));
-    makeFigure(this);
+    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     const auto repaint = [this] {
         setAccessibleDescription(caption());
         update();
+        Q_EMIT pictureChanged();
     };
     connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);
@@ -36,6 +38,40 @@ PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
         tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
            "in the rim, slugs opposite. 0° is above, angles grow clockwise."));
     repaint();
+}
+
+const PlaneResult* PlaneView::result() const {
+    const auto& correction = model_->solution().correction;
+    return correction ? &(*correction)[plane_] : nullptr;
+}
+
+std::optional<double> PlaneView::limit() const {
+    const auto& permissible = model_->solution().permissible;
+    return permissible ? std::optional((*permissible)[plane_]) : std::nullopt;
+}
+
+double PlaneView::longest() const {
+    constexpr double least = 1e-12;
+    double most = std::max(limit().value_or(0.0), least);
+    most = result() != nullptr ? std::max(most, result()->unbalance) : most;
+    const auto* other = qobject_cast<const PlaneView*>(reference());
+    return other != nullptr ? std::max(most, other->longest()) : most;
+}
+
+QString PlaneView::table(const CsvFormat& format) const {
+    const Words words;
+    const Result& solution = model_->solution();
+    if (result() == nullptr) {
+        return {};
+    }
+    QString text = format.line(bob_text::planeHead(words)) +
+                   format.line(bob_text::planes(words, solution).at(static_cast<int>(plane_)).texts());
+    const auto holes = bob_text::holes(words, solution, plane_);
+    text += holes.isEmpty() ? QString() : format.line(bob_text::holeHead(words));
+    for (const ResultRow& hole : holes) {
+        text += format.line(hole.texts());
+    }
+    return text;
 }
 
 QString PlaneView::caption() const {
@@ -65,6 +101,7 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     const QFontMetrics metrics(titleFont);
     const QRect title(Theme::margin, Theme::space, width() - 2 * Theme::margin, metrics.height());
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, bob_text::planeName(words, plane_));
+    sayReference(painter, title);
     const QFont small = Theme::font(Theme::smallSize);
     painter.setFont(small);
     const QFontMetrics smallMetrics(small);
@@ -154,14 +191,20 @@ void PlaneView::drawHoles(QPainter& painter, double rim) const {
 void PlaneView::drawVectors(QPainter& painter, double rim) const {
     const Theme& theme = Theme::instance();
     const PlaneResult& result = (*model_->solution().correction)[plane_];
-    const auto& permissible = model_->solution().permissible;
-    const double limit = permissible ? (*permissible)[plane_] : 0.0;
-    const double most = std::max({result.unbalance, limit, 1e-12});
-    const double scale = 0.86 * rim / most;
-    if (permissible) {
-        painter.setBrush(Qt::NoBrush);
+    const double scale = 0.86 * rim / longest();
+    painter.setBrush(Qt::NoBrush);
+    if (const auto* other = qobject_cast<const PlaneView*>(reference());
+        other != nullptr && other->result() != nullptr) {
+        painter.setPen(ghostPen(theme.accent()));
+        painter.drawLine(QPointF(0, 0),
+                         onCircle(other->result()->angle, other->result()->unbalance * scale));
+        painter.setPen(ghostPen(theme.good(), 4.0));
+        const double was = other->limit().value_or(0.0) * scale;
+        painter.drawEllipse(QPointF(0, 0), was, was);
+    }
+    if (limit()) {
         painter.setPen(QPen(theme.good(), 1.6, Qt::DashLine));
-        painter.drawEllipse(QPointF(0, 0), limit * scale, limit * scale);
+        painter.drawEllipse(QPointF(0, 0), *limit() * scale, *limit() * scale);
     }
     const QPointF tip = onCircle(result.angle, result.unbalance * scale);
     painter.setPen(QPen(theme.accent(), 2.2));

@@ -1,19 +1,25 @@
 #pragma once
 
-#include <QWidget>
+#include <optional>
 
 #include "theme/theme.h"
+#include "widgets/compared_figure.h"
 
 class QPainter;
 
 namespace ravnoves {
 
+namespace bob_weights {
+struct PlaneResult;
+}
+struct CsvFormat;
+
 class BobWeightsModel;
 
 /// A correction plane as the machine sees it: the reading as an arrow to the heavy spot, the limit
 /// as a circle, the holes in the rim, slugs opposite, what remains as a dot. 0° is above, angles
-/// grow clockwise.
-class PlaneView : public QWidget {
+/// grow clockwise. Of a reference it shows reading and limit.
+class PlaneView : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -28,6 +34,12 @@ class PlaneView : public QWidget {
   private:
     /// "2885 g·mm at 73.1°"
     QString caption() const;
+    /// What the plane's rows of the answer say.
+    QString table(const CsvFormat& format) const;
+    const bob_weights::PlaneResult* result() const;
+    std::optional<double> limit() const;
+    /// The longest of reading and limit, also of the reference.
+    double longest() const;
     void drawHoles(QPainter& painter, double rim) const;
     void drawVectors(QPainter& painter, double rim) const;
 

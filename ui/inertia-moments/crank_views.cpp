@@ -28,18 +28,19 @@ QString angleText(double radians) {
     return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
 }
 
-void connectTo(InertiaMomentsModel* model, QWidget* widget) {
+void connectTo(InertiaMomentsModel* model, ComparedFigure* widget) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
+    QObject::connect(model, &SceneModel::changed, widget, &ComparedFigure::pictureChanged);
     QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
 }
 
 }  // namespace
 
 CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+    : ComparedFigure(parent), model_(model) {
     setAccessibleName(tr("Rotating masses and counterweights"));
-    makeFigure(this);
+    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     setToolTip(
         tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
            "counter-clockwise, lags against the rotation."));
@@ -84,6 +85,28 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(theme.grid(), 1.2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(centre, radius, radius);
+        if (const auto* other = qobject_cast<const CounterweightView*>(reference())) {
+            const auto& was = other->model_->result();
+            painter.setPen(ghostPen(theme.text()));
+            for (const auto& cylinder : was.engine.cylinders) {
+                painter.drawLine(centre, place(cylinder.crankpin_angle, radius));
+            }
+            const auto ghost = [&](const Complex& v, double scale, const QColor& colour) {
+                if (std::abs(v) > inertia_moments::zero_share * scale) {
+                    painter.setPen(ghostPen(colour, 7.0));
+                    painter.drawLine(centre, place(std::arg(v), 0.8 * radius));
+                }
+            };
+            ghost(was.rotating.force_factor, was.rotating.force_scale, theme.error());
+            ghost(was.rotating.moment_factor, was.rotating.moment_scale, theme.curve(4));
+            if (was.counterweights) {
+                const auto& design = *was.counterweights;
+                ghost(design.front.unbalance, design.scale, drawing::frontWeight());
+                ghost(design.rear.unbalance, design.scale, drawing::rearWeight());
+            }
+            const double room = Theme::margin;
+            sayReference(painter, QRectF(room, room, width() - textWidth - 2.0 * room, 0.0));
+        }
         // Crankpins; those in one place share a label.
         std::map<int, QStringList> labels;
         for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
@@ -173,8 +196,29 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
+QString CounterweightView::table(const CsvFormat& format) const {
+    const auto& result = model_->result();
+    QString text = format.line({{}, shownTitle(tr("size, mm")).text, tr("angle, °")});
+    const double shown = shownTitle(tr("size, mm")).factor / units::mm.to_si;
+    const auto row = [&](const QString& name, const QString& size, const Complex& v, double scale) {
+        const bool isThere = std::abs(v) > inertia_moments::zero_share * scale;
+        text += format.line(
+            {name, size, isThere ? format.number(wrap(std::arg(v) / degree, 360.0)) : QString()});
+    };
+    for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
+        row(tr("crankpin %1").arg(i + 1), {},
+            std::polar(1.0, result.engine.cylinders[i].crankpin_angle), 1.0);
+    }
+    const auto& rotating = result.rotating;
+    row(tr("force Σ exp(iκ)"), format.number(std::abs(rotating.force_factor)),
+        rotating.force_factor, rotating.force_scale);
+    row(tr("moment Σ z exp(iκ)"), format.number(shown * std::abs(rotating.moment_factor)),
+        rotating.moment_factor, rotating.moment_scale);
+    return text;
+}
+
 FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+    : ComparedFigure(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     makeFigure(this, [this](const CsvFormat& format) {
         QString text = format.line({tr("cylinder"), tr("crank angle, °"), tr("interval, °")});
@@ -247,6 +291,24 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
             interval + QStringLiteral("°"));
     }
     const double disc = Theme::withText(11);
+    if (const auto* other = qobject_cast<const FiringWheel*>(reference())) {
+        // Where it fires, inside of the ring.
+        const double theirs = two_pi / other->model_->input().cycle();
+        painter.setFont(Theme::font(Theme::smallSize));
+        for (const FiringEvent& event : other->model_->result().firing) {
+            const double angle = theirs * event.crank_angle;
+            const QPointF ray(-std::sin(angle), -std::cos(angle));
+            painter.setPen(ghostPen(theme.text()));
+            painter.drawLine(centre + ray * (radius - 1.9 * disc), centre + ray * radius);
+            painter.setPen(theme.mutedText());
+            drawing::drawCentred(painter, centre + ray * (radius - 2.5 * disc),
+                                 QString::number(event.cylinder));
+        }
+        const double room = Theme::margin;  // the corners above have texts
+        sayReference(painter,
+                     QRectF(rect()).adjusted(room, height() - room - painter.fontMetrics().height(),
+                                             -room, 0));
+    }
     double inwards = 0.0;  // those that fire at once stand one below the other
     for (const FiringEvent& event : result.firing) {
         const QPointF at = place(event.crank_angle, std::max(radius - inwards, 0.0));

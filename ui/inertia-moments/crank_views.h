@@ -1,16 +1,16 @@
 #pragma once
 
-#include <QWidget>
-
 #include "theme/theme.h"
+#include "widgets/compared_figure.h"
 
 namespace ravnoves {
 
+struct CsvFormat;
 class InertiaMomentsModel;
 
 /// The crank star with the rotating masses' force and moment and the counterweights of the end
-/// webs (the paper's Fig. 9), crankpin 1 up.
-class CounterweightView : public QWidget {
+/// webs (the paper's Fig. 9), crankpin 1 up. Of a reference it shows crankpins, force and moment.
+class CounterweightView : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -22,11 +22,15 @@ class CounterweightView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    /// Crankpins, force, moment and the weights of the end webs: size and angle.
+    QString table(const CsvFormat& format) const;
+
     InertiaMomentsModel* model_;
 };
 
-/// The firing order as a wheel of 720°, with the intervals and the present crank angle.
-class FiringWheel : public QWidget {
+/// The firing order as a wheel of 720°, with the intervals and the present crank angle, and where a
+/// reference fires.
+class FiringWheel : public ComparedFigure {
     Q_OBJECT
 
   public:

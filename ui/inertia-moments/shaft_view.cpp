@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/csv_format.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -29,18 +30,35 @@ QString short4(double si, const Unit& unit) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
+    : ComparedFigure(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
-    makeFigure(this);
+    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     setToolTip(
         tr("Each shaft seen from the front at the present crank angle. Red: what it cancels; the "
            "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+QString ShaftView::table(const CsvFormat& format) const {
+    const ShownTitle unbalance = shownTitle(tr("mρ, g·mm"));
+    QString text = format.line({tr("shaft"), unbalance.text, tr("phase, °"), tr("switched on")});
+    for (const ShaftDesign& design : model_->result().shafts) {
+        text += format.line(
+            {model_->shaftTitle(design.shaft),
+             design.phase
+                 ? format.number(unbalance.factor * design.unbalance / units::gram_mm.to_si)
+                 : QString(),
+             design.phase ? format.number(*design.phase / units::degree.to_si) : QString(),
+             QString::number(design.shaft.enabled ? 1 : 0)});
+    }
+    return text;
 }
 
 int ShaftView::columns() const {
@@ -157,6 +175,28 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     ray(axis, Qt::DashDotLine, theme.mutedText());
     ray(axis + phi, Qt::DashLine, theme.accent());
 
+    double largest = 1e-300;
+    for (const ShaftDesign& each : result.shafts) {
+        if (each.shaft.balances == design.shaft.balances) {
+            largest = std::max(largest, std::abs(each.target));
+        }
+    }
+    const auto lengthOf = [&](const Complex& target) {
+        return radius * std::clamp(std::abs(target) / largest, 0.2, 1.2);
+    };
+    const auto* other = qobject_cast<const ShaftView*>(reference());
+    if (other != nullptr &&
+        static_cast<std::size_t>(index) < other->model_->result().shafts.size()) {
+        const ShaftDesign& was = other->model_->result().shafts[static_cast<std::size_t>(index)];
+        if (was.phase) {
+            const double forwards = was.shaft.direction == Direction::forward ? 1.0 : -1.0;
+            const double angle = std::arg(was.target) + forwards * was.shaft.order * phi;
+            painter.setPen(ghostPen(theme.error()));
+            painter.drawLine(
+                centre, centre + QPointF(std::cos(angle), -std::sin(angle)) * lengthOf(was.target));
+        }
+        sayReference(painter, figure);
+    }
     if (design.phase) {
         const double weight = *design.phase + turned;
         const double size = 0.62 * radius;
@@ -169,18 +209,11 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
         front.setAlphaF(on ? 1.0F : 0.45F);
         drawing::drawWeight(painter, centre, weight, size, front,
                             on ? theme.text() : theme.mutedText());
-        double largest = 0.0;
-        for (const ShaftDesign& other : result.shafts) {
-            if (other.shaft.balances == design.shaft.balances) {
-                largest = std::max(largest, std::abs(other.target));
-            }
-        }
-        const double length =
-            radius * std::max(0.2, std::abs(design.target) / std::max(largest, 1e-300));
         const double target = std::arg(design.target) + turned;
-        drawing::drawArrow(painter, centre,
-                           centre + QPointF(std::cos(target), -std::sin(target)) * length,
-                           theme.error(), 2.2);
+        drawing::drawArrow(
+            painter, centre,
+            centre + QPointF(std::cos(target), -std::sin(target)) * lengthOf(design.target),
+            theme.error(), 2.2);
     } else {
         painter.setPen(theme.mutedText());
         painter.drawText(figure, Qt::AlignCenter, tr("nothing to cancel"));

@@ -1,17 +1,18 @@
 #pragma once
 
-#include <QWidget>
-
 #include "theme/theme.h"
+#include "widgets/compared_figure.h"
 
 namespace ravnoves {
 
+struct CsvFormat;
 class InertiaMomentsModel;
 
 /// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
 /// crank angle: what it is to cancel, its weights opposite, its direction, the cylinder axis and
-/// the crankpin that its phase counts from. A click or Space switches a shaft.
-class ShaftView : public QWidget {
+/// the crankpin that its phase counts from. A click or Space switches a shaft. Of a
+/// reference it shows what its shaft of the same number is to cancel.
+class ShaftView : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -30,6 +31,8 @@ class ShaftView : public QWidget {
 
   private:
     int columns() const;
+    /// Unbalance, mass, phase and what remains of each shaft.
+    QString table(const CsvFormat& format) const;
     void paintShaft(QPainter& painter, int index, const QRectF& area) const;
 
     InertiaMomentsModel* model_;

@@ -1,5 +1,8 @@
 #include "widgets/compared_figure.h"
 
+#include <QPainter>
+
+#include "theme/theme.h"
 #include "widgets/figure.h"
 
 namespace ravnoves {
@@ -20,6 +23,31 @@ void ComparedFigure::setReference(ComparedFigure* figure, const QString& name) {
         connect(figure, &ComparedFigure::pictureChanged, this, qOverload<>(&QWidget::update));
     }
     update();
+}
+
+QPen ComparedFigure::ghostPen(QColor colour, double width) {
+    colour.setAlphaF(0.34F);
+    return QPen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin);
+}
+
+void ComparedFigure::sayReference(QPainter& painter, const QRectF& corner) const {
+    if (reference_ == nullptr) {
+        return;
+    }
+    const Theme& theme = Theme::instance();
+    painter.setFont(Theme::font(Theme::smallSize));
+    const QFontMetricsF metrics(painter.font());
+    constexpr double swatch = 20.0;
+    const QString name = metrics.elidedText(referenceName_, Qt::ElideRight,
+                                            0.5 * corner.width() - swatch - Theme::gap);
+    const double left = corner.right() - metrics.horizontalAdvance(name) - 1.0;
+    const double middle = corner.top() + 0.5 * metrics.height();
+    painter.setPen(ghostPen(theme.text(), 4.0));
+    painter.drawLine(QPointF(left - Theme::gap - swatch, middle),
+                     QPointF(left - Theme::gap, middle));
+    painter.setPen(theme.text());
+    painter.drawText(QRectF(left, corner.top(), corner.right() - left, metrics.height()),
+                     Qt::AlignVCenter | Qt::AlignLeft, name);
 }
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPen>
 #include <QPointer>
 #include <QWidget>
 
@@ -22,6 +23,12 @@ class ComparedFigure : public QWidget {
 
   Q_SIGNALS:
     void pictureChanged();
+
+  protected:
+    /// The pen of what the reference has: wide and pale, as its curves are in plots.
+    static QPen ghostPen(QColor colour, double width = 6.0);
+    /// Its name with that pen at the top right of a rectangle; nothing where there is none.
+    void sayReference(QPainter& painter, const QRectF& corner) const;
 
   private:
     QPointer<ComparedFigure> reference_;
