@@ -14,6 +14,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "workshop/model/verdict.h"
 #include "workshop/sheet_form.h"
 
 namespace ravnoves {
@@ -107,6 +108,9 @@ QWidget* BobAnswer::buildCorrection() {
     };
     runs_ = table(tr("Runs of the machine"), model_->runColumns());
     planes_ = table(tr("The correction planes"), model_->planeColumns());
+    movedNote_ = captionLabel({}, panel);
+    movedNote_->setObjectName(QStringLiteral("moved_note"));
+    column->addWidget(movedNote_);
     holes_ = table(tr("Holes and slugs"), model_->holeColumns());
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
@@ -140,6 +144,8 @@ void BobAnswer::showAnswer() {
     limits.removeAll(QString());
     sayOrHide(limits_, limits.join(QLatin1Char('\n')));
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
+    const auto* newest = model_->solution().newest();
+    troubles_->setToolTip(newest != nullptr ? otherTip(*newest) : QString());
     colourText(troubles_, theme.warning());
     lines_->setRows(model_->lineRows());
     linesAndForce_->setVisible(known);
@@ -149,6 +155,7 @@ void BobAnswer::showAnswer() {
     holes_->setVisible(holes_->rowCount() > 0);
     runs_->setVisible(runs_->rowCount() > 0);
     planes_->setVisible(planes_->rowCount() > 0);
+    sayOrHide(movedNote_, bob_text::movedNote(Words(), model_->input(), model_->solution()));
     sayOrHide(holeNote_, model_->holeNote());
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
 }

@@ -1,5 +1,7 @@
 #include "bob-weights/model/bob_text.h"
 
+#include <cmath>
+
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
@@ -200,6 +202,31 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
                     .arg(place(0), place(1), words.number(*result.amplification, 1));
     }
     return list;
+}
+
+QString movedNote(const Words& words, const Input& input, const Result& result) {
+    if (!result.correction || !input.correction) {
+        return {};
+    }
+    QStringList read;
+    bool isMoved = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Reading& reading = input.correction->readings.at(i);
+        const double plane = input.correction->planes.at(i).position.value_or(0.0);
+        const double at = reading.position.value_or(plane);
+        constexpr double same = 1e-9;  // m
+        isMoved = isMoved || std::abs(at - plane) > same;
+        read << words.translate("BobWeights", "%1 ∠ %2 at %3")
+                    .arg(unbalanceOf(words, reading.unbalance.value_or(0.0)),
+                         degreesOf(words, reading.angle.value_or(0.0)),
+                         words.plainWithUnit(at, units::mm, 1));
+    }
+    return isMoved ? words
+                         .translate("BobWeights",
+                                    "The machine read %1 and %2; measured is what that is in the "
+                                    "planes.")
+                         .arg(read[0], read[1])
+                   : QString();
 }
 
 QString holeNote(const Words& words, const Result& result) {
