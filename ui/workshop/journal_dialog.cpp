@@ -17,6 +17,7 @@
 #include "widgets/dialog_size.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/page_columns.h"
 #include "workshop/checked_field.h"
 #include "workshop/model/verdict.h"
 
@@ -69,8 +70,18 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
 
-    auto* row = new QHBoxLayout;
-    row->setSpacing(Theme::space);
+    // At large text in a small window both rows fold.
+    const auto folding = [&] { return new FoldingRow(0, this); };
+    const auto partOf = [](FoldingRow* whole, int share) {
+        auto* part = new QWidget(whole);
+        auto* layout = new QHBoxLayout(part);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->setSpacing(Theme::space);
+        whole->add(part, share);
+        return layout;
+    };
+    FoldingRow* fields = folding();
+    QHBoxLayout* row = partOf(fields, 1);
     const auto add = [&](const QString& label, QWidget* field, int stretch) {
         auto* name = new QLabel(label, this);
         name->setBuddy(field);
@@ -85,6 +96,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
     text_->setClearButtonEnabled(true);
     add(tr("&Search"), text_, 1);
+    row = partOf(fields, 0);
     from_ = new CheckedField(dayTrouble, this);
     from_->setObjectName(QStringLiteral("journal_from"));
     from_->setPlaceholderText(tr("any day"));
@@ -98,7 +110,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     unfinished_ = new QCheckBox(tr("&unfinished only"), this);
     unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
     row->addWidget(unfinished_);
-    column->addLayout(row);
+    column->addWidget(fields);
     trouble_ = new TroubleLine(this);
     trouble_->setObjectName(QStringLiteral("journal_trouble"));
     trouble_->setAlignment(Qt::AlignRight);
@@ -136,7 +148,8 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     message_->setWordWrap(true);
     column->addWidget(message_);
 
-    auto* buttons = new QHBoxLayout;
+    FoldingRow* allButtons = folding();
+    QHBoxLayout* buttons = partOf(allButtons, 1);
     const auto button = [&](const QString& name, const QString& text) {
         auto* made = new QPushButton(text, this);
         made->setObjectName(name);
@@ -149,9 +162,10 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     copy_ = button(QStringLiteral("journal_copy"), tr("&Copy as new job"));
     remove_ = button(QStringLiteral("journal_remove"), tr("&Remove…"));
     buttons->addStretch();
+    buttons = partOf(allButtons, 0);
     export_ = button(QStringLiteral("journal_export"), tr("&Export list as CSV…"));
     auto* close = button(QStringLiteral("journal_close"), tr("C&lose"));
-    column->addLayout(buttons);
+    column->addWidget(allButtons);
 
     connect(text_, &QLineEdit::textChanged, this, &JournalDialog::search);
     connect(unfinished_, &QCheckBox::toggled, this, &JournalDialog::search);
