@@ -15,6 +15,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "workshop/model/verdict.h"
 #include "workshop/sheet_form.h"
 
 namespace ravnoves {
@@ -132,6 +133,9 @@ void AnswerView::resizeEvent(QResizeEvent* event) {
         for (const int column : {1, 2, 5}) {
             options_->setColumnHidden(column, isNarrow);
         }
+        // What scrolls anyway needs not be as low as it can be read.
+        constexpr int easilyRead = 210;
+        shift_->setMinimumHeight(isNarrow ? Theme::withText(easilyRead) : 0);
         showAdvice();
     }
 }
@@ -174,6 +178,7 @@ void AnswerView::showAdvice() {
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
     excess_->setVisible(known);  // the room belongs to what is missing
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
+    troubles_->setToolTip(otherTip(model_->solution()));
     colourText(troubles_, theme.warning());
     options_->setRows(model_->optionRows(isNarrow_));
     for (int row = 0; row < options_->rowCount(); ++row) {

@@ -25,12 +25,31 @@ QString otherBobWeightText(const Words& words, double then, double now) {
         .arg(words.number(then, units::gram, 1), words.number(now, units::gram, 1));
 }
 
+namespace {
+
+constexpr qsizetype longestNumber = 32;  ///< letters that an answer has room for
+
+QString inTheMiddleShort(const std::string& text) {
+    const QString all = QString::fromStdString(text);
+    constexpr qsizetype half = longestNumber / 2;
+    return all.size() <= longestNumber ? all : all.left(half - 1) + QChar(0x2026) + all.right(half);
+}
+
+}  // namespace
+
+QString longNumbersTip(const std::string& then, const std::string& now) {
+    const QStringList both{QString::fromStdString(then), QString::fromStdString(now)};
+    return both[0].size() > longestNumber || both[1].size() > longestNumber
+               ? both.join(QLatin1Char('\n'))
+               : QString();
+}
+
 QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now) {
     return words
         .translate("BobWeights",
                    "The readings are of another crankshaft: number %1 then, %2 now. Take them "
                    "again, or say on the sheet of the machine that they hold.")
-        .arg(QString::fromStdString(then), QString::fromStdString(now));
+        .arg(inTheMiddleShort(then), inTheMiddleShort(now));
 }
 
 QString verdictText(const Words& words, const QString& verdict) {
