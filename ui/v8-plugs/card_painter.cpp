@@ -165,7 +165,7 @@ void CardPainter::changesTable(double x, double y, double width) {
 
 double CardPainter::options(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
-    CardTable table({{57, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {21}, {30, Qt::AlignRight}}, 7.5,
+    CardTable table({{50, Qt::AlignLeft}, {16}, {16}, {19}, {19}, {20}, {42, Qt::AlignRight}}, 7.5,
                     3.8);
     const QString g = unitGram();
     table.head({QString(), words_.translate("JobCard", "constant, %1").arg(g),
