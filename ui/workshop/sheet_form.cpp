@@ -120,7 +120,21 @@ void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void(
     button->setToolTip(tr("They are of this crankshaft, with the bob weight that there is now."));
     button->setMinimumHeight(Theme::withText(fieldHeight));
     current()->addWide(button);
-    connect(button, &QPushButton::clicked, this, std::move(hold));
+    connect(button, &QPushButton::clicked, this, [this, button, hold = std::move(hold)] {
+        // The button goes with what it says: the keys stay with the field before it.
+        const auto takesKeys = [this](const QWidget* near) {
+            return isAncestorOf(near) && near->isVisible() && near->isEnabled() &&
+                   (near->focusPolicy() & Qt::TabFocus) != 0;
+        };
+        QWidget* near = button->previousInFocusChain();
+        while (near != button && !takesKeys(near)) {
+            near = near->previousInFocusChain();
+        }
+        hold();
+        if (!button->isVisible() && near != button) {
+            near->setFocus(Qt::OtherFocusReason);
+        }
+    });
     isDoubted_ = isAsked;
     QLabel* why = findChild<QLabel*>(QStringLiteral("other_bob_weight"));
     follow([button, why, isAsked = std::move(isAsked)] {

@@ -47,7 +47,7 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
     column->setSpacing(0);
     banner_ = new JournalBanner(desk(), this);
     column->addWidget(banner_);
-    sheets_ = new QTabWidget(this);
+    sheets_ = new FittedTabs(this);
     sheets_->setDocumentMode(true);
     sheets_->setFixedWidth(Theme::withText(sheetWidth));
     for (const auto& [form, title] : sheets) {

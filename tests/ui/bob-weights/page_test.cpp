@@ -531,7 +531,10 @@ TEST_F(BobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
     auto* hold = find<QPushButton>("readings_hold");
     page.sheets()->setCurrentIndex(3);
     ASSERT_TRUE(hold->isVisibleTo(&page));
+    hold->setFocus();
     QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_TRUE(page.sheets()->widget(3)->isAncestorOf(QApplication::focusWidget()))
+        << "the keys stay near";
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
     EXPECT_EQ(model->runRows().at(0).constLast(), u"another crankshaft"_s) << "that of A";
 }
