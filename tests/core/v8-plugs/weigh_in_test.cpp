@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <numeric>
+#include <vector>
 
 #include "support.h"
+#include "workshop/kilograms.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
