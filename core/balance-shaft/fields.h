@@ -8,10 +8,15 @@
 /// [gots-klevtsov], Tables 1 and 2.
 namespace ravnoves::balance_shaft::field {
 
+/// What no engine leaves: beyond them results leave double's range, or searches have no end.
+inline constexpr Range engine_lengths = Range::between(1e-3, 1e6);  ///< mm
+inline constexpr Range engine_speeds = Range::between(1e-6, 1e7);   ///< min⁻¹ or rad/s
+
 inline constexpr Field speed{
     .key = "speed_rpm",
     .unit = units::rpm,
     .range = Range::greater_than(0),
+    .size = engine_speeds,
     .label = CORE_TEXT("balance-shaft", "&Speed n"),
     .symbol = "n",
     .hint = CORE_TEXT("balance-shaft",
@@ -20,12 +25,14 @@ inline constexpr Field speed{
 inline constexpr Field angular_speed{.key = "angular_speed_rad_s",
                                      .unit = units::rad_per_s,
                                      .range = Range::greater_than(0),
+                                     .size = engine_speeds,
                                      .symbol = "ω",
                                      .hint = CORE_TEXT("balance-shaft", "Instead of the speed.")};
 inline constexpr Field crank_radius{
     .key = "crank_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
     .symbol = "r",
     .hint = CORE_TEXT("balance-shaft", "Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")};
@@ -105,6 +112,7 @@ inline constexpr Field centre_distance{
     .key = "centre_distance_mm",
     .unit = units::mm,
     .range = Range::at_least(0),
+    .size = Range::between(0, engine_lengths.max),
     .label = CORE_TEXT("balance-shaft", "Centre &distance l"),
     .symbol = "l",
     .hint = CORE_TEXT("balance-shaft",
@@ -501,11 +509,13 @@ inline constexpr Field speed_band{.key = "speed_band",
 inline constexpr Field band_from{.key = "from_rpm",
                                  .unit = units::rpm,
                                  .range = Range::greater_than(0),
+                                 .size = Range::at_least(0.1),  // below it inertia is rounding
                                  .label = CORE_TEXT("balance-shaft", "&Band from"),
                                  .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band.")};
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,
                                .range = Range::greater_than(0),
+                               .size = {.max = engine_speeds.max},
                                .label = CORE_TEXT("balance-shaft", "Band &to"),
                                .hint = CORE_TEXT("balance-shaft", "Highest speed of the band.")};
 inline constexpr Field band_speeds{

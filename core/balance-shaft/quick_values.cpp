@@ -148,11 +148,12 @@ class QuickResponse final : public Response {
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t j = 0; j < x.size(); ++j) {
-            if (!places_[j].range.contains(x[j])) {
-                reason_ = {"/input" + varied_[j], places_[j].range.message()};
+            const NumberPlace& place = places_[j];
+            if (const Range* range = left_one({&place.range, &place.size}, x[j])) {
+                reason_ = {"/input" + varied_[j], range->message()};
                 return false;
             }
-            *places_[j].value = x[j] * places_[j].unit;
+            *place.value = x[j] * place.unit;
         }
         try {
             check_joined(input_);

@@ -21,6 +21,8 @@ struct Field {
     std::string_view key;  ///< key in the case file, for example "crank_radius_mm"
     Unit unit = units::none;
     Range range{};  ///< in the unit; of whole numbers too
+    /// Within the range, what an engine can be and arithmetic can take: said only where it is left.
+    Range size{};
     /// Name in the form, with & before its mnemonic; without it the name of the undo step.
     Text label{};
     std::string_view symbol{};      ///< in formulas, for example "r"
@@ -28,6 +30,9 @@ struct Field {
     Text placeholder{};             ///< what an empty field of the form stands for ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
     std::span<const Word> words{};
+
+    /// The range, or the size, that a value in the unit leaves; null where it is allowed.
+    const Range* left_by(double value) const { return left_one({&range, &size}, value); }
 };
 
 /// The value in the field's unit, as a person would write it: of the doubles that read back to this
@@ -37,7 +42,7 @@ double from_si(const Field& field, double si);
 /// An SI value rounded to so many significant digits in the field's unit.
 double rounded(double si, const Field& field, int digits);
 
-/// Throws where a value in the field's unit is not in its range.
+/// Throws where a value in the field's unit is not in its range, or beyond its size.
 /// @param parent  JSON pointer of the object that holds the field
 /// @throws InputError
 void check_range(const Field& field, double value, std::string_view parent);

@@ -112,13 +112,19 @@ class Writer final : public FieldWalker {
     std::vector<std::string> keys_;
 };
 
+void check(const Field& field, double value, const std::string& where) {
+    if (const Range* range = field.left_by(value)) {
+        throw InputError(where, range->message(), Number{value});
+    }
+}
+
 class Checker final : public FieldWalker {
   public:
     using FieldWalker::FieldWalker;
 
     void numbers(const Field& field, std::vector<double>& values) override {
         for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!field.range.contains(values[i])) {
+            if (field.left_by(values[i]) != nullptr) {
                 check(field, values[i], pointer_to(field.key) + "/" + std::to_string(i));
             }
         }
@@ -148,11 +154,6 @@ class Checker final : public FieldWalker {
     }
 
   private:
-    static void check(const Field& field, double value, const std::string& where) {
-        if (!field.range.contains(value)) {
-            throw InputError(where, field.range.message(), Number{value});
-        }
-    }
     static void check_whole(const Field& field, int value, const std::string& where) {
         if (!allows_whole(field, value)) {
             throw InputError(where, whole_number_rule(field), Number{1.0 * value});
@@ -179,10 +180,7 @@ void check_with(void (*visit)(FieldVisitor& visitor, const void* input), const v
 }  // namespace detail
 
 void check_range(const Field& field, double value, std::string_view parent) {
-    if (!field.range.contains(value)) {
-        throw InputError(std::string(parent) + "/" + std::string(field.key), field.range.message(),
-                         Number{value});
-    }
+    check(field, value, std::string(parent) + "/" + std::string(field.key));
 }
 
 double from_si(const Field& field, double si) {

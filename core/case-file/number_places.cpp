@@ -21,7 +21,7 @@ class NumberFinder final : public FieldWalker {
             }
             for (std::size_t i = 0; i < values.size(); ++i) {
                 if (pointers_[k].substr(list.size()) == std::to_string(i)) {
-                    places_[k] = {&values[i], units::none, field.range};
+                    places_[k] = {&values[i], units::none, field.range, field.size};
                 }
             }
         }
@@ -43,7 +43,7 @@ class NumberFinder final : public FieldWalker {
         const std::string here = pointer_to(field.key);
         for (std::size_t k = 0; k < pointers_.size(); ++k) {
             if (pointers_[k] == here) {
-                places_[k] = {&si, field.unit, field.range};
+                places_[k] = {&si, field.unit, field.range, field.size};
             }
         }
     }

@@ -14,6 +14,7 @@ struct NumberPlace {
     double* value = nullptr;  ///< in SI units, or as the list holds it
     Unit unit = units::none;  ///< of the key; none of a list's element
     Range range{};            ///< in that unit
+    Range size{};             ///< of the field
 };
 
 namespace detail {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -42,6 +43,16 @@ struct Range {
     Message whole_number_message() const;
     std::string describe() const { return message().english(); }
 };
+
+/// The first of the ranges that the value leaves; null where it lies in all.
+inline const Range* left_one(std::initializer_list<const Range*> ranges, double value) {
+    for (const Range* range : ranges) {
+        if (!range->contains(value)) {
+            return range;
+        }
+    }
+    return nullptr;
+}
 
 /// A number as a person would write it: the shortest decimal text that reads back to the same
 /// double, with a decimal point, in any locale.
