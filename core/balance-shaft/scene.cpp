@@ -42,11 +42,7 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
     try {
         return parse(read_text_file(context.directory / name));
     } catch (const InputError& error) {
-        const Message rule =
-            error.where().empty()
-                ? error.allowed_message()
-                : Message(Text{"", "%1: %2"}, error.where_message(), error.allowed_message());
-        throw InputError(place, {Text{"", "%1: %2"}, printable(name), rule}, error.found_message());
+        throw InputError::in_file(place, printable(name), error);
     }
 }
 

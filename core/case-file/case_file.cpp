@@ -334,7 +334,7 @@ void set_input_value(Json& input, const std::string& pointer, Json value) {
         at = end;
     }
     if (parent == nullptr) {
-        throw InputError("/input" + printable(pointer), CORE_TEXT("core", "is not a known key"));
+        throw InputError::unknown_key("/input" + printable(pointer));
     }
     *parent = std::move(value);
 }

@@ -14,6 +14,13 @@ namespace ravnoves {
 /// "/input/crank_radius_mm: must be greater than 0, got -46".
 class InputError : public std::runtime_error {
   public:
+    /// What the place names, for those who show it in other words.
+    enum class Of {
+        value,        ///< a value of the case or of a table
+        unknown_key,  ///< a key that nothing has
+        named_file    ///< what the file holds whose name is the value
+    };
+
     /// @param where    the place, as above
     /// @param allowed  what is allowed there, as a phrase ("must be greater than 0")
     /// @param found    what stood there instead; empty where there is nothing to show
@@ -23,6 +30,25 @@ class InputError : public std::runtime_error {
           allowed_(std::move(allowed)),
           found_(std::move(found)) {}
 
+    static InputError unknown_key(Message where,
+                                  Message rule = CORE_TEXT("core", "is not a known key")) {
+        InputError error(std::move(where), std::move(rule));
+        error.of_ = Of::unknown_key;
+        return error;
+    }
+    /// Of what stands in a file that the case names; the rule's arguments are the file's name and
+    /// what is wrong with it.
+    /// @param where  of the name
+    static InputError in_file(Message where, std::string name, const InputError& fault) {
+        InputError error(
+            std::move(where),
+            {Text{"", "%1: %2"}, std::move(name), with_place(fault.where_, fault.allowed_)},
+            fault.found_);
+        error.of_ = Of::named_file;
+        return error;
+    }
+
+    Of of() const noexcept { return of_; }
     /// The three joined.
     Message message() const { return join(where_, allowed_, found_); }
     /// The same in English.
@@ -35,14 +61,18 @@ class InputError : public std::runtime_error {
     const Message& found_message() const noexcept { return found_; }
 
   private:
+    static Message with_place(const Message& where, const Message& allowed) {
+        return where.empty() ? allowed : Message(Text{"", "%1: %2"}, where, allowed);
+    }
     static Message join(const Message& where, const Message& allowed, const Message& found) {
-        Message text = where.empty() ? allowed : Message(Text{"", "%1: %2"}, where, allowed);
+        const Message text = with_place(where, allowed);
         return found.empty() ? text : Message(CORE_TEXT("core", "%1, got %2"), text, found);
     }
 
     Message where_;
     Message allowed_;
     Message found_;
+    Of of_ = Of::value;
 };
 
 }  // namespace ravnoves

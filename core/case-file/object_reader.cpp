@@ -289,11 +289,11 @@ void ObjectReader::finish(const Text& unknown) const {
             continue;
         }
         if (const auto near = nearest_word(item.key(), known_)) {
-            throw InputError(
+            throw InputError::unknown_key(
                 pointer_to(item.key()),
                 {CORE_TEXT("core", "is not a known key; the nearest is %1"), quoted_list({*near})});
         }
-        throw InputError(pointer_to(item.key()), unknown);
+        throw InputError::unknown_key(pointer_to(item.key()), unknown);
     }
 }
 

@@ -261,7 +261,7 @@ void SceneModel::setByKey(const QString& key, const QString& value) {
     try {
         set_input_value(input, path, parsed);
     } catch (const Json::exception&) {  // "~" with neither 0 nor 1
-        throw InputError("/input" + path, CORE_TEXT("core", "is not a known key"));
+        throw InputError::unknown_key("/input" + path);
     }
     loadInput(input, context_);
 }

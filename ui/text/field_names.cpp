@@ -261,17 +261,13 @@ QString FieldNames::errorText(const InputError& error) const {
     QString place = this->place(error.where_message());
     const Message& rule = error.allowed_message();
     QString allowed = messageText(rule, word);
-    if (where.starts_with('/')) {
-        const std::string key = lastKey(where);
-        const std::string unknown = "is not a known key";
-        if (rule.english().starts_with(unknown)) {
-            place = strangeKey(key);
-        } else if (key == "csv" && rule.pattern().english == std::string("%1: %2")) {
-            // The file that the case names; what is wrong with it stands behind.
-            place += QLatin1Char(' ') +
-                     QString::fromStdString(std::get<std::string>(rule.arguments().front()));
-            allowed = messageText(std::get<Message>(rule.arguments().back()), word);
-        }
+    if (error.of() == InputError::Of::unknown_key) {
+        place = strangeKey(lastKey(where));
+    } else if (error.of() == InputError::Of::named_file) {
+        // The file that the case names; what is wrong with it stands behind.
+        place += QLatin1Char(' ') +
+                 QString::fromStdString(std::get<std::string>(rule.arguments().front()));
+        allowed = messageText(std::get<Message>(rule.arguments().back()), word);
     }
     const QString text = place.isEmpty() ? allowed : place + QStringLiteral(": ") + allowed;
     const Message& found = error.found_message();

@@ -233,13 +233,14 @@ TEST(ErrorTextInEnglish, SaysPlacesInWords) {
                   "/input/reciprocating_masses_kg",
                   {CORE_TEXT("core", "is required and missing (or %1)"), "reciprocating_mass_kg"})),
               "Reciprocating masses: is required and missing (or reciprocating mass)");
-    EXPECT_EQ(said(InputError("/input/torque/csv",
-                              {Text{"", "%1: %2"}, "my_trace_mm.csv", Message(missing)})),
-              "Torque, file my_trace_mm.csv: is required and missing");
-    EXPECT_EQ(said(InputError("/input/crank_radus_mm",
-                              {CORE_TEXT("core", "is not a known key; the nearest is %1"),
-                               quoted_list({"crank_radius_mm"})})),
-              "\"crank radus mm\": is not a known key; the nearest is \"crank radius r\"");
+    EXPECT_EQ(
+        said(InputError::in_file("/input/torque/csv", "my_trace_mm.csv", InputError({}, missing))),
+        "Torque, file my_trace_mm.csv: is required and missing");
+    EXPECT_EQ(
+        said(InputError::unknown_key("/input/crank_radus_mm",
+                                     {CORE_TEXT("core", "is not a known key; the nearest is %1"),
+                                      quoted_list({"crank_radius_mm"})})),
+        "\"crank radus mm\": is not a known key; the nearest is \"crank radius r\"");
     EXPECT_EQ(said(InputError("/version", missing, "{\"a_mm\":1}")),
               "Version: is required and missing, got a group of values");
     EXPECT_EQ(said(InputError("", finite, Number{1.2e200})),
