@@ -65,6 +65,21 @@ inline constexpr Unit pound{CORE_TEXT("core", "lb").english, 0.45359237};
 inline constexpr Unit ounce{CORE_TEXT("core", "oz").english, pound.to_si / 16.0};
 inline constexpr Unit pound_force{CORE_TEXT("core", "lbf").english, pound.to_si * 9.80665};
 inline constexpr Unit inch{CORE_TEXT("core", "in").english, 0.0254};
+// Of other countries and shops: shown and typed where the user wants them, in no case file.
+inline constexpr Unit centimetre{CORE_TEXT("core", "cm").english, 1e-2};
+inline constexpr Unit mil{CORE_TEXT("core", "mil").english, 1e-3 * inch.to_si};
+inline constexpr Unit foot{CORE_TEXT("core", "ft").english, 12.0 * inch.to_si};
+inline constexpr Unit inch2{CORE_TEXT("core", "in²").english, inch.to_si* inch.to_si};
+inline constexpr Unit inch3{CORE_TEXT("core", "in³").english, inch2.to_si* inch.to_si};
+inline constexpr Unit gram_inch{CORE_TEXT("core", "g·in").english, gram.to_si* inch.to_si};
+inline constexpr Unit ounce_inch{CORE_TEXT("core", "oz·in").english, ounce.to_si* inch.to_si};
+inline constexpr Unit lb_per_ft3{CORE_TEXT("core", "lb/ft³").english,
+                                 pound.to_si / (foot.to_si * foot.to_si * foot.to_si)};
+inline constexpr Unit lb_ft2{CORE_TEXT("core", "lb·ft²").english,
+                             pound.to_si* foot.to_si* foot.to_si};
+inline constexpr Unit lb_ft{CORE_TEXT("core", "lb·ft").english, pound_force.to_si* foot.to_si};
+inline constexpr Unit lbf_per_inch{CORE_TEXT("core", "lbf/in").english,
+                                   pound_force.to_si / inch.to_si};
 }  // namespace units
 
 }  // namespace ravnoves

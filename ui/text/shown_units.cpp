@@ -24,49 +24,27 @@ struct Change {
     int decimals;  ///< that numbers in it need more
 };
 
-constexpr double inch = units::inch.to_si;
-constexpr double pound = units::pound.to_si;
-constexpr double ounce = units::ounce.to_si;
-constexpr double pound_force = units::pound_force.to_si;
-constexpr double foot = 12.0 * inch;
-
-constexpr Unit unit(const char* name, double si) {
-    return {name, si};
-}
-
 const std::array changes{
     // Before that of the masses.
     Change{Preferences::Unbalance, System::GramMillimetre, units::gram_mm, units::gram_mm, 0},
-    Change{Preferences::Unbalance, System::GramInch, units::gram_mm,
-           unit(QT_TRANSLATE_NOOP("core", "g·in"), units::gram.to_si* inch), 1},
-    Change{Preferences::Unbalance, System::OunceInch, units::gram_mm,
-           unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
+    Change{Preferences::Unbalance, System::GramInch, units::gram_mm, units::gram_inch, 1},
+    Change{Preferences::Unbalance, System::OunceInch, units::gram_mm, units::ounce_inch, 3},
     Change{Preferences::Length, System::Imperial, units::mm, units::inch, 2},
-    Change{Preferences::Length, System::Imperial, units::micrometre,
-           unit(QT_TRANSLATE_NOOP("core", "mil"), 1e-3 * inch), 2},
-    Change{Preferences::Length, System::Imperial, units::metre,
-           unit(QT_TRANSLATE_NOOP("core", "ft"), foot), 0},
-    Change{Preferences::Length, System::Imperial, units::cm2,
-           unit(QT_TRANSLATE_NOOP("core", "in²"), inch* inch), 1},
-    Change{Preferences::Length, System::Imperial, units::cm3,
-           unit(QT_TRANSLATE_NOOP("core", "in³"), inch* inch* inch), 1},
+    Change{Preferences::Length, System::Imperial, units::micrometre, units::mil, 2},
+    Change{Preferences::Length, System::Imperial, units::metre, units::foot, 0},
+    Change{Preferences::Length, System::Imperial, units::cm2, units::inch2, 1},
+    Change{Preferences::Length, System::Imperial, units::cm3, units::inch3, 1},
     Change{Preferences::Mass, System::Gram, units::kg, units::gram, -3},
     Change{Preferences::Mass, System::Imperial, units::kg, units::pound, 0},
     Change{Preferences::Mass, System::Imperial, units::gram, units::ounce, 2},
-    Change{Preferences::Mass, System::Imperial, units::gram_mm,
-           unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
-    Change{Preferences::Mass, System::Imperial, units::kg_m3,
-           unit(QT_TRANSLATE_NOOP("core", "lb/ft³"), pound / (foot * foot * foot)), 1},
-    Change{Preferences::Mass, System::Imperial, units::kg_m2,
-           unit(QT_TRANSLATE_NOOP("core", "lb·ft²"), pound* foot* foot), -1},
-    Change{Preferences::Torque, System::Imperial, units::N_m,
-           unit(QT_TRANSLATE_NOOP("core", "lb·ft"), pound_force* foot), 0},
+    Change{Preferences::Mass, System::Imperial, units::gram_mm, units::ounce_inch, 3},
+    Change{Preferences::Mass, System::Imperial, units::kg_m3, units::lb_per_ft3, 1},
+    Change{Preferences::Mass, System::Imperial, units::kg_m2, units::lb_ft2, -1},
+    Change{Preferences::Torque, System::Imperial, units::N_m, units::lb_ft, 0},
     Change{Preferences::Force, System::Imperial, units::newton, units::pound_force, 1},
     Change{Preferences::Force, System::Imperial, units::kN, units::pound_force, -2},
-    Change{Preferences::Force, System::Imperial, units::N_per_m,
-           unit(QT_TRANSLATE_NOOP("core", "lbf/in"), pound_force / inch), 2},
-    Change{Preferences::Force, System::Imperial, units::kN_per_m,
-           unit(QT_TRANSLATE_NOOP("core", "lbf/in"), pound_force / inch), 0},
+    Change{Preferences::Force, System::Imperial, units::N_per_m, units::lbf_per_inch, 2},
+    Change{Preferences::Force, System::Imperial, units::kN_per_m, units::lbf_per_inch, 0},
     Change{Preferences::Speed, System::RadPerSecond, units::rpm, units::rad_per_s, 1},
     Change{Preferences::Speed, System::Rpm, units::rad_per_s, units::rpm, -1},
 };

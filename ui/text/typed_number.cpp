@@ -15,37 +15,34 @@ namespace {
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
     enum Quantity { Mass, Length, Unbalance } quantity;
-    double si;
-    const char* name;          ///< in core, which the language translates
+    Unit unit;
     const char16_t* spelling;  ///< lower case, without dots, as are the other ones
     const char16_t* inRussian;
 };
 
 constexpr std::array typedUnits{
-    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"g", u"г"},
-    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"gr", u"гр"},
-    TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"kg", u"кг"},
-    TypedUnit{TypedUnit::Mass, units::milligram.to_si, "mg", u"mg", u"мг"},
-    TypedUnit{TypedUnit::Mass, units::ounce.to_si, "oz", u"oz", u"унц"},
-    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"lb", u"фунт"},
-    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"lbs", u"фунтов"},
+    TypedUnit{TypedUnit::Mass, units::gram, u"g", u"г"},
+    TypedUnit{TypedUnit::Mass, units::gram, u"gr", u"гр"},
+    TypedUnit{TypedUnit::Mass, units::kg, u"kg", u"кг"},
+    TypedUnit{TypedUnit::Mass, units::milligram, u"mg", u"мг"},
+    TypedUnit{TypedUnit::Mass, units::ounce, u"oz", u"унц"},
+    TypedUnit{TypedUnit::Mass, units::pound, u"lb", u"фунт"},
+    TypedUnit{TypedUnit::Mass, units::pound, u"lbs", u"фунтов"},
     // A scale that is a keyboard, while the Russian layout is on: "568ю5п".
-    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"п", u"п"},
-    TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"лп", u"лп"},
-    TypedUnit{TypedUnit::Mass, units::ounce.to_si, "oz", u"щя", u"щя"},
-    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"ди", u"ди"},
-    TypedUnit{TypedUnit::Length, units::mm.to_si, "mm", u"mm", u"мм"},
-    TypedUnit{TypedUnit::Length, 1e-2, "cm", u"cm", u"см"},
-    TypedUnit{TypedUnit::Length, units::metre.to_si, "m", u"m", u"м"},
-    TypedUnit{TypedUnit::Length, units::micrometre.to_si, "µm", u"um", u"мкм"},
-    TypedUnit{TypedUnit::Length, units::inch.to_si, "in", u"in", u"\""},
-    TypedUnit{TypedUnit::Length, 1e-3 * units::inch.to_si, "mil", u"mil", u"мил"},
-    TypedUnit{TypedUnit::Length, 12.0 * units::inch.to_si, "ft", u"ft", u"фут"},
-    TypedUnit{TypedUnit::Unbalance, units::gram_mm.to_si, "g·mm", u"gmm", u"гмм"},
-    TypedUnit{TypedUnit::Unbalance, units::gram.to_si * units::inch.to_si, "g·in", u"gin",
-              u"гдюйм"},
-    TypedUnit{TypedUnit::Unbalance, units::ounce.to_si * units::inch.to_si, "oz·in", u"ozin",
-              u"унцдюйм"}};
+    TypedUnit{TypedUnit::Mass, units::gram, u"п", u"п"},
+    TypedUnit{TypedUnit::Mass, units::kg, u"лп", u"лп"},
+    TypedUnit{TypedUnit::Mass, units::ounce, u"щя", u"щя"},
+    TypedUnit{TypedUnit::Mass, units::pound, u"ди", u"ди"},
+    TypedUnit{TypedUnit::Length, units::mm, u"mm", u"мм"},
+    TypedUnit{TypedUnit::Length, units::centimetre, u"cm", u"см"},
+    TypedUnit{TypedUnit::Length, units::metre, u"m", u"м"},
+    TypedUnit{TypedUnit::Length, units::micrometre, u"um", u"мкм"},
+    TypedUnit{TypedUnit::Length, units::inch, u"in", u"\""},
+    TypedUnit{TypedUnit::Length, units::mil, u"mil", u"мил"},
+    TypedUnit{TypedUnit::Length, units::foot, u"ft", u"фут"},
+    TypedUnit{TypedUnit::Unbalance, units::gram_mm, u"gmm", u"гмм"},
+    TypedUnit{TypedUnit::Unbalance, units::gram_inch, u"gin", u"гдюйм"},
+    TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin", u"унцдюйм"}};
 
 const TypedUnit* typedUnit(const QString& word) {
     QString small = word.toLower();
@@ -54,7 +51,7 @@ const TypedUnit* typedUnit(const QString& word) {
     }
     const auto found = std::find_if(typedUnits.begin(), typedUnits.end(), [&](const auto& each) {
         return small == QStringView(each.spelling) || small == QStringView(each.inRussian) ||
-               word == unitText(each.name);
+               word == unitText(each.unit.name);
     });
     return found == typedUnits.end() ? nullptr : &*found;
 }
@@ -107,9 +104,10 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit) {
                           .arg(word, unit)};
     }
     constexpr int precision = 15;  // 568.5 g are 0.5685 kg, not 0.56850000000000001
-    return typed->si == own->si
+    return typed->unit.to_si == own->unit.to_si
                ? TypedNumber{number, {}}
-               : TypedNumber{rounded_to(*number * (typed->si / own->si), precision), {}};
+               : TypedNumber{rounded_to(*number * (typed->unit.to_si / own->unit.to_si), precision),
+                             {}};
 }
 
 bool isTypedNumber(const QString& text) {
