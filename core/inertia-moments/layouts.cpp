@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 #include "inertia-moments/fields.h"
 #include "numerics/angle.h"
+#include "numerics/demand.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -116,9 +116,7 @@ Place place_of(Arrangement arrangement, int i, int cylinders) {
 
 const LayoutSpec& require_layout(std::string_view name) {
     const LayoutSpec* spec = find_layout(name);
-    if (spec == nullptr) {
-        throw std::invalid_argument("no layout named " + std::string(name));
-    }
+    RAVNOVES_DEMAND(spec != nullptr, "a layout's name must be known");
     return *spec;
 }
 

@@ -53,7 +53,7 @@ int cylinder_count(const Layout& layout);
 /// for even firing over the cycle.
 /// @param layout  checked: known name, firing order a permutation
 /// @param cycle   rad, as Input::cycle()
-/// @throws std::invalid_argument for an unknown name (our fault: check_input() comes first)
+/// @throws std::logic_error for an unknown name (our fault: check_input() comes first)
 std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,
                                      double cycle = 2.0 * two_pi);
 

@@ -1,8 +1,9 @@
 #include "methods/plain_text.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::methods {
 
@@ -78,9 +79,7 @@ void AlignedTable::heading(std::string text) {
 }
 
 void AlignedTable::add(std::vector<std::string> cells) {
-    if (cells.size() != columns_.size()) {
-        throw std::invalid_argument("a line of the table needs a cell for each column");
-    }
+    RAVNOVES_DEMAND(cells.size() == columns_.size(), "a line must have a cell for each column");
     lines_.push_back(std::move(cells));
 }
 

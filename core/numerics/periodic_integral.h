@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <vector>
+
+#include "numerics/demand.h"
 
 namespace ravnoves {
 
@@ -18,9 +19,7 @@ namespace ravnoves {
 inline std::vector<double> cumulative_periodic_integral(std::span<const double> samples,
                                                         double step) {
     const std::size_t n = samples.size();
-    if (n < 6) {
-        throw std::invalid_argument("a running integral needs at least 6 samples");
-    }
+    RAVNOVES_DEMAND(n >= 6, "a running integral must have at least 6 samples");
     std::vector<double> integral(n + 1, 0.0);
     const auto at = [&](std::size_t i) { return samples[i % n]; };
     for (std::size_t i = 0; i < n; ++i) {

@@ -2,7 +2,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::methods {
 
@@ -14,9 +15,8 @@ constexpr std::string_view minute_sign = "′";
 double number(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-        throw std::invalid_argument("not a printed number: " + std::string(text));
-    }
+    RAVNOVES_DEMAND(error == std::errc() && end == text.data() + text.size(),
+                    "a printed number must be one: " + std::string(text));
     return value;
 }
 
@@ -26,9 +26,8 @@ Printed read_angle(std::string_view text, std::size_t degrees_end) {
     if (rest.empty()) {
         return {degrees, 1.0};
     }
-    if (!rest.ends_with(minute_sign)) {
-        throw std::invalid_argument("not a printed angle: " + std::string(text));
-    }
+    RAVNOVES_DEMAND(rest.ends_with(minute_sign),
+                    "a printed angle must end in its minutes: " + std::string(text));
     const double minutes = number(rest.substr(0, rest.size() - minute_sign.size()));
     return {degrees + std::copysign(minutes / 60.0, degrees), 1.0 / 60.0};
 }

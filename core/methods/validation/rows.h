@@ -17,7 +17,7 @@ struct Printed {
 };
 
 /// Reads "430.39", "-0.01" or an angle "3°20′" (in degrees).
-/// @throws std::invalid_argument for anything else: our fault
+/// @throws std::logic_error for anything else: our fault
 Printed read_printed(std::string_view text);
 
 /// What a row claims; whether it is so is decided from its numbers.

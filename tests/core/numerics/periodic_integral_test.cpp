@@ -35,7 +35,7 @@ TEST(PeriodicIntegral, ErrorFallsWithTheSixthPowerOfTheStep) {
 }
 
 TEST(PeriodicIntegral, TooFewSamplesAreRefused) {
-    EXPECT_THROW(cumulative_periodic_integral(std::vector<double>(5), 1.0), std::invalid_argument);
+    EXPECT_THROW(cumulative_periodic_integral(std::vector<double>(5), 1.0), std::logic_error);
 }
 
 }  // namespace
