@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "balance-shaft/model/torque_table_model.h"
+#include "bob-weights/fields.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/input_error.h"
 #include "finite.h"
@@ -15,8 +16,8 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
+#include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_plugs_model.h"
-#include "v8-plugs/model/weigh_in_table.h"
 #include "window_target.h"
 
 namespace {
@@ -47,8 +48,11 @@ void paste(SceneModel& model, const std::function<QString()>& write) {
 /// A model for all inputs: to make one anew for each takes longer than what is looked at.
 struct Pages {
     V8PlugsModel v8{QString()};
-    WeighInTable weighIn{&v8};
+    WeighInTable weighIn{WeighInTable::sourceOf(&v8, v8_plugs::field::part_mass, true,
+                                                [] { return int{v8_plugs::cylinder_count}; })};
     BobWeightsModel bob{QString()};
+    WeighInTable weights{WeighInTable::sourceOf(&bob, bob_weights::field::part_mass, false,
+                                                [this] { return bob.input().engine.cylinders; })};
     InertiaMomentsModel engine;
     CylinderTableModel cylinders{&engine};
     StudyModel study{&engine};
@@ -86,7 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     paste(pages.v8, [&] {
         return pages.weighIn.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
     });
-    paste(pages.bob, [&] { return pages.bob.pasteWeights(row, column, cells); });
+    paste(pages.bob, [&] {
+        return pages.weights.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
+    });
     paste(pages.engine, [&] { return pages.cylinders.pasteBlock(row, column, cells); });
     paste(pages.engine, [&] { return pages.scatter.pasteBlock(row, column, cells); });
     paste(pages.engine, [&] { return pages.watch.pasteBlock(row, column, cells); });

@@ -1,10 +1,7 @@
 #include "bob-weights/bob_sheets.h"
 
 #include <QCheckBox>
-#include <QClipboard>
 #include <QGridLayout>
-#include <QGuiApplication>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -115,33 +112,12 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
                          .arg(cylinders)
                    : QString();
     });
-    auto* holder = new QWidget(current());
-    auto* grid = new QGridLayout(holder);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(Theme::gap);
-    grid->setVerticalSpacing(2);
-    current()->addWide(holder);
-    auto* trouble = trouble_ = new TroubleLine(current());
-    trouble->setObjectName(QStringLiteral("weigh_in_trouble"));
-    current()->addWide(trouble);
-    for (int cylinder = 0; cylinder < mostRows; ++cylinder) {
-        auto* number = new QLabel(QString::number(cylinder + 1), holder);
-        number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        grid->addWidget(number, cylinder + 1, 0);
-        follow([this, number, cylinder] {
-            number->setVisible(cylinder < model_->input().engine.cylinders);
-        });
-    }
-    int row = mostRows + 1;
-    for (const QString& name : {tr("mean, g"), tr("spread, g")}) {
-        auto* label = new QLabel(shownTitle(name).text, holder);
-        label->setFont(Theme::font(Theme::smallSize));
-        grid->addWidget(label, row++, 0);
-    }
-    for (int column = 0; column < static_cast<int>(workshop::all_parts.size()); ++column) {
-        addColumn(grid, column, trouble);
-    }
-    addMoves(grid, row);
+    addWeights(new WeighInTable(
+                   WeighInTable::sourceOf(model, field::part_mass, false,
+                                          [model] { return model->input().engine.cylinders; }),
+                   this),
+               mostRows, [model](workshop::Part part) { return model->columnNote(part); });
+    section({});
     line(Theme::baseSize, [this] { return model_->weighInText(); });
     addGoal(true);
     addFindings([this] { return findings(); }, [this] { model_->moveParts(); },
@@ -165,110 +141,6 @@ MatchingSheet::Findings BobWeighInSheet::findings() const {
         found.assignment = matching_text::assignment(words, *shown);
     }
     return found;
-}
-
-void BobWeighInSheet::addColumn(QGridLayout* grid, int column, TroubleLine* trouble) {
-    const workshop::Part part = workshop::all_parts[static_cast<std::size_t>(column)];
-    const QString name = shownText(workshop::part_word(part).label);
-    QWidget* holder = grid->parentWidget();
-    auto* head = new QLabel(name, holder);
-    head->setFont(Theme::font(Theme::smallSize, true));
-    head->setWordWrap(true);
-    head->setAlignment(Qt::AlignCenter);
-    grid->addWidget(head, 0, column + 1);
-    grid->setColumnStretch(column + 1, 1);
-    for (int cylinder = 0; cylinder < mostRows; ++cylinder) {
-        NumberField* cell = addCell(name, part, cylinder, holder);
-        trouble->watch(cell);
-        grid->addWidget(cell, cylinder + 1, column + 1);
-    }
-    auto* mean = new QLabel(holder);
-    auto* spread = new QLabel(holder);
-    int row = mostRows + 1;
-    for (QLabel* label : {mean, spread}) {
-        label->setAlignment(Qt::AlignRight);
-        grid->addWidget(label, row++, column + 1);
-    }
-    const auto show = [this, part, mean, spread] {
-        const auto [meanText, spreadText, counts] = model_->columnNote(part);
-        mean->setText(meanText);
-        spread->setText(spreadText);
-        const Theme& theme = Theme::instance();
-        colourText(mean, counts ? theme.text() : theme.warning());
-        mean->setToolTip(counts ? QString() : tr("Counts once every cylinder is weighed."));
-    };
-    connect(&Theme::instance(), &Theme::changed, this, show);
-    follow(show);
-}
-
-NumberField* BobWeighInSheet::addCell(const QString& name, workshop::Part part, int cylinder,
-                                      QWidget* holder) {
-    constexpr int cellHeight = 28;
-    auto* cell = ordered(new NumberField(field::part_mass, holder));
-    const std::string_view word = workshop::part_word(part).word;
-    cell->setObjectName(
-        QStringLiteral("mass_%1_%2")
-            .arg(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())))
-            .arg(cylinder + 1));
-    const QString title = shownTitle(tr("%1 of cylinder %2, g").arg(name).arg(cylinder + 1)).text;
-    cell->setAccessibleName(title);
-    cell->setHint(tr("%1 of cylinder %2 as the scale says.").arg(name).arg(cylinder + 1));
-    cell->setOptional(true);
-    cell->setProperty("decimals", 2 + shownUnit(field::part_mass.unit).decimals);
-    cell->setMinimumWidth(Theme::withText(44));
-    cell->setMinimumHeight(Theme::withText(cellHeight));
-    const auto at = static_cast<std::size_t>(cylinder);
-    bind(
-        cell,
-        [this, part, at]() -> std::optional<double> {
-            const auto& sheet = model_->input().weigh_in;
-            if (!sheet || at >= (*sheet)[part].mass.size() || !(*sheet)[part].mass[at]) {
-                return std::nullopt;
-            }
-            return from_si(field::part_mass, *(*sheet)[part].mass[at]);
-        },
-        [this, part, at, title](std::optional<double> value) {
-            model_->editWeights(title, [&](WeighIn& sheet) {
-                sheet[part].mass.at(at) =
-                    value ? std::optional(*value * field::part_mass.unit) : std::nullopt;
-            });
-        });
-    makeCell(cell);
-    cell->installEventFilter(this);
-    cells_.push_back(cell);
-    follow(
-        [this, cell, cylinder] { cell->setVisible(cylinder < model_->input().engine.cylinders); });
-    return cell;
-}
-
-bool BobWeighInSheet::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress) {
-        const auto found = std::find(cells_.begin(), cells_.end(), watched);
-        if (found != cells_.end()) {
-            const auto place = static_cast<int>(found - cells_.begin());
-            if (useKey(*static_cast<QKeyEvent*>(event), place % mostRows, place / mostRows)) {
-                return true;
-            }
-        }
-    }
-    return MatchingSheet::eventFilter(watched, event);
-}
-
-bool BobWeighInSheet::useKey(const QKeyEvent& key, int row, int column) {
-    if (key.matches(QKeySequence::Paste)) {
-        const QString text = QGuiApplication::clipboard()->text();
-        const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
-        if (isBlock) {
-            trouble_->say(model_->pasteWeights(row, column, readTextTable(text, EmptyLine::gap)));
-        }
-        return isBlock;
-    }
-    const int step = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
-    const int next = row + step;
-    if (step != 0 && next >= 0 && next < std::min(mostRows, model_->input().engine.cylinders)) {
-        cells_[static_cast<std::size_t>(column * mostRows + next)]->setFocus(Qt::TabFocusReason);
-    }
-    return step != 0;
 }
 
 BobMachineSheet::BobMachineSheet(BobWeightsModel* model, QWidget* parent)

@@ -5,7 +5,6 @@
 
 class QComboBox;
 class QGridLayout;
-class QKeyEvent;
 
 namespace ravnoves {
 
@@ -46,19 +45,10 @@ class BobWeighInSheet : public MatchingSheet {
 
     explicit BobWeighInSheet(BobWeightsModel* model, QWidget* parent = nullptr);
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
-    /// Pastes a block, goes up or down. @return false where the key is none of these
-    bool useKey(const QKeyEvent& key, int row, int column);
-    void addColumn(QGridLayout* grid, int column, TroubleLine* trouble);
-    NumberField* addCell(const QString& name, workshop::Part part, int cylinder, QWidget* holder);
     Findings findings() const;
 
     BobWeightsModel* model_;
-    TroubleLine* trouble_ = nullptr;
-    std::vector<NumberField*> cells_;  ///< column by column
 };
 
 /// Sheet 4: what the machine reads in which planes, and what may remain.

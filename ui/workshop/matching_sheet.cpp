@@ -1,13 +1,18 @@
 #include "workshop/matching_sheet.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/result_table.h"
@@ -19,8 +24,9 @@ using namespace workshop;
 
 namespace {
 
-constexpr int moveHeight = 30;
-constexpr int moveWidth = 44;  // that of a weight
+constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
+constexpr int cellWidth = 44;
+constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
 
 QVBoxLayout* columnOfSheet(QWidget* sheet) {
     return static_cast<QVBoxLayout*>(sheet->layout());
@@ -59,11 +65,152 @@ MatchingSheet::MatchingSheet(
       edit_(std::move(edit)),
       isMoved_(std::move(isMoved)) {}
 
-void MatchingSheet::addMoves(QGridLayout* grid, int row) {
-    auto* title = new QLabel(tr("may go"), grid->parentWidget());
+void MatchingSheet::addWeights(WeighInTable* table, int mostRows, const Note& note) {
+    table_ = table;
+    rows_ = table->firstCylinder() + mostRows;
+    grid_ = new QGridLayout;
+    columnOfSheet(this)->addLayout(grid_);
+    grid_->setHorizontalSpacing(Theme::gap / 2);  // "1568.52" is seen whole
+    grid_->setVerticalSpacing(2);
+    grid_->setColumnMinimumWidth(0, Theme::withText(50));
+    for (int row = 0; row < rows_; ++row) {
+        QLabel* title =
+            put(row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
+                row < table_->firstCylinder() ? Theme::smallSize : Theme::titleSize);
+        follow([this, title, row] { title->setVisible(row < table_->rowCount()); });
+    }
+    int row = rows_ + 1;
+    put(row++, 0, shownTitle(tr("mean, g")).text, Theme::smallSize);
+    if (table_->firstCylinder() > 0) {
+        put(row++, 0, shownTitle(tr("to nominal, g")).text, Theme::smallSize);
+    }
+    put(row++, 0, shownTitle(tr("spread, g")).text, Theme::smallSize);
+    trouble_ = new TroubleLine(this);
+    trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        addColumn(column, note);
+    }
+    addMoves(row);
+    columnOfSheet(this)->addWidget(trouble_);
+}
+
+/// A label of the grid; those above and to the left of the cells wrap.
+QLabel* MatchingSheet::put(int row, int column, const QString& text, int size, bool bold) {
+    // A unit stays with the word before it.
+    const QString whole = QString(text).replace(QStringLiteral(", "), QStringLiteral(",\u00A0"));
+    auto* label = new QLabel(column == 0 ? whole : text, this);
+    label->setFont(Theme::font(size, bold));
+    label->setWordWrap(column == 0 || row == 0);
+    if (column == 0) {
+        label->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
+    }
+    label->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter);
+    grid_->addWidget(label, row, column);
+    return label;
+}
+
+void MatchingSheet::addColumn(int column, const Note& note) {
+    const int place = column + 1;
+    put(0, place, table_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(),
+        Theme::smallSize, true);
+    grid_->setColumnStretch(place, 1);
+    for (int row = 0; row < rows_; ++row) {
+        grid_->addWidget(addCell(row, column), row + 1, place);
+    }
+    int row = rows_ + 1;
+    QLabel* mean = put(row++, place, {}, Theme::baseSize);
+    QLabel* deviation =
+        table_->firstCylinder() > 0 ? put(row++, place, {}, Theme::baseSize) : nullptr;
+    QLabel* spread = put(row++, place, {}, Theme::baseSize);
+    const auto show = [=, part = all_parts[static_cast<std::size_t>(column)]] {
+        const WeighedColumn weighed = note(part);
+        const Theme& theme = Theme::instance();
+        const auto say = [&](QLabel* label, const QString& text, const QColor& colour) {
+            if (label != nullptr) {
+                label->setText(text);
+                label->setToolTip(weighed.toolTip);
+                colourText(label, colour);
+            }
+        };
+        say(mean, weighed.mean, weighed.counts ? theme.text() : theme.warning());
+        say(deviation, weighed.deviation, weighed.counts ? theme.text() : theme.warning());
+        say(spread, weighed.tooWide ? weighed.spread + QStringLiteral(" !") : weighed.spread,
+            weighed.tooWide ? theme.error() : theme.text());
+    };
+    connect(&Theme::instance(), &Theme::changed, this, show);
+    follow(show);
+}
+
+NumberField* MatchingSheet::addCell(int row, int column) {
+    // Rows that are not there yet have names, too.
+    const QModelIndex named = table_->createdIndex(row, column);
+    auto* field = ordered(new NumberField(table_->fieldOf(row), this));
+    field->setObjectName(table_->data(named, WeighInTable::KeyRole).toString());
+    field->setAccessibleName(table_->data(named, Qt::AccessibleTextRole).toString());
+    field->setHint(table_->data(named, Qt::ToolTipRole).toString());
+    field->setOptional(true);
+    field->setMinimumWidth(Theme::withText(cellWidth));
+    field->setMinimumHeight(Theme::withText(cellHeight));
+    field->setFont(Theme::font(Theme::baseSize));
+    field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
+    field->setProperty("decimals", 2 + shownUnit(table_->fieldOf(row).unit).decimals);
+    field->installEventFilter(this);
+    bind(
+        field,
+        [this, row, column]() -> std::optional<double> {
+            const QVariant mass = table_->index(row, column).data(Qt::EditRole);
+            return mass.isValid() ? std::optional(mass.toDouble()) : std::nullopt;
+        },
+        [this, row, column](std::optional<double> value) {
+            table_->setData(table_->index(row, column), value ? QVariant(*value) : QVariant());
+        });
+    makeCell(field);
+    trouble_->watch(field);
+    cells_.push_back(field);
+    if (row >= table_->firstCylinder()) {
+        follow([this, field, row] { field->setVisible(row < table_->rowCount()); });
+    }
+    return field;
+}
+
+bool MatchingSheet::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const auto found = std::find(cells_.begin(), cells_.end(), watched);
+        if (found != cells_.end()) {
+            const auto place = static_cast<int>(found - cells_.begin());
+            if (useKey(*static_cast<QKeyEvent*>(event),
+                       table_->index(place % rows_, place / rows_))) {
+                return true;
+            }
+        }
+    }
+    return SheetForm::eventFilter(watched, event);
+}
+
+bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
+    if (key.matches(QKeySequence::Paste)) {
+        const QString text = QGuiApplication::clipboard()->text();
+        const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
+        if (isBlock) {
+            trouble_->say(
+                table_->pasteBlock(cell.row(), cell.column(), readTextTable(text, EmptyLine::gap)));
+        }
+        return isBlock;
+    }
+    const int step = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
+    const QModelIndex next = cell.siblingAtRow(cell.row() + step);
+    if (step != 0 && next.isValid() && next.row() < rows_) {
+        cells_[static_cast<std::size_t>(next.column() * rows_ + next.row())]->setFocus(
+            Qt::TabFocusReason);
+    }
+    return step != 0;
+}
+
+void MatchingSheet::addMoves(int row) {
+    auto* title = new QLabel(tr("may go"), this);
     title->setFont(Theme::font(Theme::smallSize));
     title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(title, row, 0);
+    grid_->addWidget(title, row, 0);
     const auto add = [&](Part part, const Field& field, auto Rules::*member) {
         using Moves = std::decay_t<decltype(Rules().*member)>;
         auto* box = ordered(new QComboBox(this));
@@ -74,8 +221,8 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
         box->setAccessibleName(fieldName(field));
         box->setToolTip(shownText(field.hint));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumWidth(Theme::withText(moveWidth));
-        box->setMinimumHeight(Theme::withText(moveHeight));
+        box->setMinimumWidth(Theme::withText(cellWidth));
+        box->setMinimumHeight(Theme::withText(cellHeight));
         box->setFont(Theme::font(Theme::smallSize));
         for (const Word& word : field.words) {
             box->addItem(shownText(word.label));
@@ -93,27 +240,27 @@ void MatchingSheet::addMoves(QGridLayout* grid, int row) {
                                          "to change it.")
                                     : hint);
         });
-        grid->addWidget(box, row, static_cast<int>(part) + 1);
+        grid_->addWidget(box, row, static_cast<int>(part) + 1);
     };
     add(Part::piston, field::piston_moves, &Rules::pistons);
     add(Part::pin, field::pin_moves, &Rules::pins);
     add(Part::rings, field::ring_moves, &Rules::rings);
     add(Part::rod_big_end, field::rod_moves, &Rules::rods);
-    auto* withRod = new QLabel(tr("with it"), grid->parentWidget());
+    auto* withRod = new QLabel(tr("with it"), this);
     withRod->setFont(Theme::font(Theme::smallSize));
     withRod->setAlignment(Qt::AlignCenter);
     withRod->setToolTip(tr("The small end goes with the big end: they are one rod."));
-    grid->addWidget(withRod, row, static_cast<int>(Part::rod_small_end) + 1);
+    grid_->addWidget(withRod, row, static_cast<int>(Part::rod_small_end) + 1);
     add(Part::shells, field::shell_moves, &Rules::shells);
     QLabel* words = captionLabel(
         tr("Where matching may put a part – free: in any cylinder, bank: within its bank, goes: "
            "with its piston or rod, stays: where it is."),
-        grid->parentWidget());
+        this);
     words->setObjectName(QStringLiteral("moves_words"));
     QSizePolicy policy = words->sizePolicy();
     policy.setHorizontalPolicy(QSizePolicy::Ignored);  // the columns are those of the cells
     words->setSizePolicy(policy);
-    grid->addWidget(words, row + 1, 0, 1, -1);
+    grid_->addWidget(words, row + 1, 0, 1, -1);
 }
 
 void MatchingSheet::addGoal(bool asksRadius) {
@@ -178,7 +325,7 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     auto* button = new QPushButton(tr("&Move them here"), this);
     button->setObjectName(QStringLiteral("move_parts"));
     button->setToolTip(tr("The weights change places on this sheet as the parts do."));
-    button->setMinimumHeight(Theme::withText(moveHeight));
+    button->setMinimumHeight(Theme::withText(cellHeight));
     connect(button, &QPushButton::clicked, this, std::move(move));
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
@@ -186,7 +333,7 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     auto* back = new QPushButton(tr("As &weighed"), this);
     back->setObjectName(QStringLiteral("move_back"));
     back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
-    back->setMinimumHeight(Theme::withText(moveHeight));
+    back->setMinimumHeight(Theme::withText(cellHeight));
     connect(back, &QPushButton::clicked, this, std::move(moveBack));
     found->addWidget(back, 0, Qt::AlignTop);
     columnOfSheet(this)->addLayout(found);

@@ -1,17 +1,24 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "text/result_row.h"
 #include "workshop/matching_rules.h"
+#include "workshop/model/weigh_in_table.h"
 #include "workshop/sheet_form.h"
 
 class QGridLayout;
+class QKeyEvent;
 
 namespace ravnoves {
 
 class ResultTable;
 
-/// A sheet on which parts are weighed and matched: what may move, what they are placed for, and
-/// what comes out.
+/// A sheet on which parts are weighed and matched: a column for each kind of part, a row for each
+/// cylinder; what may move, what they are placed for, and what comes out. The order of the fields
+/// goes down the columns, as one weighs; a block of a spreadsheet is pasted from the cell that has
+/// the focus.
 class MatchingSheet : public SheetForm {
     Q_OBJECT
 
@@ -36,21 +43,38 @@ class MatchingSheet : public SheetForm {
         std::size_t cylinders = 0;
     };
 
-    /// A row of the grid of weights, a control in the column of each part: where it may go.
-    void addMoves(QGridLayout* grid, int row);
+    using Note = std::function<WeighedColumn(workshop::Part)>;
+    /// The grid of weights, with what stands below its columns and where their parts may go.
+    /// @param mostRows  further cylinders come by pasting a column
+    void addWeights(WeighInTable* table, int mostRows, const Note& note);
     /// What the parts are placed for, with what that needs.
     void addGoal(bool asksRadius);
     /// What comes out, and the buttons that move the weights on the sheet and back.
     void addFindings(std::function<Findings()> findings, std::function<void()> move,
                      std::function<void()> moveBack);
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
+    void addColumn(int column, const Note& note);
+    NumberField* addCell(int row, int column);
+    /// A row of the grid, a control in the column of each part: where it may go.
+    void addMoves(int row);
+    /// The keys of a cell: a block is pasted, the arrows go up and down. @return true for such a
+    /// key
+    bool useKey(const QKeyEvent& key, const QModelIndex& cell);
     void addAngles();
     ResultTable* addTable(const QString& name);
 
     std::function<Rules()> rules_;
     std::function<void(const QString&, const std::function<void(Rules&)>&)> edit_;
     std::function<bool()> isMoved_;
+    WeighInTable* table_ = nullptr;
+    QGridLayout* grid_ = nullptr;
+    int rows_ = 0;                     ///< that have cells
+    std::vector<NumberField*> cells_;  ///< column by column
+    TroubleLine* trouble_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -250,40 +250,6 @@ QString BobWeightsModel::editWeights(const QString& name,
     });
 }
 
-QString BobWeightsModel::pasteWeights(int row, int column, const std::vector<QStringList>& cells) {
-    const int cylinders = input().engine.cylinders;
-    Input next = input();
-    if (!next.weigh_in) {
-        next.weigh_in.emplace();
-    }
-    fit_weigh_in(next);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        for (qsizetype j = 0; j < cells[i].size(); ++j) {
-            const QString& typed = cells[i].at(j);
-            if (typed.isEmpty()) {
-                continue;
-            }
-            const std::size_t cylinder = static_cast<std::size_t>(row) + i;
-            const auto part = static_cast<std::size_t>(column) + static_cast<std::size_t>(j);
-            if (cylinder >= static_cast<std::size_t>(cylinders) ||
-                part >= workshop::all_parts.size()) {
-                return tr("Nothing is pasted: the block does not fit on the sheet from here, which "
-                          "has %1 cylinders.")
-                    .arg(cylinders);
-            }
-            // In the unit that the cells show.
-            const ShownUnit unit = shownUnit(field::part_mass.unit);
-            const auto value = readTypedNumber(typed, unit.name).value;
-            if (!value || !field::part_mass.range.contains(*value / unit.factor)) {
-                return tr("Nothing is pasted: “%1” is no mass in %2.").arg(typed, unit.name);
-            }
-            next.weigh_in->columns[part].mass[cylinder] =
-                *value / unit.factor * field::part_mass.unit;
-        }
-    }
-    return editWeights(tr("Paste weights"), [&](WeighIn& sheet) { sheet = *next.weigh_in; });
-}
-
 // -------------------------------------------------------------------------- runs of the machine
 
 std::size_t BobWeightsModel::newestRun() const {
@@ -400,16 +366,15 @@ QString BobWeightsModel::otherReadingsText() const {
     return bob_text::otherReadings(Words(), solution());
 }
 
-BobWeightsModel::ColumnNote BobWeightsModel::columnNote(workshop::Part part) const {
+WeighedColumn BobWeightsModel::columnNote(workshop::Part part) const {
     for (const Matching& each : solution().matching) {
         if (each.part->column == part) {
-            const Words words;
-            return {words.digits(each.statistics.mean, units::gram, 2),
-                    words.digits(each.statistics.spread, units::gram, 2),
-                    each.statistics.count == input().engine.cylinders};
+            return weighedColumn(Words(), part, each.statistics, {},
+                                 each.statistics.count == input().engine.cylinders,
+                                 tr("Counts once every cylinder is weighed."));
         }
     }
-    return {};
+    return weighedColumn(Words(), part, {}, {}, true);
 }
 
 QString BobWeightsModel::weighInText() const {
@@ -717,14 +682,8 @@ bool BobWeightsModel::hasNumbers() const {
 }
 
 JournalJob BobWeightsModel::journalEntry() const {
-    const workshop::JobHeader& head = input().job;
-    JournalJob job;
-    job.engineNumber = QString::fromStdString(head.engine_number);
-    job.crankshaftNumber = QString::fromStdString(head.crankshaft_number);
-    job.customer = QString::fromStdString(head.customer);
-    job.technician = QString::fromStdString(head.technician);
+    JournalJob job = JobDesk::entryOf(input().job);
     job.engine = bob_text::engineName(Words(QStringLiteral("en")), input().engine);
-    job.date = QDate::fromString(QString::fromStdString(head.date), Qt::ISODate);
     if (solution().bob_weight) {
         job.bobWeight = *solution().bob_weight / units::gram;
     }
@@ -747,10 +706,7 @@ JournalJob BobWeightsModel::journalEntry() const {
 void BobWeightsModel::takeJob(const CaseFile& file, bool isCopy) {
     Input next = read_input(file.input, Completeness::as_is);
     if (isCopy) {
-        next.job.engine_number.clear();
-        next.job.crankshaft_number.clear();
-        next.job.notes.clear();
-        next.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+        JobDesk::makeNew(next.job);
         forgetReadings(next);
     }
     editText(QString::fromStdString(file.title),

@@ -9,6 +9,7 @@
 #include "text/result_row.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/matching_text.h"
+#include "workshop/model/weigh_in_table.h"
 
 namespace ravnoves {
 
@@ -67,11 +68,6 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
     QString editWeights(const QString& name,
                         const std::function<void(bob_weights::WeighIn&)>& mutate);
-    /// Writes a block of masses at a cell of the weigh-in sheet, as a spreadsheet does; one step.
-    /// A cell without text leaves what is there.
-    /// @param row  cylinder, from 0
-    /// @return an empty string, or why nothing is written
-    QString pasteWeights(int row, int column, const std::vector<QStringList>& cells);
     /// Number of the run that is corrected: 0 before drilling.
     std::size_t newestRun() const;
     /// True where both of its readings are whole: a further run may follow.
@@ -81,12 +77,6 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// The first of the run after the newest makes that the newest; without any it is none.
     QString editReading(const QString& name, std::size_t run, std::size_t plane, bool isAngle,
                         std::optional<double> value);
-    /// Mean and spread of a column of the weigh-in sheet, g.
-    struct ColumnNote {
-        QString mean;
-        QString spread;
-        bool counts = true;
-    };
     /// The newest readings that do not hold are said to hold for the crankshaft and the bob weight
     /// that there are now, and with them what was read together with them.
     void confirmReadings();
@@ -94,7 +84,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString otherRunText() const;
     /// What is wrong with readings of another bob weight; empty where nothing.
     QString otherReadingsText() const;
-    ColumnNote columnNote(workshop::Part part) const;
+    WeighedColumn columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
     /// Which sets to move; nothing where no column is weighed whole.

@@ -9,6 +9,7 @@
 #include "v8-plugs/input.h"
 #include "v8-plugs/solver.h"
 #include "workshop/model/job_desk.h"
+#include "workshop/model/weigh_in_table.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -134,15 +135,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     ResultColumns crankpinColumns() const;
     ResultRows crankpinRows() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.
-    struct ColumnNote {
-        QString mean;
-        QString deviation;  ///< of the mean from nominal, with its sign
-        QString spread;
-        bool tooWide = false;
-        bool counts = true;  ///< or nothing is weighed
-        QString toolTip;
-    };
-    ColumnNote columnNote(v8_plugs::Part part) const;
+    WeighedColumn columnNote(v8_plugs::Part part) const;
 
     // ------------------------------------------------------------------------------- journal
     /// Its place in the journal.

@@ -296,30 +296,10 @@ ResultRows V8PlugsModel::crankpinRows() const {
                 tr("Excess on each crankpin over the mean, parts moved"))};
 }
 
-V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
-    ColumnNote note{dash, dash, dash, false, true, {}};
-    if (!input().weigh_in) {
-        return note;
-    }
-    const auto s = statistics((*input().weigh_in)[part]);
-    if (!s) {
-        return note;
-    }
-    note.mean = words_.digits(s->mean, gram, 2);
-    if (const auto& nominal = (*input().weigh_in)[part].nominal) {
-        const double deviation = s->mean - *nominal;
-        note.deviation = (deviation >= 0.005 * gram ? QStringLiteral("+") : QString()) +
-                         words_.digits(deviation, gram, 2);
-    }
-    note.spread = words_.digits(s->spread, gram, 2);
-    note.tooWide = !s->within_permitted;
-    note.counts = input().changes_from_weigh_in && (*input().weigh_in)[part].is_complete();
-    note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
-                       .arg(v8_text::partName(words_, part))
-                       .arg(s->count)
-                       .arg(s->heaviest + 1)
-                       .arg(s->lightest + 1);
-    return note;
+WeighedColumn V8PlugsModel::columnNote(Part part) const {
+    const PartColumn column = input().weigh_in.value_or(WeighIn{})[part];
+    return weighedColumn(words_, part, statistics(column), column.nominal,
+                         input().changes_from_weigh_in && column.is_complete());
 }
 
 }  // namespace ravnoves

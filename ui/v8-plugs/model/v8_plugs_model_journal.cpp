@@ -1,7 +1,5 @@
 // What the journal keeps of a job, and a job as it comes back.
 
-#include <QDate>
-
 #include "case-file/case_file.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_plugs_model.h"
@@ -32,13 +30,8 @@ bool V8PlugsModel::hasNumbers() const {
 }
 
 JournalJob V8PlugsModel::journalEntry() const {
-    JournalJob job;
-    job.engineNumber = QString::fromStdString(input().job.engine_number);
-    job.crankshaftNumber = QString::fromStdString(input().job.crankshaft_number);
-    job.customer = QString::fromStdString(input().job.customer);
-    job.technician = QString::fromStdString(input().job.technician);
+    JournalJob job = JobDesk::entryOf(input().job);
     job.engine = QString::fromStdString(input().engine.name);
-    job.date = QDate::fromString(QString::fromStdString(input().job.date), Qt::ISODate);
     const std::string process(process_words[static_cast<std::size_t>(input().process)].word);
     job.process = QString::fromStdString(process);
     if (solution().unbalanced_mass) {
@@ -82,10 +75,7 @@ JournalJob V8PlugsModel::journalEntry() const {
 void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
     Input next = read_input(file.input, Completeness::as_is);
     if (isCopy) {
-        next.job.engine_number.clear();
-        next.job.crankshaft_number.clear();
-        next.job.notes.clear();
-        next.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+        JobDesk::makeNew(next.job);
         if (next.balancing) {
             next.balancing->forget_readings();
         }

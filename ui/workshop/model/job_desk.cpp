@@ -1,6 +1,7 @@
 #include "workshop/model/job_desk.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QEventLoop>
 #include <QSettings>
 #include <utility>
@@ -441,6 +442,23 @@ void JobDesk::discardDraft(const QString& session) {
         writer_->discardDraft(session);
         writer_->wait(callPatience);
     }
+}
+
+JournalJob JobDesk::entryOf(const workshop::JobHeader& head) {
+    JournalJob job;
+    job.engineNumber = QString::fromStdString(head.engine_number);
+    job.crankshaftNumber = QString::fromStdString(head.crankshaft_number);
+    job.customer = QString::fromStdString(head.customer);
+    job.technician = QString::fromStdString(head.technician);
+    job.date = QDate::fromString(QString::fromStdString(head.date), Qt::ISODate);
+    return job;
+}
+
+void JobDesk::makeNew(workshop::JobHeader& head) {
+    head.engine_number.clear();
+    head.crankshaft_number.clear();
+    head.notes.clear();
+    head.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
 }
 
 QString JobDesk::rememberedTechnician() {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "model/scene_model.h"
+#include "workshop/job_header.h"
 #include "workshop/model/journal.h"
 #include "workshop/model/journal_writer.h"
 #include "workshop/model/words.h"
@@ -98,6 +99,10 @@ class JobDesk : public QObject {
     QString restoreDraft(const JournalDraft& draft, bool keepsFile = false);
     void discardDraft(const QString& session);
 
+    /// What the journal keeps of the head of a job card.
+    static JournalJob entryOf(const workshop::JobHeader& head);
+    /// The head of another engine's job, of today.
+    static void makeNew(workshop::JobHeader& head);
     /// Who did the job that was saved last on this computer.
     static QString rememberedTechnician();
 
