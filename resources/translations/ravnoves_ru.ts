@@ -2381,10 +2381,6 @@
         <translation>габарит</translation>
     </message>
     <message>
-        <source>the square of the speed</source>
-        <translation>квадрат скорости</translation>
-    </message>
-    <message>
         <source>the inertia force</source>
         <translation>сила инерции</translation>
     </message>
@@ -8546,26 +8542,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::BobWeighInSheet</name>
     <message>
-        <source>mean, g</source>
-        <translation>среднее, г</translation>
-    </message>
-    <message>
-        <source>spread, g</source>
-        <translation>разброс, г</translation>
-    </message>
-    <message>
-        <source>Counts once every cylinder is weighed.</source>
-        <translation>Считается, когда взвешены все цилиндры.</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2, g</source>
-        <translation>%1 цилиндра %2, г</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2 as the scale says.</source>
-        <translation>%1 цилиндра %2 по показанию весов.</translation>
-    </message>
-    <message>
         <source>The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at the first has room for all, or type the means on sheet 2.</source>
         <translation>Лист показывает %1 из %2 цилиндров. Столбцу таблицы, вставленному в первый, хватает места для всех; или введите средние на листе 2.</translation>
     </message>
@@ -8603,18 +8579,6 @@ but nothing can be built</source>
     <message>
         <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
         <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
-    </message>
-    <message>
-        <source>Nothing is pasted: the block does not fit on the sheet from here, which has %1 cylinders.</source>
-        <translation>Ничего не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is pasted: “%1” is no mass in %2.</source>
-        <translation>Ничего не вставлено: «%1» — не масса в %2.</translation>
-    </message>
-    <message>
-        <source>Paste weights</source>
-        <translation>Вставить массы</translation>
     </message>
     <message>
         <source>Move parts</source>
@@ -8691,6 +8655,10 @@ but nothing can be built</source>
     <message>
         <source>From the job before: engine, factor, planes, drills and limits.</source>
         <translation>Из предыдущей работы: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
+    </message>
+    <message>
+        <source>Counts once every cylinder is weighed.</source>
+        <translation>Считается, когда взвешены все цилиндры.</translation>
     </message>
 </context>
 <context>
@@ -11992,6 +11960,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
         <translation>Куда можно поставить деталь при подборе — везде: в любой цилиндр; ряд: в своём ряду; идёт: вместе со своим поршнем или шатуном; стоит: где стояла.</translation>
+    </message>
+    <message>
+        <source>mean, g</source>
+        <translation>среднее, г</translation>
+    </message>
+    <message>
+        <source>to nominal, g</source>
+        <translation>к номиналу, г</translation>
+    </message>
+    <message>
+        <source>spread, g</source>
+        <translation>разброс, г</translation>
     </message>
 </context>
 <context>
@@ -16085,10 +16065,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>после, г</translation>
     </message>
     <message>
-        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
-        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
-    </message>
-    <message>
         <source>Excess Δmᵤ: not known yet</source>
         <translation>Неуравновешенная масса Δmᵤ пока неизвестна</translation>
     </message>
@@ -16486,20 +16462,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Брать изменения масс с &amp;этого листа</translation>
     </message>
     <message>
-        <source>mean, g</source>
-        <translation>среднее, г</translation>
-    </message>
-    <message>
-        <source>spread, g</source>
-        <translation>разброс, г</translation>
-    </message>
-    <message>
         <source>Excess on each crankpin, as weighed and after moving</source>
         <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
-    </message>
-    <message>
-        <source>to nominal, g</source>
-        <translation>к номиналу, г</translation>
     </message>
 </context>
 <context>
@@ -16549,16 +16513,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Nothing is pasted: the block does not fit on the sheet from here.</source>
-        <translation>Ничего не вставлено: блок не помещается на листе с этого места.</translation>
-    </message>
-    <message>
         <source>Paste weights</source>
         <translation>Вставка масс</translation>
     </message>
     <message>
         <source>Nothing is pasted: “%1” is no mass in %2.</source>
         <translation>Ничего не вставлено: «%1» — не масса в %2.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: the block does not fit on the sheet from here, which has %1 cylinders.</source>
+        <translation>Ничего не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
     </message>
 </context>
 <context>
