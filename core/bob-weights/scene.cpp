@@ -2,6 +2,8 @@
 
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
 #include "case-file/json.h"
 
 namespace ravnoves::bob_weights {
@@ -157,6 +159,22 @@ Json write_result(const Input& input, const Result& result) {
         }
     }
     return json;
+}
+
+Input read_input(const Json& json, Completeness completeness) {
+    Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        fit_weigh_in(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    Input written = input;
+    fit_weigh_in(written);
+    return write_fields(written);
 }
 
 Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {

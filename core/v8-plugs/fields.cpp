@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "case-file/field_reader.h"
-#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/scene.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -152,57 +150,6 @@ struct ThreadValue final : FieldVisitor::Custom {
     std::optional<Thread>& thread;
 };
 
-/// What no form lets happen, half filled or not.
-void check_choices(const Input& input) {
-    if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
-        throw InputError(
-            "/input/crankshaft",
-            CORE_TEXT("V8", "must be \"standard\" where the engine has no plug of the new design"),
-            "\"new-plugs\"");
-    }
-    if (input.changes_from_weigh_in && !input.weigh_in) {
-        throw InputError(
-            "/input/weigh_in",
-            {CORE_TEXT("V8", "is required where %1 is \"weigh-in\""), field::changes_source.key});
-    }
-}
-
-void check_engine(const Input& input) {
-    const std::string place = input.preset.empty() ? "/input/engine/" : "/input/engine_overrides/";
-    const auto missing = missing_fields(input.engine, true);
-    if (!missing.empty()) {
-        throw InputError(
-            place + std::string(missing.front()->field.key),
-            input.preset.empty()
-                ? Message(CORE_TEXT("core", "is required and missing"))
-                : Message(
-                      CORE_TEXT("V8", "is required and missing: the preset %1 does not give it"),
-                      quoted_list({input.preset})));
-    }
-    for (const auto& [reduction, plug_mass] : engine_conflicts(input.engine)) {
-        const Field& field = reduction->field;
-        throw InputError(
-            place + std::string(field.key),
-            {CORE_TEXT("V8", "must be less than the plug's mass %1"), from_si(field, plug_mass)},
-            Number{from_si(field, *(input.engine.*reduction->member))});
-    }
-}
-
-void check_plug(const PlugSheet& sheet) {
-    if (sheet.bore_diameter.has_value() != sheet.bore_depth.has_value()) {
-        throw InputError(
-            "/input/plug/" +
-                std::string((sheet.bore_diameter ? field::bore_depth : field::bore_diameter).key),
-            CORE_TEXT("V8", "is required where the bore's other size is given"));
-    }
-    if (const auto geometry = sheet.geometry()) {
-        if (const auto fault = geometry_fault(*geometry)) {
-            throw InputError("/input/plug",
-                             {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
-        }
-    }
-}
-
 }  // namespace
 
 void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
@@ -280,33 +227,6 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.object(field::plug, input.plug);
     visitor.object(field::balancing, input.balancing);
     visitor.object_with_defaults(field::job, input.job);
-}
-
-void check_input(const Input& input) {
-    check_fields(input);
-    check_choices(input);
-    check_engine(input);
-    if (input.weigh_in) {
-        workshop::check_weighed(*input.weigh_in);
-        workshop::check_matching(input.weigh_in->matching, crankpin_count);
-    }
-    if (input.plug) {
-        check_plug(*input.plug);
-    }
-}
-
-Input read_input(const Json& json, Completeness completeness) {
-    const Input input = read_fields<Input>(json, completeness);
-    if (completeness == Completeness::required) {
-        check_input(input);
-    } else {
-        check_choices(input);
-    }
-    return input;
-}
-
-Json write_input(const Input& input) {
-    return write_fields(input);
 }
 
 }  // namespace ravnoves::v8_plugs

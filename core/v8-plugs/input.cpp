@@ -2,6 +2,10 @@
 
 #include <array>
 
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "v8-plugs/fields.h"
+
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -29,6 +33,42 @@ constexpr std::array<MassChangeField, 4> change_fields{{
             CORE_TEXT("V8", "Δmₛₕ: the repair shells of one crankpin against nominal.")),
      &MassChanges::repair_bearing, true},
 }};
+
+void check_engine(const Input& input) {
+    const std::string place = input.preset.empty() ? "/input/engine/" : "/input/engine_overrides/";
+    const auto missing = missing_fields(input.engine, true);
+    if (!missing.empty()) {
+        throw InputError(
+            place + std::string(missing.front()->field.key),
+            input.preset.empty()
+                ? Message(CORE_TEXT("core", "is required and missing"))
+                : Message(
+                      CORE_TEXT("V8", "is required and missing: the preset %1 does not give it"),
+                      quoted_list({input.preset})));
+    }
+    for (const auto& [reduction, plug_mass] : engine_conflicts(input.engine)) {
+        const Field& field = reduction->field;
+        throw InputError(
+            place + std::string(field.key),
+            {CORE_TEXT("V8", "must be less than the plug's mass %1"), from_si(field, plug_mass)},
+            Number{from_si(field, *(input.engine.*reduction->member))});
+    }
+}
+
+void check_plug(const PlugSheet& sheet) {
+    if (sheet.bore_diameter.has_value() != sheet.bore_depth.has_value()) {
+        throw InputError(
+            "/input/plug/" +
+                std::string((sheet.bore_diameter ? field::bore_depth : field::bore_diameter).key),
+            CORE_TEXT("V8", "is required where the bore's other size is given"));
+    }
+    if (const auto geometry = sheet.geometry()) {
+        if (const auto fault = geometry_fault(*geometry)) {
+            throw InputError("/input/plug",
+                             {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
+        }
+    }
+}
 
 }  // namespace
 
@@ -70,6 +110,34 @@ MassChanges Input::changes() const {
 
 bool Input::takes_typed(double MassChanges::*change) const {
     return !changes_from_weigh_in || !weigh_in || !is_weighed(*weigh_in, process, change);
+}
+
+/// What no form lets happen, half filled or not.
+void check_choices(const Input& input) {
+    if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
+        throw InputError(
+            "/input/crankshaft",
+            CORE_TEXT("V8", "must be \"standard\" where the engine has no plug of the new design"),
+            "\"new-plugs\"");
+    }
+    if (input.changes_from_weigh_in && !input.weigh_in) {
+        throw InputError(
+            "/input/weigh_in",
+            {CORE_TEXT("V8", "is required where %1 is \"weigh-in\""), field::changes_source.key});
+    }
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    check_choices(input);
+    check_engine(input);
+    if (input.weigh_in) {
+        workshop::check_weighed(*input.weigh_in);
+        workshop::check_matching(input.weigh_in->matching, crankpin_count);
+    }
+    if (input.plug) {
+        check_plug(*input.plug);
+    }
 }
 
 }  // namespace ravnoves::v8_plugs

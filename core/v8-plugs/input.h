@@ -118,5 +118,8 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError
 void check_input(const Input& input);
+/// The same for a form that is half filled: what no form lets happen.
+/// @throws InputError
+void check_choices(const Input& input);
 
 }  // namespace ravnoves::v8_plugs

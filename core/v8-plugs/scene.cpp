@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
 #include "case-file/json.h"
 #include "v8-plugs/solver.h"
 
@@ -249,6 +251,20 @@ Json write_result(const Input& input, const Result& result) {
         }
     }
     return json;
+}
+
+Input read_input(const Json& json, Completeness completeness) {
+    const Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        check_choices(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    return write_fields(input);
 }
 
 Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {

@@ -1,0 +1,208 @@
+#include "bob-weights/input.h"
+
+#include "bob-weights/fields.h"
+#include "bob-weights/matching.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+[[noreturn]] void missing(const std::string& where) {
+    throw InputError(where, CORE_TEXT("core", "is required and missing"));
+}
+
+void check_engine(const Engine& engine) {
+    const std::string place = "/input/engine/";
+    if (engine.type == EngineType::v && !engine.bank_angle) {
+        missing(place + std::string(field::bank_angle.key));
+    }
+    if (engine.cylinders % engine.rods_per_pin != 0) {
+        throw InputError(place + std::string(field::cylinders.key),
+                         CORE_TEXT("bob-weights", "must be even where two rods share a bob weight"),
+                         Number{1.0 * engine.cylinders});
+    }
+    if (engine.type == EngineType::in_line && engine.rods_per_pin != 1) {
+        throw InputError(place + std::string(field::rods_per_pin.key),
+                         CORE_TEXT("bob-weights", "must be 1 where the cylinders stand in line"),
+                         Number{1.0 * engine.rods_per_pin});
+    }
+    if (engine.type != EngineType::v && engine.pin_split != 0.0) {
+        throw InputError(place + std::string(field::pin_split.key),
+                         CORE_TEXT("bob-weights", "must be 0 but for a V"),
+                         Number{from_si(field::pin_split, engine.pin_split)});
+    }
+}
+
+void check_two(std::size_t count, const std::string& place) {
+    if (count != 2) {
+        throw InputError(place, CORE_TEXT("bob-weights", "must be a list of two"),
+                         Number{static_cast<double>(count)});
+    }
+}
+
+void check_correction(const Correction& correction) {
+    const std::string place = "/input/correction/";
+    check_two(correction.planes.size(), place + "planes");
+    check_two(correction.readings.size(), place + "readings");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Plane& plane = correction.planes[i];
+        const std::string at = place + "planes/" + std::to_string(i) + "/";
+        if (!plane.position || !plane.radius) {
+            missing(at + std::string(
+                             (plane.position ? field::plane_radius : field::plane_position).key));
+        }
+        if (plane.from_angle.has_value() != plane.to_angle.has_value()) {
+            missing(at + std::string((plane.from_angle ? field::to_angle : field::from_angle).key));
+        }
+        const Reading& reading = correction.readings[i];
+        if (!reading.unbalance || !reading.angle) {
+            missing(place + "readings/" + std::to_string(i) + "/" +
+                    std::string((reading.unbalance ? field::angle : field::unbalance).key));
+        }
+    }
+    if (correction.earlier_runs.size() >= most_runs) {
+        throw InputError(place + std::string(field::earlier_runs.key),
+                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
+                         Number{static_cast<double>(correction.earlier_runs.size())});
+    }
+    for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
+        const auto& readings = correction.earlier_runs[run].readings;
+        const std::string at = place + std::string(field::earlier_runs.key) + "/" +
+                               std::to_string(run) + "/" + std::string(field::readings.key);
+        check_two(readings.size(), at);
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!readings[i].unbalance || !readings[i].angle) {
+                missing(at + "/" + std::to_string(i) + "/" +
+                        std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
+            }
+        }
+    }
+    const auto apart = [&](const char* list, const Field& field, double first, double second) {
+        if (first == second) {
+            throw InputError(place + list + "/1/" + std::string(field.key),
+                             CORE_TEXT("bob-weights", "must differ from that of the first"),
+                             Number{from_si(field, second)});
+        }
+    };
+    const auto read_at = [&](std::size_t i) {
+        return correction.readings[i].position.value_or(*correction.planes[i].position);
+    };
+    apart("planes", field::plane_position, *correction.planes[0].position,
+          *correction.planes[1].position);
+    apart("readings", field::reading_position, read_at(0), read_at(1));
+    if (correction.drill.diameters_mm.empty()) {
+        missing(place + "drill/" + std::string(field::diameters.key));
+    }
+    if (!correction.drill.maximum_depth) {
+        missing(place + "drill/" + std::string(field::maximum_depth.key));
+    }
+    if (correction.slug) {
+        const Slug& slug = *correction.slug;
+        if (!slug.diameter || !slug.density) {
+            missing(place + "slug/" +
+                    std::string((slug.diameter ? field::slug_density : field::slug_diameter).key));
+        }
+        if (*slug.density <= correction.drill.density) {
+            throw InputError(place + "slug/" + std::string(field::slug_density.key),
+                             {CORE_TEXT("bob-weights", "must be greater than the crankshaft's %1"),
+                              from_si(field::density, correction.drill.density)},
+                             Number{from_si(field::slug_density, *slug.density)});
+        }
+    }
+}
+
+void check_tolerance(const Tolerance& tolerance) {
+    const std::string place = "/input/tolerance/";
+    const std::pair<const Field&, const std::optional<double>&> graded[] = {
+        {field::grade, tolerance.grade},
+        {field::rotor_mass, tolerance.rotor_mass},
+        {field::service_speed, tolerance.service_speed}};
+    if (tolerance.by_grade) {
+        for (const auto& [field, value] : graded) {
+            if (!value) {
+                missing(place + std::string(field.key));
+            }
+        }
+    } else if (!tolerance.plane) {
+        missing(place + std::string(field::plane_tolerance.key));
+    }
+    if (tolerance.front_bearing.has_value() != tolerance.rear_bearing.has_value()) {
+        missing(place +
+                std::string(
+                    (tolerance.front_bearing ? field::rear_bearing : field::front_bearing).key));
+    }
+    if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
+        throw InputError(place + std::string(field::rear_bearing.key),
+                         CORE_TEXT("bob-weights", "must differ from that of the first"),
+                         Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
+    }
+}
+
+}  // namespace
+
+void fit_weigh_in(Input& input) {
+    if (input.weigh_in) {
+        for (auto& column : input.weigh_in->columns) {
+            column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
+        }
+        for (workshop::SetNumbers* sets :
+             {&input.weigh_in->piston_sets, &input.weigh_in->rod_sets}) {
+            if (sets->size() != static_cast<std::size_t>(input.engine.cylinders)) {
+                sets->clear();
+            }
+        }
+    }
+}
+
+std::optional<double> service_speed(const Input& input) {
+    return input.tolerance && input.tolerance->by_grade ? input.tolerance->service_speed
+                                                        : std::nullopt;
+}
+
+std::optional<double> mass_of(const Input& input, const PartField& part) {
+    if (input.weigh_in && part.column) {
+        const auto& column = (*input.weigh_in)[*part.column];
+        if (column.is_weighed() &&
+            column.mass.size() == static_cast<std::size_t>(input.engine.cylinders)) {
+            return workshop::statistics(column)->mean;
+        }
+    }
+    return input.parts.*part.member;
+}
+
+void check_bob_weight(const Input& input) {
+    check_engine(input.engine);
+    const double factor = input.factor.reciprocating.value_or(theory_factor(input.engine));
+    if (factor + input.factor.overbalance < 0.0) {
+        throw InputError("/input/factor/" + std::string(field::overbalance_percent.key),
+                         CORE_TEXT("bob-weights", "must leave a factor of 0 or more"),
+                         Number{from_si(field::overbalance_percent, input.factor.overbalance)});
+    }
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    check_bob_weight(input);
+    if (input.weigh_in) {
+        Input fitted = input;
+        fit_weigh_in(fitted);
+        workshop::check_weighed(*fitted.weigh_in);
+        workshop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
+    }
+    for (const PartField& each : part_fields()) {
+        const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;
+        if (needed && !mass_of(input, each)) {
+            missing("/input/parts_g/" + std::string(each.field.key));
+        }
+    }
+    if (input.correction) {
+        check_correction(*input.correction);
+    }
+    if (input.tolerance) {
+        check_tolerance(*input.tolerance);
+    }
+}
+
+}  // namespace ravnoves::bob_weights
