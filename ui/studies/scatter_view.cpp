@@ -34,26 +34,6 @@ std::pair<double, double> roomFor(const std::vector<double>& values) {
     return {*low - room, *high + room};
 }
 
-/// The correlation of two lists; 0 where one does not move.
-double correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto count = static_cast<double>(x.size());
-    double meanX = 0.0;
-    double meanY = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        meanX += x[i] / count;
-        meanY += y[i] / count;
-    }
-    double xx = 0.0;
-    double yy = 0.0;
-    double xy = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - meanX) * (x[i] - meanX);
-        yy += (y[i] - meanY) * (y[i] - meanY);
-        xy += (x[i] - meanX) * (y[i] - meanY);
-    }
-    return xx > 0.0 && yy > 0.0 ? xy / std::sqrt(xx * yy) : 0.0;
-}
-
 }  // namespace
 
 void CloudPlot::setPoints(std::vector<double> x, std::vector<double> y) {
@@ -186,11 +166,11 @@ void ScatterView::showSamples() {
     plot_->setXAxis({across_->currentText(), left, right});
     plot_->setYAxis(PlotView::Side::Left, {up_->currentText()});
     plot_->setYRange(PlotView::Side::Left, low, high);
-    plot_->setTitle(across.empty()
-                        ? tr("No samples: the method takes none, or they are on the way")
-                        : tr("Samples: %1, correlation %2")
-                              .arg(across.size())
-                              .arg(fixedDecimals(correlation(across, up), 2, QLocale())));
+    plot_->setTitle(across.empty() ? tr("No samples: the method takes none, or they are on the way")
+                                   : tr("Samples: %1, correlation %2")
+                                         .arg(across.size())
+                                         .arg(fixedDecimals(StudyModel::correlation(across, up), 2,
+                                                            QLocale())));
     plot_->setPoints(std::move(across), std::move(up));
 }
 

@@ -205,6 +205,15 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     EXPECT_EQ(*shown.high, found["percentiles"]["95"].get<double>());
 }
 
+TEST(StudyModelTest, CorrelationIsThatOfALine) {
+    const std::vector<double> x{1.0, 2.0, 4.0};
+    EXPECT_NEAR(StudyModel::correlation(x, {3.0, 5.0, 9.0}), 1.0, 1e-12);
+    EXPECT_NEAR(StudyModel::correlation(x, {-1.0, -2.0, -4.0}), -1.0, 1e-12);
+    EXPECT_NEAR(StudyModel::correlation({-1.0, 0.0, 1.0}, {1.0, 0.0, 1.0}), 0.0, 1e-12);
+    EXPECT_EQ(StudyModel::correlation(x, {7.0, 7.0, 7.0}), 0.0) << "what stands moves with nothing";
+    EXPECT_EQ(StudyModel::correlation({7.0, 7.0}, {7.0, 7.0}), 0.0);
+}
+
 TEST_F(Tolerances, OtherLimitsCountTheSamplesThatAreThere) {
     scatter("/crank_radius_mm", u"0.5"_s);
     watch("/metrics/M_ups/range_Nm");

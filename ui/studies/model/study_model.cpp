@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <algorithm>
+#include <boost/math/statistics/bivariate_statistics.hpp>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -172,6 +174,13 @@ struct StudyModel::Run {
         watch = newest;
     }
 };
+
+double StudyModel::correlation(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto stands = [](const std::vector<double>& list) {
+        return std::adjacent_find(list.begin(), list.end(), std::not_equal_to<>()) == list.end();
+    };
+    return stands(x) || stands(y) ? 0.0 : boost::math::statistics::correlation_coefficient(x, y);
+}
 
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {

@@ -70,6 +70,9 @@ class StudyModel : public QObject {
     };
     enum class Preset { Weighed, Machined, OnePercent };
 
+    /// Of two lists of equal length; 0 where one does not move.
+    static double correlation(const std::vector<double>& x, const std::vector<double>& y);
+
     explicit StudyModel(SceneModel* scene, QObject* parent = nullptr);
 
     SceneModel* scene() const { return scene_; }
