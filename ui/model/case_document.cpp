@@ -398,7 +398,7 @@ bool CaseDocument::saveElsewhere(const QString& trouble) {
 bool CaseDocument::mayGo() {
     disk_.check();
     if (!needsSaving()) {
-        return true;
+        return !dialogs_.leaveRefused || dialogs_.leaveRefused();
     }
     const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
     return answer == DocumentDialogs::Answer::Save ? save()

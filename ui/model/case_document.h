@@ -35,6 +35,8 @@ struct DocumentDialogs {
     std::function<Overwrite(const QString& path)> overwrite{};
     /// Before saving: entries may be refused, and are not in the case; @return false to stay.
     std::function<bool()> goOnWithoutRefused{};
+    /// The same before a case is closed of which nothing else is unsaved.
+    std::function<bool()> leaveRefused{};
 };
 
 /// A case between its file and its model: where it came from, whether it has to be saved, and what

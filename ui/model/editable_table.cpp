@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case-file/json.h"
 #include "text/typed_number.h"
 
 namespace ravnoves {
@@ -34,6 +35,26 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
 Qt::ItemFlags EditableTable::flags(const QModelIndex& index) const {
     return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable
                            : Qt::NoItemFlags;
+}
+
+Json EditableTable::refusedState() const {
+    Json cells;
+    for (int row = 0; row < rowCount(); ++row) {
+        for (int column = 0; column < columnCount(); ++column) {
+            const QModelIndex at = index(row, column);
+            if (at.data(TroubleRole).toBool()) {
+                cells.push_back({row, column, at.data(Qt::EditRole).toString().toStdString()});
+            }
+        }
+    }
+    return cells;
+}
+
+void EditableTable::bringRefused(const Json& state) {
+    for (const Json& cell : state) {
+        setData(index(cell.at(0), cell.at(1)),
+                QString::fromStdString(cell.at(2).get<std::string>()));
+    }
 }
 
 }  // namespace ravnoves

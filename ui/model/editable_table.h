@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <vector>
 
+#include "case-file/json_fwd.h"
+
 namespace ravnoves {
 
 struct CaseFile;
@@ -44,6 +46,10 @@ class EditableTable : public QAbstractTableModel {
     }
     /// Takes that back; of a whole table what was typed last.
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
+    /// What is refused in it, as data for another table over the same model; null where nothing is.
+    virtual Json refusedState() const;
+    /// Shows that again, where it is refused again.
+    virtual void bringRefused(const Json& state);
     /// The model holds another state as a whole: nothing is refused any more.
     virtual void forgetRefused() {}
 

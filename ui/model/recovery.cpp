@@ -33,9 +33,10 @@ QString keptText(const Json& json, const char* key) {
     return QString::fromStdString(json.value(key, std::string()));
 }
 
-/// Also for what stands in a dialog that is still open.
+/// Also for what stands in a dialog that is still open, or is refused.
 bool needsKeeping(const CaseDocument& document) {
-    return document.needsSaving() || document.model()->hasTyping();
+    return document.needsSaving() || document.model()->hasTyping() ||
+           document.model()->newestRefused() != nullptr;
 }
 
 /// A case that only a newer program can read.
@@ -55,6 +56,7 @@ RecoveredCase readKept(const QString& file) {
     kept.known = QByteArray::fromHex(keptText(json, "known").toLatin1());
     kept.context = {fsPath(keptText(json, "directory"))};
     kept.draft = keptText(json, "draft");
+    kept.refused = json.value("refused", Json());
     return kept;
 }
 
@@ -103,7 +105,8 @@ QStringList Recovery::filesOf(const QString& session) const {
 
 // ------------------------------------------------------------------------------------ keeping
 
-void Recovery::watch(CaseDocument* document, const std::function<QString()>& draft) {
+void Recovery::watch(CaseDocument* document, const std::function<QString()>& draft,
+                     const std::function<Json()>& refused) {
     if (watched_.contains(document) || !document->model()->hasCaseFile()) {
         return;
     }
@@ -112,7 +115,7 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     timer->setInterval(keepDelay);
     connect(timer, &QTimer::timeout, this, [this, document] { keepSoon(document); });
     const QString name = session_ + QStringLiteral("-%1").arg(++count_) + keptEnding;
-    watched_.insert(document, {QDir(folder_).filePath(name), {}, timer, draft});
+    watched_.insert(document, {QDir(folder_).filePath(name), {}, timer, draft, refused});
     // Not restarted by further changes: the first waits no longer than the delay.
     const auto later = [timer] {
         if (!timer->isActive()) {
@@ -122,6 +125,7 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     connect(document->model(), &SceneModel::changed, timer, later);
     connect(document->model(), &SceneModel::historyChanged, timer, later);
     connect(document->model(), &SceneModel::typingChanged, timer, later);
+    connect(document->model(), &SceneModel::refusedInChanged, timer, later);
     connect(document, &CaseDocument::nameChanged, timer, [this, document, later] {
         if (document->needsSaving()) {
             later();
@@ -158,11 +162,15 @@ std::optional<Json> Recovery::contentOf(CaseDocument* document, const Watched& w
         tellFailed(tr("%1 cannot be written to").arg(folder_));
         return std::nullopt;
     }
-    return Json{{"case", write_case(document->model()->draftFile())},
-                {"path", document->path().toStdString()},
-                {"known", document->disk().digest().toHex().toStdString()},
-                {"directory", document->model()->context().directory.string()},
-                {"draft", watched.draft().toStdString()}};
+    Json content{{"case", write_case(document->model()->draftFile())},
+                 {"path", document->path().toStdString()},
+                 {"known", document->disk().digest().toHex().toStdString()},
+                 {"directory", document->model()->context().directory.string()},
+                 {"draft", watched.draft().toStdString()}};
+    if (Json refused = watched.refused(); !refused.is_null()) {
+        content["refused"] = std::move(refused);
+    }
+    return content;
 }
 
 bool Recovery::keep(CaseDocument* document) {

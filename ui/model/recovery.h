@@ -16,6 +16,7 @@
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
+#include "case-file/json.h"
 #include "model/worker_thread.h"
 
 class QTimer;
@@ -32,6 +33,7 @@ struct RecoveredCase {
     QByteArray known;  ///< FileOnDisk::digest() of that file
     CaseContext context;
     QString draft;  ///< ScenePage::draftName()
+    Json refused;   ///< texts that stood on the page and were refused
     CaseFile content;
 
     /// By which the cases of one program stand in the order in which they were opened.
@@ -52,8 +54,11 @@ class Recovery : public QObject {
     static QString defaultFolder();
 
     /// Keeps the document from now on.
-    /// @param draft  asked for RecoveredCase::draft whenever it is written
-    void watch(CaseDocument* document, const std::function<QString()>& draft);
+    /// @param draft    asked for RecoveredCase::draft whenever it is written
+    /// @param refused  the same for RecoveredCase::refused
+    void watch(
+        CaseDocument* document, const std::function<QString()>& draft,
+        const std::function<Json()>& refused = [] { return Json(); });
     /// Writes it now rather than soon. @return false where it could not be kept
     bool keep(CaseDocument* document);
     /// The document is closed: nothing of it is kept.
@@ -81,6 +86,7 @@ class Recovery : public QObject {
         QByteArray written;
         QTimer* timer;
         std::function<QString()> draft;
+        std::function<Json()> refused;
         bool mayBeWritten = false;  ///< in the thread
     };
 

@@ -212,10 +212,12 @@ void Documents::renewPages() {
     for (const auto& each : documents_) {
         ScenePage* old = each->page;
         const ScenePage::Left left = old->giveWay();
+        const Json refused = refusedTexts(*old);
         stack_->removeWidget(old);
         delete old;
         putPage(*each, scenes_[each->scene].make(stack_, left.model));
         each->page->resume(left);
+        typeAgain(*each->page, refused);
     }
     tabs_->setAccessibleName(tr("Open cases"));
     delete notice_;
@@ -433,7 +435,9 @@ void Documents::keepIn(Recovery* recovery) {
 
 void Documents::keep(OpenDocument& document) {
     if (recovery_ != nullptr) {
-        recovery_->watch(document.document, [&document] { return document.page->draftName(); });
+        recovery_->watch(
+            document.document, [&document] { return document.page->draftName(); },
+            [&document] { return refusedTexts(*document.page); });
     }
 }
 
@@ -468,6 +472,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
     if (!recovered.draft.isEmpty()) {
         current_->page->takeDraft(recovered.draft);
     }
+    typeAgain(*current_->page, recovered.refused);
     return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
 }
 
@@ -590,6 +595,13 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
     };
     dialogs.goOnWithoutRefused = [this, &document] {
         return goOnWithoutRefused(document.page, tr("Save case"));
+    };
+    dialogs.leaveRefused = [this, &document] {
+        if (refusedEntries(document.page).isEmpty()) {
+            return true;
+        }
+        bringToFront(document);
+        return goOnWithoutRefused(document.page, tr("Close case"));
     };
     dialogs.elsewhere = [this](const QString& trouble) {
         QMessageBox box(QMessageBox::Warning, tr("Save case"), trouble, QMessageBox::Cancel,

@@ -5,6 +5,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "case-file/json.h"
+#include "model/editable_table.h"
+#include "model/scene_model.h"
 #include "shell/scene_page.h"
 #include "widgets/entry_field.h"
 #include "widgets/table_editor.h"
@@ -82,6 +85,49 @@ QStringList refusedEntries(const QWidget* part) {
 
 QStringList refusedInputs(const QWidget* part) {
     return refusedOf(part, true);
+}
+
+Json refusedTexts(const ScenePage& page) {
+    Json texts;
+    const auto fields = entriesOfPage(&page);
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        if (!fields[i]->trouble().isEmpty()) {
+            texts.push_back({{"field", fields[i]->objectName().toStdString()},
+                             {"place", i},
+                             {"text", fields[i]->text().toStdString()}});
+        }
+    }
+    const auto tables = page.findChildren<TableEditor*>();
+    for (qsizetype i = 0; i < tables.size(); ++i) {
+        if (!tables[i]->trouble().isEmpty()) {
+            texts.push_back({{"table", i}, {"cells", tables[i]->table()->refusedState()}});
+        }
+    }
+    return texts;
+}
+
+void typeAgain(ScenePage& page, const Json& texts) {
+    if (!texts.is_array()) {
+        return;
+    }
+    SceneModel& model = *page.model();
+    const auto fields = entriesOfPage(&page);
+    const auto tables = page.findChildren<TableEditor*>();
+    for (const Json& each : texts) {
+        const int steps = model.history()->index();
+        const auto place = each.value(each.contains("table") ? "table" : "place", qsizetype{-1});
+        if (place < 0 || place >= (each.contains("table") ? tables.size() : fields.size())) {
+            continue;  // a copy of another version of the program
+        }
+        if (each.contains("table")) {
+            tables[place]->table()->bringRefused(each.value("cells", Json()));
+        } else if (fields[place]->objectName().toStdString() == each.value("field", "")) {
+            fields[place]->typeAgain(QString::fromStdString(each.value("text", "")));
+        }
+        while (model.history()->index() > steps) {
+            model.undo();
+        }
+    }
 }
 
 bool takeBackRefused(const SceneModel& model) {

@@ -24,6 +24,9 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         } else {
             readText();
         }
+        if (!trouble_.isEmpty() && model_ != nullptr) {
+            model_->noteRefused(this, true);  // another text is refused now
+        }
     });
     connect(this, &QLineEdit::editingFinished, this, [this] {
         if (trouble_.isEmpty()) {
@@ -52,6 +55,12 @@ void EntryField::setModel(SceneModel* model) {
 void EntryField::setHint(const QString& hint) {
     hint_ = hint;
     describe();
+}
+
+void EntryField::typeAgain(const QString& text) {
+    setText(text);
+    Q_EMIT textEdited(text);
+    Q_EMIT editingFinished();
 }
 
 void EntryField::setDoubtful(bool isDoubtful) {

@@ -93,10 +93,18 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);
-    connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
-        trouble_ = trouble;
+    const auto note = [this] {
         if (SceneModel* scene = table_->scene(); scene != nullptr) {
             scene->noteRefused(this, !trouble_.isEmpty());
+        }
+    };
+    connect(table_, &EditableTable::troubleChanged, this, [this, note](const QString& trouble) {
+        trouble_ = trouble;
+        note();
+    });
+    connect(table_, &EditableTable::dataChanged, this, [this, note] {
+        if (!trouble_.isEmpty()) {
+            note();  // another text is refused now
         }
     });
 

@@ -32,6 +32,7 @@ class TableEditor : public QWidget {
     virtual void paste();
     /// Below the table.
     void say(const QString& text, bool isTrouble);
+    EditableTable* table() const { return table_; }
     /// What was typed and is refused now, in words; empty where nothing is.
     QString trouble() const { return trouble_; }
     /// Takes back something that is refused, wherever it stands. @return false where nothing is

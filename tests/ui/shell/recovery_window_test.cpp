@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeWidget>
@@ -30,6 +31,8 @@
 #include "shell/screenshot.h"
 #include "text/file_path.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_field.h"
+#include "widgets/table_editor.h"
 
 namespace ravnoves {
 namespace {
@@ -152,6 +155,30 @@ TEST_F(NothingIsLost, WhatStandsInAnOpenDialogIsKept) {
     ASSERT_NE(offered(), nullptr);
     click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
     EXPECT_EQ(model().notes(), u"measured twice"_s);
+}
+
+TEST_F(NothingIsLost, WhatIsRefusedIsKept) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    const auto radius = [this] {
+        return test::named<NumberField>(*window->currentPage(), "crank_radius_mm");
+    };
+    const auto cell = [this](int row) {
+        return window->currentPage()->findChild<TableEditor*>()->view()->model()->index(row, 1);
+    };
+    radius()->setFocus();
+    radius()->selectAll();
+    QTest::keyClicks(radius(), u"46,x"_s);
+    QTest::keyClick(radius(), Qt::Key_Backspace);
+    QTest::keyClicks(radius(), u"yz"_s);
+    window->currentPage()->findChild<TableEditor*>()->view()->model()->setData(cell(5), u"abc"_s);
+    ASSERT_FALSE(window->isWindowModified());
+    crash();
+    start();
+    ASSERT_NE(offered(), nullptr);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    EXPECT_EQ(radius()->text(), u"46,yz"_s);
+    EXPECT_FALSE(radius()->trouble().isEmpty());
+    EXPECT_EQ(cell(5).data(Qt::EditRole).toString(), u"abc"_s);
 }
 
 TEST_F(NothingIsLost, TabsComeBackInTheirOrder) {

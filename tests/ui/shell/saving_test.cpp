@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -25,6 +26,7 @@
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
+#include "text/preferences.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/number_field.h"
 #include "widgets/table_editor.h"
@@ -206,6 +208,62 @@ TEST_F(SavingTest, RefusedCellsAreSaidAndTakenBackLikeEntries) {
     press(Qt::Key_Z);
     EXPECT_EQ(cell.data(Qt::EditRole).toString(), before);
     EXPECT_TRUE(table->trouble().isEmpty());
+}
+
+TEST_F(SavingTest, ClosingAsksWhereNothingButARefusedEntryStands) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    refuse("crank_radius_mm", "-5");
+    ASSERT_FALSE(window.isWindowModified());
+    answer("Stay");
+    press(Qt::Key_W);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("Crank radius"))) << asked[0].toStdString();
+    EXPECT_EQ(test::named<NumberField>(*window.currentPage(), "crank_radius_mm")->text(),
+              QStringLiteral("-5"));
+    answer("Stay");
+    EXPECT_FALSE(window.close());
+    EXPECT_EQ(asked.size(), 2);
+    answer("Go on without them");
+    press(Qt::Key_W);
+    EXPECT_EQ(asked.size(), 3);
+    EXPECT_NE(window.windowTitle().indexOf(QStringLiteral("Ravnoves")), -1);
+}
+
+TEST_F(SavingTest, WhatIsRefusedStaysWhereThePageIsMadeAnew) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    const auto radius = [this] {
+        return test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
+    };
+    const auto cell = [this](int row, int column) {
+        return window.currentPage()->findChild<TableEditor*>()->view()->model()->index(row, column);
+    };
+    const QString torque = cell(2, 1).data(Qt::EditRole).toString();
+    refuse("crank_radius_mm", "-5");
+    auto* cells = window.currentPage()->findChild<TableEditor*>()->view()->model();
+    cells->setData(cell(5, 1), QStringLiteral("abc"));
+    Preferences::instance().tell();
+    QApplication::processEvents();
+    EXPECT_EQ(radius()->text(), QStringLiteral("-5"));
+    EXPECT_FALSE(radius()->trouble().isEmpty());
+    EXPECT_EQ(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
+    EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), torque);
+    // In other units too: what the cells hold is as large as before.
+    Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Imperial);
+    QApplication::processEvents();
+    EXPECT_EQ(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
+    EXPECT_NEAR(cell(2, 1).data(Qt::EditRole).toString().toDouble(), torque.toDouble() * 0.737562,
+                1e-3);
+    Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Own);
+    QApplication::processEvents();
+    // The newest that is refused is undone first, then the other; nothing else has changed.
+    press(Qt::Key_Z);
+    press(Qt::Key_Z);
+    EXPECT_EQ(radius()->trouble(), QString());
+    EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), torque);
+    EXPECT_NE(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
+    EXPECT_FALSE(window.isWindowModified());
 }
 
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {

@@ -112,6 +112,11 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
         input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
         input.strokes = input.strokes_of_torque();
         if (!input.torque.is_computed()) {
+            // What was filled in for a computed torque goes with it.
+            const auto length = std::exchange(input.rod_length, std::nullopt);
+            if (length != input.effective_rod_length()) {
+                input.rod_length = length;
+            }
             return;
         }
         fillCylinder(input);

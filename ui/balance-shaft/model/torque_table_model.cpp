@@ -298,6 +298,44 @@ void TorqueTableModel::takeBackRefused(const QModelIndex& /*at*/) {
     put(index(last.row, last.column), last.text);
 }
 
+Json TorqueTableModel::refusedState() const {
+    constexpr std::size_t longest = 20'000;
+    if (trouble_.isEmpty() || rows_.size() > longest) {
+        return {};
+    }
+    const auto cell = [](const Row& row, int column, const std::optional<double>& number) {
+        return number ? Json(*number) : Json(textOf(row, column).toStdString());
+    };
+    Json rows = Json::array();
+    for (const Row& row : rows_) {
+        rows.push_back({cell(row, CrankAngle, angleOf(row)), cell(row, Torque, torqueOf(row))});
+    }
+    return rows;
+}
+
+void TorqueTableModel::bringRefused(const Json& state) {
+    if (!state.is_array() || state.empty()) {
+        return;
+    }
+    beginResetModel();
+    rows_.clear();
+    for (const Json& each : state) {
+        Row& row = rows_.emplace_back();
+        const auto put = [&](const Json& cell, double& own, int column) {
+            if (cell.is_number()) {
+                own = cell.get<double>();
+            } else {
+                type(row, column, QString::fromStdString(cell.get<std::string>()));
+            }
+        };
+        put(each.at(0), row.angle, CrankAngle);
+        put(each.at(1), row.torque, Torque);
+    }
+    typedOver_.clear();
+    endResetModel();
+    check();
+}
+
 void TorqueTableModel::put(const QModelIndex& index, const QString& text) {
     type(rows_[static_cast<std::size_t>(index.row())], index.column(), text);
     const int last = rowCount() - 1;

@@ -47,6 +47,10 @@ class TorqueTableModel : public EditableTable {
         return !trouble_.isEmpty();
     }
     void takeBackRefused(const QModelIndex& at) override;
+    /// The whole table, whose numbers are in SI units; nothing of one so long that it takes a
+    /// while.
+    Json refusedState() const override;
+    void bringRefused(const Json& state) override;
     SceneModel* scene() const override;
     void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     /// Puts the table into an input.
