@@ -217,6 +217,14 @@ void PlotData::equalise() {
     }
 }
 
+void PlotData::keepHome() {
+    if (!zoomed) {
+        for (PlotScale* scale : {&x, &left, &right}) {
+            scale->home = {scale->low, scale->high};
+        }
+    }
+}
+
 void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     if (area.isEmpty()) {
         return;
@@ -224,14 +232,16 @@ void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     if (equalScale) {
         factorY = factorX = factorX == 1.0 ? factorY : factorX;
     }
-    zoomed = true;
+    keepHome();
     x.zoom(factorX, std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0));
     for (PlotScale* upright : {&left, &right}) {
         upright->zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
     }
+    zoomed = !(x.isHome() && left.isHome() && right.isHome());
 }
 
 void PlotData::pan(const QPointF& pixels) {
+    keepHome();
     zoomed = true;
     x.shift(-pixels.x() / area.width());
     left.shift(pixels.y() / area.height());

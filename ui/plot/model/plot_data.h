@@ -204,6 +204,7 @@ struct PlotData {
     QString csv(const CsvFormat& format) const;
 
   private:
+    void keepHome();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;
 };
 

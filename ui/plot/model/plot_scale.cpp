@@ -78,8 +78,9 @@ void PlotScale::zoom(double factor, double about) {
     const double to = value(about + (1.0 - about) * factor);
     const double size = std::max({std::abs(from), std::abs(to), 1e-12});
     if (std::isfinite(from) && std::isfinite(to) && to - from > narrowest * size && size < widest) {
-        low = from;
-        high = to;
+        const double room = scaled(home.second) - scaled(home.first);
+        const bool isFar = factor > 1.0 && scaled(to) - scaled(from) >= room * (1.0 - 1e-9);
+        std::tie(low, high) = isFar ? home : std::pair(from, to);
     }
 }
 

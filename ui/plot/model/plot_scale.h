@@ -44,6 +44,8 @@ struct PlotScale {
     double low = 0.0;  ///< shown interval
     double high = 1.0;
     std::optional<std::pair<double, double>> fixed = {};  ///< what fit() keeps to
+    /// The interval before the user zoomed; there is nothing to see further out.
+    std::pair<double, double> home = {0.0, 1.0};
     double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
 
     /// Takes over what the axis is to be, in the units that the user wants.
@@ -87,8 +89,9 @@ struct PlotScale {
     /// @return whether that is news; an interval that is none is refused
     bool fix(double min, double max);
     /// Widens the interval by the factor about a fraction of it; not beyond what numbers can tell
-    /// apart.
+    /// apart, nor beyond home.
     void zoom(double factor, double about);
+    bool isHome() const { return home == std::pair(low, high); }
     /// Moves the interval by a fraction of itself.
     void shift(double by);
     /// The same middle, another span.
