@@ -14,7 +14,7 @@ namespace {
 
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
-    enum Quantity { Mass, Length, Unbalance } quantity;
+    enum Quantity { Mass, Length, Unbalance, Speed, Angle, Torque, Force } quantity;
     Unit unit;
     const char16_t* spelling;  ///< lower case, without dots, as are the other ones
     const char16_t* inRussian;
@@ -42,7 +42,16 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Length, units::foot, u"ft", u"фут"},
     TypedUnit{TypedUnit::Unbalance, units::gram_mm, u"gmm", u"гмм"},
     TypedUnit{TypedUnit::Unbalance, units::gram_inch, u"gin", u"гдюйм"},
-    TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin", u"унцдюйм"}};
+    TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin", u"унцдюйм"},
+    TypedUnit{TypedUnit::Speed, units::rpm, u"rpm", u"об/мин"},
+    TypedUnit{TypedUnit::Speed, units::rad_per_s, u"rad/s", u"рад/с"},
+    TypedUnit{TypedUnit::Angle, units::degree, u"deg", u"град"},
+    TypedUnit{TypedUnit::Angle, units::radian, u"rad", u"рад"},
+    TypedUnit{TypedUnit::Torque, units::N_m, u"nm", u"нм"},
+    TypedUnit{TypedUnit::Torque, units::lb_ft, u"lbft", u"фунтфут"},
+    TypedUnit{TypedUnit::Force, units::newton, u"n", u"н"},
+    TypedUnit{TypedUnit::Force, units::kN, u"kn", u"кн"},
+    TypedUnit{TypedUnit::Force, units::pound_force, u"lbf", u"фунтс"}};
 
 const TypedUnit* typedUnit(const QString& word) {
     QString small = word.toLower();

@@ -6,9 +6,11 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <numbers>
 
 #include "events.h"
 #include "text/number_text.h"
+#include "text/typed_number.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/value_slider.h"
 #include "widgets/wheel_guard.h"
@@ -165,6 +167,18 @@ class ValueSliderTest : public ::testing::Test {
     ValueSlider slider;
     QSignalSpy edited;
 };
+
+TEST(NumberText, AUnitThatIsTypedIsConverted) {
+    const auto typed = [](const char16_t* text, const char16_t* unit) {
+        return readTypedNumber(QString(text), QString(unit)).value.value_or(0.0);
+    };
+    EXPECT_NEAR(typed(u"300 rad/s", u"min⁻¹"), 300.0 * 30.0 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(typed(u"1 rad", u"°"), 180.0 / std::numbers::pi, 1e-12);
+    EXPECT_NEAR(typed(u"90 град", u"rad"), std::numbers::pi / 2.0, 1e-12);
+    EXPECT_DOUBLE_EQ(typed(u"1.5 kN", u"N"), 1500.0);
+    EXPECT_NEAR(typed(u"10 lb·ft", u"N·m"), 13.558179, 1e-6);
+    EXPECT_FALSE(readTypedNumber(QStringLiteral("5 mm"), QStringLiteral("°")).value);
+}
 
 TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
     QTest::keyClick(slider.slider(), Qt::Key_Right);
