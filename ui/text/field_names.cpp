@@ -260,14 +260,14 @@ QString FieldNames::errorText(const InputError& error) const {
     const auto word = [&](const std::string& each) { return named(each, where); };
     QString place = this->place(error.where_message());
     const Message& rule = error.allowed_message();
-    QString allowed = messageText(rule, word);
+    QString allowed = messageText(rule, {.word = word});
     if (error.of() == InputError::Of::unknown_key) {
         place = strangeKey(lastKey(where));
     } else if (error.of() == InputError::Of::named_file) {
         // The file that the case names; what is wrong with it stands behind.
         place += QLatin1Char(' ') +
                  QString::fromStdString(std::get<std::string>(rule.arguments().front()));
-        allowed = messageText(std::get<Message>(rule.arguments().back()), word);
+        allowed = messageText(std::get<Message>(rule.arguments().back()), {.word = word});
     }
     const QString text = place.isEmpty() ? allowed : place + QStringLiteral(": ") + allowed;
     const Message& found = error.found_message();

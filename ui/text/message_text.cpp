@@ -27,58 +27,47 @@ QString withPower(const QString& number) {
            powerOfTen(power);
 }
 
-using Words = std::function<QString(const std::string&)>;
+}  // namespace
 
-struct Shown {
-    const Words& words;
-
-    QString operator()(const std::string& word) const { return words(word); }
-    QString operator()(const Message& message) const { return messageText(message, words); }
-    QString operator()(const Number& number) const {
-        const ShownUnit unit = shownUnit(number.unit);
-        const QString name = number.unit_follows ? QString() : unit.name;
-        if (number.digits < 0) {
-            return withUnit(fixedNumber(unit.factor * number.value,
-                                        std::max(0, unit.decimals - number.digits), QLocale()),
-                            name);
-        }
-        Number own{number.value, units::none, number.digits};
-        if (unit.factor != 1.0) {
-            constexpr int converted = 6;
-            own = {rounded_to(unit.factor * number.value,
-                              number.digits > 0 ? number.digits : converted),
-                   units::none, 0};
-        }
-        const Message plain(own);
-        QString digits = withPower(QString::fromStdString(plain.english()));
-        return withUnit(trueMinus(digits.replace(QLatin1Char('.'), QLocale().decimalPoint())),
+QString numberText(const Number& number) {
+    const ShownUnit unit = shownUnit(number.unit);
+    const QString name = number.unit_follows ? QString() : unit.name;
+    if (number.digits < 0) {
+        return withUnit(fixedNumber(unit.factor * number.value,
+                                    std::max(0, unit.decimals - number.digits), QLocale()),
                         name);
     }
-};
-
-}  // namespace
+    Number own{number.value, units::none, number.digits};
+    if (unit.factor != 1.0) {
+        constexpr int converted = 6;
+        own = {
+            rounded_to(unit.factor * number.value, number.digits > 0 ? number.digits : converted),
+            units::none, 0};
+    }
+    QString digits = withPower(QString::fromStdString(Message(own).english()));
+    return withUnit(trueMinus(digits.replace(QLatin1Char('.'), QLocale().decimalPoint())), name);
+}
 
 QString shownText(const Text& text) {
     return text.empty() ? QString() : QCoreApplication::translate(text.context, text.english);
 }
 
-QString messageText(const Message& message) {
-    static const Words asTheyAre = [](const std::string& word) {
-        return QString::fromStdString(word);
-    };
-    return messageText(message, asTheyAre);
-}
-
-QString messageText(const Message& message, const Words& word) {
-    const Text& pattern = message.pattern();
-    if (pattern.empty()) {
-        return word(message.verbatim());
+QString messageText(const Message& message, const MessageWords& words) {
+    if (message.pattern().empty()) {
+        return words.word(message.verbatim());
     }
+    struct Said {
+        const MessageWords& words;
+        QString operator()(const std::string& word) const { return words.word(word); }
+        QString operator()(const Message& inner) const { return messageText(inner, words); }
+        QString operator()(const Number& number) const { return words.number(number); }
+    };
     std::vector<std::string> values;
     for (const Argument& argument : message.arguments()) {
-        values.push_back(std::visit(Shown{word}, argument).toStdString());
+        values.push_back(std::visit(Said{words}, argument).toStdString());
     }
-    return QString::fromStdString(fill_pattern(shownText(pattern).toStdString(), values));
+    return QString::fromStdString(
+        fill_pattern(words.text(message.pattern()).toStdString(), values));
 }
 
 QString fieldName(const Field& field) {

@@ -11,10 +11,18 @@ namespace ravnoves {
 
 /// A text of core in the language of the program.
 QString shownText(const Text& text);
-/// A message of core in the language of the program, its numbers in the user's way.
-QString messageText(const Message& message);
-/// The same with its words (keys, names of files) as `word` says them.
-QString messageText(const Message& message, const std::function<QString(const std::string&)>& word);
+/// A number of a message in the user's way, with its unit.
+QString numberText(const Number& number);
+
+/// How the parts of a message are said.
+struct MessageWords {
+    std::function<QString(const Text&)> text = shownText;
+    /// Words of no language: keys, names of files.
+    std::function<QString(const std::string&)> word = QString::fromStdString;
+    std::function<QString(const Number&)> number = numberText;
+};
+/// A message of core, by itself in the language of the program.
+QString messageText(const Message& message, const MessageWords& words = {});
 /// A field's label without the & of its mnemonic: the name of its undo step.
 QString fieldName(const Field& field);
 

@@ -39,31 +39,10 @@ QString verbatimText(const std::string& word) {
     return shown + text.mid(from);
 }
 
-struct Shown {
-    QString operator()(const std::string& word) const { return verbatimText(word); }
-    QString operator()(const Message& message) const { return methodText(message); }
-    QString operator()(const Number& number) const {
-        constexpr int converted = 6;
-        const ShownUnit unit = shownUnit(number.unit);
-        const Message plain(
-            unit.factor == 1.0
-                ? Number{number.value, units::none, number.digits}
-                : Number{rounded_to(unit.factor * number.value, converted), units::none, 0});
-        return withUnit(inLocale(QString::fromStdString(plain.english())), unit.name);
-    }
-};
-
 }  // namespace
 
 QString methodText(const Message& message) {
-    if (message.pattern().empty()) {
-        return verbatimText(message.verbatim());
-    }
-    std::vector<std::string> values;
-    for (const Argument& argument : message.arguments()) {
-        values.push_back(std::visit(Shown{}, argument).toStdString());
-    }
-    return QString::fromStdString(fill_pattern(shownText(message.pattern()).toStdString(), values));
+    return messageText(message, {.word = verbatimText});
 }
 
 QString sweepTitle(const methods::SweepInfo& sweep) {

@@ -5,6 +5,7 @@
 #include <QTranslator>
 #include <algorithm>
 
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -38,28 +39,17 @@ QString Words::unit(Unit unit) const {
 }
 
 QString Words::message(const Message& message) const {
-    if (message.pattern().empty()) {
-        return QString::fromStdString(message.verbatim());
-    }
-    struct Shown {
-        const Words& words;
-        QString operator()(const std::string& word) const { return QString::fromStdString(word); }
-        QString operator()(const Message& inner) const { return words.message(inner); }
-        QString operator()(const Number& number) const {
-            const ShownUnit shown = shownUnit(number.unit);
-            const double value = shown.factor * number.value;
-            const int digits = number.digits > 0 ? number.digits : shown.factor == 1.0 ? 10 : 6;
-            return withUnit(number.digits < 0
-                                ? words.number(value, std::max(0, shown.decimals - number.digits))
-                                : shownFormNumber(value, words.locale(), digits),
-                            number.unit_follows ? QString() : words.unit(number.unit));
-        }
+    const auto numberOf = [this](const Number& number) {
+        const ShownUnit shown = shownUnit(number.unit);
+        const double value = shown.factor * number.value;
+        const int digits = number.digits > 0 ? number.digits : shown.factor == 1.0 ? 10 : 6;
+        return withUnit(number.digits < 0
+                            ? this->number(value, std::max(0, shown.decimals - number.digits))
+                            : shownFormNumber(value, locale(), digits),
+                        number.unit_follows ? QString() : unit(number.unit));
     };
-    std::vector<std::string> values;
-    for (const Argument& argument : message.arguments()) {
-        values.push_back(std::visit(Shown{*this}, argument).toStdString());
-    }
-    return QString::fromStdString(fill_pattern(text(message.pattern()).toStdString(), values));
+    return messageText(
+        message, {.text = [this](const Text& each) { return text(each); }, .number = numberOf});
 }
 
 QString Words::number(double si, Unit unit, int decimals) const {
