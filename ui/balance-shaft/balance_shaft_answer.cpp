@@ -40,7 +40,6 @@ QWidget* BalanceShaftPage::buildAnswer() {
     answerColumn->setSpacing(Theme::gap);
     criteria_ = new ResultTable(answer);
     criteria_->setAccessibleName(tr("Criteria of the three moments"));
-    criteria_->setColumns(model_->criteriaColumns());
     answerColumn->addWidget(criteria_);
 
     auto* best = new QGridLayout;
@@ -71,7 +70,6 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     quantities_ = new ResultTable(answer);
     quantities_->setAccessibleName(tr("Forces, masses and sizes"));
-    quantities_->setColumns(model_->quantityColumns());
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);

@@ -233,8 +233,8 @@ void BalanceShaftPage::showShaft() {
     moments_->setMarks(std::move(marks));
     range_->setPresentX(alpha);
     means_->setPresentX(alpha);
-    criteria_->setRows(model_->criteriaRows());
-    quantities_->setRows(model_->quantityRows());
+    criteria_->setResults(model_->criteria());
+    quantities_->setResults(model_->quantities());
 }
 
 void BalanceShaftPage::showMeans() {

@@ -89,7 +89,6 @@ QWidget* BobAnswer::buildLines() {
     column->addWidget(headingLabel(tr("Bob weight, line by line"), panel));
     lines_ = new ResultTable(panel);
     lines_->setAccessibleName(tr("Bob weight, line by line"));
-    lines_->setColumns(model_->lineColumns());
     column->addWidget(lines_);
     column->addStretch();
     return panel;
@@ -99,19 +98,18 @@ QWidget* BobAnswer::buildCorrection() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel);
     column->addWidget(headingLabel(tr("Correction"), panel));
-    const auto table = [&](const QString& name, const ResultColumns& columns) {
+    const auto table = [&](const QString& name) {
         auto* made = new ResultTable(panel);
         made->setAccessibleName(name);
-        made->setColumns(columns);
         column->addWidget(made);
         return made;
     };
-    runs_ = table(tr("Runs of the machine"), model_->runColumns());
-    planes_ = table(tr("The correction planes"), model_->planeColumns());
+    runs_ = table(tr("Runs of the machine"));
+    planes_ = table(tr("The correction planes"));
     movedNote_ = captionLabel({}, panel);
     movedNote_->setObjectName(QStringLiteral("moved_note"));
     column->addWidget(movedNote_);
-    holes_ = table(tr("Holes and slugs"), model_->holeColumns());
+    holes_ = table(tr("Holes and slugs"));
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
     column->addWidget(holeNote_);
@@ -147,11 +145,11 @@ void BobAnswer::showAnswer() {
     const auto* newest = model_->solution().newest();
     troubles_->setToolTip(newest != nullptr ? otherTip(*newest) : QString());
     colourText(troubles_, theme.warning());
-    lines_->setRows(model_->lineRows());
+    lines_->setResults(model_->lineResults());
     linesAndForce_->setVisible(known);
-    runs_->setRows(model_->runRows());
-    planes_->setRows(model_->planeRows());
-    holes_->setRows(model_->holeRows());
+    runs_->setResults(model_->runResults());
+    planes_->setResults(model_->planeResults());
+    holes_->setResults(model_->holeResults());
     holes_->setVisible(holes_->rowCount() > 0);
     runs_->setVisible(runs_->rowCount() > 0);
     planes_->setVisible(planes_->rowCount() > 0);

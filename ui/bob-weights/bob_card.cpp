@@ -171,7 +171,7 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
     if (placing != nullptr && placing->moved > 0) {
         move_sets(placed, placing->pistons, placing->rods);
     }
-    for (ResultRow row : matching_text::takeOff(words, masses_of(placed))) {
+    for (ResultRow row : matching_text::takeOff(words, cylinders, masses_of(placed)).rows) {
         row.front() = words.translate("Matching", "%1, take off").arg(row.front());
         rows << row;
     }

@@ -128,8 +128,7 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
 MatchingSheet::Findings BobWeighInSheet::findings() const {
     Findings found;
     found.isSearching = model_->isSearching();
-    found.cylinders = static_cast<std::size_t>(model_->input().engine.cylinders);
-    found.takeOff = model_->takeOffRows();
+    found.takeOff = model_->takeOffResults();
     if (const auto shown = model_->matchingShown()) {
         const Words words;
         found.summary = (QStringList(matching_text::summary(words, *shown)) +

@@ -210,7 +210,6 @@ QWidget* ElasticHingePage::buildAnswer() {
     answerColumn->addLayout(mend);
     quantities_ = new ResultTable(answer);
     quantities_->setAccessibleName(tr("What the design gives"));
-    quantities_->setColumns(model_->quantityColumns());
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
@@ -259,7 +258,7 @@ void ElasticHingePage::showAnswer() {
     takePreload_->setVisible(mendable);
     takeStiffness_->setVisible(mendable && guide.minimum_stiffness &&
                                field::stiffness.range.contains(*guide.minimum_stiffness));
-    quantities_->setRows(model_->quantityRows());
+    quantities_->setResults(model_->quantities());
     notes_->setText(model_->notesText());
     notes_->parentWidget()->setVisible(!notes_->text().isEmpty());
 }

@@ -42,15 +42,12 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     answerColumn->setSpacing(Theme::gap);
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
-    addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
-             &Model::orderRows);
+    addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), &Model::orderResults);
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
-             model_->rotatingColumns(), &Model::rotatingRows);
-    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows);
-    addTable(tr("Weights"), tr("Rotating masses and counterweights"), model_->weightColumns(),
-             &Model::weightRows);
-    addTable(tr("Left"), tr("What is left over, by order"), model_->remainingColumns(),
-             &Model::remainingRows);
+             &Model::rotatingResults);
+    addTable(tr("Shafts"), tr("Balance shafts"), &Model::shaftResults);
+    addTable(tr("Weights"), tr("Rotating masses and counterweights"), &Model::weightResults);
+    addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
     warning_ = captionLabel({}, panel);
@@ -66,19 +63,18 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     showWarning();
 }
 
-void InertiaMomentsAnswer::addTable(const QString& title, const QString& name,
-                                    const ResultColumns& columns, Rows rows) {
+void InertiaMomentsAnswer::addTable(const QString& title, const QString& name, Find results) {
     auto* table = new ResultTable(tabs_);
     table->setAccessibleName(name);
-    table->setColumns(columns);
+    table->setResults((model_->*results)());
     table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
-    tables_.push_back({table, rows});
+    tables_.push_back({table, results});
 }
 
 void InertiaMomentsAnswer::showFront() {
     const Table& front = tables_.at(static_cast<std::size_t>(tabs_->currentIndex()));
-    front.table->setRows((model_->*front.rows)());
+    front.table->setResults((model_->*front.results)());
 }
 
 void InertiaMomentsAnswer::showWarning() {
@@ -89,7 +85,7 @@ void InertiaMomentsAnswer::showWarning() {
 
 void InertiaMomentsAnswer::fill() const {
     for (const Table& each : tables_) {
-        each.table->setRows((model_->*each.rows)());
+        each.table->setResults((model_->*each.results)());
     }
 }
 

@@ -29,14 +29,13 @@ class InertiaMomentsAnswer : public QWidget {
     QTabWidget* tabs() const { return tabs_; }
 
   private:
-    using Rows = ResultRows (InertiaMomentsModel::*)() const;
+    using Find = Results (InertiaMomentsModel::*)() const;
     struct Table {
         ResultTable* table;
-        Rows rows;
+        Find results;
     };
 
-    void addTable(const QString& title, const QString& name, const ResultColumns& columns,
-                  Rows rows);
+    void addTable(const QString& title, const QString& name, Find results);
     void showFront();
     void showWarning();
     /// Fills the tables that are not in front too.

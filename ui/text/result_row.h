@@ -69,10 +69,18 @@ struct ResultColumn {
     ResultColumn(QString title, QString meaning = {})
         : heading(std::move(title)), tip(std::move(meaning)) {}
 
+    friend bool operator==(const ResultColumn&, const ResultColumn&) = default;
+
     QString heading;
     QString tip;
 };
 using ResultColumns = QVector<ResultColumn>;
+
+/// A table of results, as page, report, comparison and clipboard show it.
+struct Results {
+    ResultColumns columns;
+    ResultRows rows = {};
+};
 
 /// Of a quantity, in the unit shown: so many decimals, unless the user has chosen digits.
 ResultCell shownCell(double si, const Unit& unit, int decimals);

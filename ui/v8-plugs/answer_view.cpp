@@ -75,7 +75,6 @@ QWidget* AnswerView::buildAdvice() {
     troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
     options_ = new ResultTable(panel);
     options_->setAccessibleName(tr("The options"));
-    options_->setColumns(model_->optionColumns());
     // Each over the whole width.
     column->addWidget(advice_);
     column->addWidget(refused_);
@@ -96,7 +95,6 @@ QWidget* AnswerView::buildBobWeights() {
     column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
     bobWeights_ = new ResultTable(panel);
     bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
-    bobWeights_->setColumns(model_->bobWeightColumns());
     column->addWidget(bobWeights_);
     check_ = captionLabel({}, panel);
     check_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -180,7 +178,7 @@ void AnswerView::showAdvice() {
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
     troubles_->setToolTip(otherTip(model_->solution()));
     colourText(troubles_, theme.warning());
-    options_->setRows(model_->optionRows(isNarrow_));
+    options_->setResults(model_->optionResults(isNarrow_));
     for (int row = 0; row < options_->rowCount(); ++row) {
         const bool methodAlone = v8_text::methodAlone(
             model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
@@ -192,18 +190,18 @@ void AnswerView::showAdvice() {
 }
 
 void AnswerView::showBobWeights() {
-    const auto weights = model_->bobWeightRows();
-    bobWeights_->setRows(weights);
-    bobWeights_->parentWidget()->setVisible(!weights.isEmpty());
+    bobWeights_->setResults(model_->bobWeightResults());
+    const bool isKnown = bobWeights_->rowCount() > 0;
+    bobWeights_->parentWidget()->setVisible(isKnown);
     QStringList said{model_->checkText(), model_->rodFactorText()};
     said.removeAll(QString());
     // What is missing stands above.
-    say(check_, weights.isEmpty() ? QString() : said.join(QLatin1Char('\n')));
+    say(check_, !isKnown ? QString() : said.join(QLatin1Char('\n')));
     const bool doubtful = model_->solution().shift_that_matters() != nullptr;
     const Theme& theme = Theme::instance();
     colourText(check_, doubtful ? theme.warning() : theme.mutedText());
     const auto weighing = v8_text::weighingNote(Words(), model_->input());
-    say(weighing_, weights.isEmpty() ? QString() : weighing.text);
+    say(weighing_, !isKnown ? QString() : weighing.text);
     colourText(weighing_, weighing.enough ? theme.mutedText() : theme.warning());
 }
 

@@ -18,10 +18,9 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     }
     planes_ = new ResultTable(this);
     planes_->setAccessibleName(tr("Correction planes"));
-    planes_->setColumns(model_->planeColumns());
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
-    follow([this] { planes_->setRows(model_->planeRows()); });
+    follow([this] { planes_->setResults(model_->planeResults()); });
     line(Theme::baseSize, [this] {
         return model_->otherReadingsText();
     })->setObjectName(QStringLiteral("other_bob_weight"));

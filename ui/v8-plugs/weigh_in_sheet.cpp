@@ -69,7 +69,6 @@ void WeighInSheet::buildFindings() {
                 [this] { model_->moveBack(); });
     crankpins_ = new ResultTable(this);
     crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
-    crankpins_->setColumns(model_->crankpinColumns());
     crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOf(this)->addWidget(crankpins_);
     follow([this] {
@@ -77,9 +76,8 @@ void WeighInSheet::buildFindings() {
         if (model_->isSearching()) {
             return;
         }
-        const auto rows = model_->crankpinRows();
-        crankpins_->setRows(rows);
-        crankpins_->setVisible(!rows.isEmpty());
+        crankpins_->setResults(model_->crankpinResults());
+        crankpins_->setVisible(crankpins_->rowCount() > 0);
     });
 }
 
@@ -93,10 +91,9 @@ MatchingSheet::Findings WeighInSheet::findings() const {
             !gaps.isEmpty() || (assignment && !assignment->remark.empty()),
             assignment && assignment->moved > 0,
             model_->isSearching(),
-            model_->effectRows(),
-            model_->assignmentRows(),
-            model_->takeOffRows(),
-            cylinder_count};
+            model_->effectResults(),
+            model_->assignmentResults(),
+            model_->takeOffResults()};
 }
 
 }  // namespace ravnoves

@@ -468,6 +468,13 @@ void ResultTable::setColumns(const ResultColumns& columns) {
     fitColumns();
 }
 
+void ResultTable::setResults(const Results& results) {
+    if (!results.columns.isEmpty() && results.columns != headings_) {
+        setColumns(results.columns);
+    }
+    setRows(results.rows);
+}
+
 namespace {
 
 /// The width of heading and texts of a column, as far as one asks.

@@ -29,7 +29,8 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     /// Replaces the cells; only what differs is touched, so it may be called at every step of a
     /// slider. Every cell says what its row and its column mean.
     void setRows(const ResultRows& rows);
-    const ResultRows& rows() const { return rows_; }
+    /// Both.
+    void setResults(const Results& results);
     /// Null where the cell holds no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);

@@ -357,19 +357,13 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
         summary->setText(now.summary);
         colourText(summary, now.isAmber ? theme.warning() : theme.text());
         button->setVisible(now.canMove);
-        const Words own;
-        const auto fill = [](ResultTable* table, const ResultColumns& columns,
-                             const ResultRows& rows) {
-            if (!rows.isEmpty() && table->property("columns") != columns.size()) {
-                table->setProperty("columns", columns.size());
-                table->setColumns(columns);
-            }
-            table->setRows(rows);
-            table->setVisible(!rows.isEmpty());
+        const auto fill = [](ResultTable* table, const Results& found) {
+            table->setResults(found);
+            table->setVisible(!found.rows.isEmpty());
         };
-        fill(effects, matching_text::effectColumns(own), now.effects);
-        fill(assignment, matching_text::assignmentColumns(own, now.cylinders), now.assignment);
-        fill(takeOff, matching_text::takeOffColumns(own, now.cylinders), now.takeOff);
+        fill(effects, now.effects);
+        fill(assignment, now.assignment);
+        fill(takeOff, now.takeOff);
     };
     connect(&Theme::instance(), &Theme::changed, this, show);
     follow(show);

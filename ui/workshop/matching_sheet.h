@@ -37,10 +37,9 @@ class MatchingSheet : public SheetForm {
         bool isAmber = false;
         bool canMove = false;
         bool isSearching = false;
-        ResultRows effects;
-        ResultRows assignment;
-        ResultRows takeOff;
-        std::size_t cylinders = 0;
+        Results effects;
+        Results assignment;
+        Results takeOff;
     };
 
     using Note = std::function<WeighedColumn(workshop::Part)>;

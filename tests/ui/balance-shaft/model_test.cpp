@@ -101,7 +101,7 @@ TEST(BalanceShaftModel, SetsValuesByTheirKeys) {
 
 TEST(BalanceShaftModel, TablesHoldNoEmptyCells) {
     BalanceShaftModel model;
-    for (const auto& rows : {model.criteriaRows(), model.quantityRows()}) {
+    for (const auto& rows : {model.criteria().rows, model.quantities().rows}) {
         for (const ResultRow& row : rows) {
             for (const QString& cell : row) {
                 EXPECT_FALSE(cell.isEmpty());
@@ -117,7 +117,7 @@ TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     const auto& result = model.result();
     ASSERT_LT(*result.range_change, 0.0);
     ASSERT_GT(*result.rms_change, 0.0);
-    const auto rows = model.criteriaRows();
+    const auto rows = model.criteria().rows;
     EXPECT_TRUE(rows[0].last().text.endsWith(QStringLiteral("better")))
         << rows[0].last().text.toStdString();
     EXPECT_TRUE(rows[1].last().text.endsWith(QStringLiteral("worse")));

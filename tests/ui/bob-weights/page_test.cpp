@@ -245,7 +245,7 @@ TEST_F(BobPageTest, WeighedPartsGoBeforeTypedOnes) {
     type("mass_piston_2", u"592"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1512.3 g"_s);
     EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
-    EXPECT_EQ(test::textsOf(model->takeOffRows()),
+    EXPECT_EQ(test::textsOf(model->takeOffResults().rows),
               (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
     type("cylinders", u"4"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "two of four are weighed";
@@ -258,7 +258,7 @@ TEST_F(BobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
     type("mass_piston_2", u"595.33999"_s);  // 21 oz
     Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
     const QString said = model->weighInText();
-    const auto off = model->takeOffRows();
+    const auto off = model->takeOffResults().rows;
     const auto note = model->columnNote(workshop::Part::piston);
     QSettings().clear();
     Preferences::instance().load();
@@ -353,7 +353,7 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(back->isVisibleTo(&page));
     EXPECT_FALSE(find<QComboBox>("moves_pins")->isEnabled()) << "the pins went with their pistons";
     EXPECT_TRUE(find<QComboBox>("moves_rods")->isEnabled());
-    const auto effects = matching_text::effects(Words(), model->matchingShown().value());
+    const auto effects = matching_text::effects(Words(), model->matchingShown().value()).rows;
     EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.spread_before, units::gram, 2));
     EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.spread, units::gram, 2));
     QTest::mouseClick(back, Qt::LeftButton);
@@ -439,9 +439,9 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_TRUE(label("troubles").startsWith(why)) << label("troubles").toStdString();
     EXPECT_TRUE(label("other_bob_weight").startsWith(why));
     EXPECT_FALSE(model->isDone());
-    EXPECT_TRUE(model->holeRows().isEmpty()) << "nothing is to be drilled";
-    EXPECT_TRUE(model->planeRows().last().texts().contains(u"another bob weight"_s));
-    EXPECT_EQ(model->planeRows().at(3).at(1), u"–"_s) << "nothing is known to remain";
+    EXPECT_TRUE(model->holeResults().rows.isEmpty()) << "nothing is to be drilled";
+    EXPECT_TRUE(model->planeResults().rows.last().texts().contains(u"another bob weight"_s));
+    EXPECT_EQ(model->planeResults().rows.at(3).at(1), u"–"_s) << "nothing is known to remain";
     EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
     EXPECT_FALSE(find<NumberField>("position_1")->isDoubtful());
     EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(3), Theme::instance().warning());
@@ -485,8 +485,8 @@ TEST_F(BobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     type("run_1_unbalance_2", u"100"_s);
     type("run_1_angle_2", u"20"_s);
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
-    EXPECT_EQ(model->runRows().at(0).constLast(), u"another bob weight"_s);
-    EXPECT_EQ(model->runRows().at(1).constLast(), u"passes"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another bob weight"_s);
+    EXPECT_EQ(model->runResults().rows.at(1).constLast(), u"passes"_s);
     // A case of before keeps no bob weight: the readings are of the one that it came with.
     Json old = model->inputJson();
     for (Json& reading : old["correction"]["readings"]) {
@@ -514,7 +514,7 @@ TEST_F(BobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
                     .startsWith(u"The readings are of another crankshaft: number A then, B now."_s))
         << qPrintable(label("troubles"));
     EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
-    EXPECT_TRUE(model->holeRows().isEmpty());
+    EXPECT_TRUE(model->holeResults().rows.isEmpty());
     EXPECT_EQ(model->resultJson()["correction"]["read_on"], "A");
     // As the file keeps it.
     model->loadInput(model->inputJson(), {});
@@ -526,7 +526,7 @@ TEST_F(BobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
         type(key, QString::fromLatin1(value));
     }
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
-    EXPECT_EQ(model->runRows().at(0).constLast(), u"another crankshaft"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another crankshaft"_s);
     type("crankshaft_number", u"C"_s);
     auto* hold = find<QPushButton>("readings_hold");
     page.sheets()->setCurrentIndex(3);
@@ -536,7 +536,7 @@ TEST_F(BobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
     EXPECT_TRUE(page.sheets()->widget(3)->isAncestorOf(QApplication::focusWidget()))
         << "the keys stay near";
     EXPECT_EQ(label("verdict"), u"Run 1, measured: passes."_s);
-    EXPECT_EQ(model->runRows().at(0).constLast(), u"another crankshaft"_s) << "that of A";
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another crankshaft"_s) << "that of A";
 }
 
 TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
@@ -605,12 +605,12 @@ TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
     EXPECT_FALSE(model->input().tolerance->by_grade);
     type("g_mm", u"3000"_s);
     EXPECT_EQ(rowsOf("Holes and slugs"), 0) << "both readings are within the limit";
-    EXPECT_EQ(model->planeRows().last().texts(),
+    EXPECT_EQ(model->planeResults().rows.last().texts(),
               QStringList({u"Verdict"_s, u"passes"_s, u"passes"_s}));
     EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
     EXPECT_TRUE(card().contains(u"limit of the shop’s own"_s));
     type("g_mm", u"2000"_s);
-    EXPECT_EQ(model->planeRows().last().texts(),
+    EXPECT_EQ(model->planeResults().rows.last().texts(),
               QStringList({u"Verdict"_s, u"fails → passes"_s, u"passes"_s}));
     EXPECT_EQ(label("verdict"), u"Before, measured: fails. After the correction: passes."_s);
     pressSave();
@@ -769,13 +769,13 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, 80 * degree, 1e-9)
         << "the next correction is that of the newest run";
     EXPECT_EQ(rowsOf("Runs of the machine"), 2);
-    EXPECT_EQ(model->runRows().at(0).last(), u"fails"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).last(), u"fails"_s);
     EXPECT_EQ(label("verdict"), u"Run 1, measured: fails. After the correction: passes."_s);
     type("run_2_unbalance_1", u"60"_s);
     type("run_2_angle_1", u"10"_s);
     type("run_2_unbalance_2", u"20"_s);
     type("run_2_angle_2", u"300"_s);
-    EXPECT_EQ(model->runRows().at(2).last(), u"passes"_s);
+    EXPECT_EQ(model->runResults().rows.at(2).last(), u"passes"_s);
     const QString printed = card();
     for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
         EXPECT_TRUE(printed.contains(QString::fromUtf8(text))) << text << '\n'
@@ -904,7 +904,7 @@ TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {
     typeShopCard();
     typeReadings();
     Preferences::instance().setUnits(Preferences::Unbalance, Preferences::Units::GramInch);
-    const QString row = model->planeRows().at(0).at(1);
+    const QString row = model->planeResults().rows.at(0).at(1);
     const QString printed = card();
     model->editTolerance(u"limit"_s, [](Tolerance& tolerance) { tolerance.by_grade = false; });
     type("g_mm", u"2 oz-in"_s);

@@ -193,7 +193,7 @@ TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
     EXPECT_EQ(model.motions()->crank->end, elastic_hinge::MotionEnd::reversed);
     EXPECT_TRUE(model.motionsText().contains(QStringLiteral("turn back")));
     bool told = false;
-    for (const ResultRow& row : model.quantityRows()) {
+    for (const ResultRow& row : model.quantities().rows) {
         told = told || row[1] == QStringLiteral("reverses");
     }
     EXPECT_TRUE(told);
@@ -287,8 +287,8 @@ TEST(ElasticHingeModel, WritesGuidesAndSaysWhyNot) {
 TEST(ElasticHingeModel, TablesHoldNoEmptyCellsWhateverTheInput) {
     ElasticHingeModel model;
     const auto check = [&] {
-        for (const ResultRow& row : model.quantityRows()) {
-            ASSERT_EQ(row.size(), model.quantityColumns().size());
+        for (const ResultRow& row : model.quantities().rows) {
+            ASSERT_EQ(row.size(), model.quantities().columns.size());
             for (const QString& cell : row) {
                 EXPECT_FALSE(cell.isEmpty());
                 EXPECT_FALSE(cell.contains(QStringLiteral("nan"), Qt::CaseInsensitive));

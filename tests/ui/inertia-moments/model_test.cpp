@@ -96,9 +96,10 @@ TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {
         steps += model.history()->index() - before;
         EXPECT_EQ(model.layoutName(), name) << name.toStdString();
         EXPECT_FALSE(model.layoutTitle(name).isEmpty());
-        EXPECT_GE(model.orderRows().size(), 60);
-        for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
-                                 model.weightRows(), model.remainingRows()}) {
+        EXPECT_GE(model.orderResults().rows.size(), 60);
+        for (const auto& rows :
+             {model.orderResults().rows, model.rotatingResults().rows, model.shaftResults().rows,
+              model.weightResults().rows, model.remainingResults().rows}) {
             for (const ResultRow& row : rows) {
                 for (const QString& cell : row) {
                     EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << name.toStdString();
@@ -422,8 +423,9 @@ TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {
                     input.end_webs->first_order_share = enabled ? 0.5 : 0.0;
                 }
             });
-            for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
-                                     model.weightRows(), model.remainingRows()}) {
+            for (const auto& rows : {model.orderResults().rows, model.rotatingResults().rows,
+                                     model.shaftResults().rows, model.weightResults().rows,
+                                     model.remainingResults().rows}) {
                 for (const ResultRow& row : rows) {
                     // The high orders of a small engine are some 1e-6 N·m, and no rounding.
                     static const QRegularExpression rounding(QStringLiteral("E-(0[89]|[1-9])"));

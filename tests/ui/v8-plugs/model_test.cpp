@@ -67,7 +67,7 @@ TEST_F(V8ModelTest, NumbersAreOfTheLanguageChosenLater) {
 TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     V8PlugsModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});
-    const auto rows = model.optionRows();
+    const auto rows = model.optionResults().rows;
     ASSERT_EQ(rows.size(), 5);
     EXPECT_EQ(rows.at(0).texts(),
               (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s, u"4.604"_s,
@@ -76,10 +76,10 @@ TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     EXPECT_EQ(rows.at(4).texts(),
               (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
                            u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
-    EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
+    EXPECT_EQ(model.optionResults().columns.size(), rows.at(0).size());
     EXPECT_TRUE(rows.at(4).tip.startsWith(u"For the other crankshaft."_s));
     model.edit(u"crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
-    EXPECT_TRUE(model.optionRows().at(2).constFirst().text.startsWith(u"✓ "_s));
+    EXPECT_TRUE(model.optionResults().rows.at(2).constFirst().text.startsWith(u"✓ "_s));
 }
 
 TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
@@ -98,7 +98,7 @@ TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_TRUE(model.inputJson().contains("mass_changes_g"));
     // 4.25 l: the paper gives no nominal masses; options are known, bob weights are not.
     EXPECT_TRUE(model.solution().advice);
-    EXPECT_TRUE(model.bobWeightRows().isEmpty());
+    EXPECT_TRUE(model.bobWeightResults().rows.isEmpty());
     EXPECT_TRUE(model.missingText().contains(u"reciprocating mass mⱼ"_s));
     EXPECT_TRUE(model.resultJson().contains("error"));
     model.chooseEngine(3);  // 8.32 l: only the crank radius
@@ -107,7 +107,7 @@ TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
         << qPrintable(model.adviceText());
     EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
     EXPECT_FALSE(model.hangText().contains(u"Hang"_s));
-    EXPECT_EQ(model.optionRows().size(), 5);
+    EXPECT_EQ(model.optionResults().rows.size(), 5);
     model.chooseEngine(0);
     EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
 }
@@ -226,7 +226,7 @@ TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
               u"Not weighed, so what was typed counts: "
               "rod big end 0.50\u00A0g, repair shells Δmₛₕ 1.10\u00A0g."_s);
     EXPECT_EQ(said.at(2), u"Rod, big end: 1 of 8 weighed; what was typed counts until all are."_s);
-    EXPECT_EQ(model.crankpinRows().at(0).at(1), u"22.20"_s);
+    EXPECT_EQ(model.crankpinResults().rows.at(0).at(1), u"22.20"_s);
     EXPECT_TRUE(model.input().takes_typed(&MassChanges::rod_big_end));
     EXPECT_FALSE(model.input().takes_typed(&MassChanges::repair_piston_and_rings));
     model.editWeights(u"weigh"_s,
@@ -299,9 +299,9 @@ TEST_F(V8ModelTest, SpreadAbovePermittedIsWarnedOf) {
         model.troubles().constLast(),
         u"Piston: spread 7.00\u00A0g, permitted 2.00\u00A0g (heaviest: cylinder 8, lightest: 1)."_s);
     EXPECT_NEAR(model.solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
-    EXPECT_EQ(model.assignmentRows().size(), 2);
+    EXPECT_EQ(model.assignmentResults().rows.size(), 2);
     EXPECT_TRUE(model.assignmentText().contains(u"after moving"_s));
-    EXPECT_EQ(model.crankpinRows().at(1).constLast(), u"0.00"_s);
+    EXPECT_EQ(model.crankpinResults().rows.at(1).constLast(), u"0.00"_s);
 }
 
 TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {

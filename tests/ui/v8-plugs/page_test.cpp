@@ -135,10 +135,10 @@ TEST_F(V8PageTest, AnswerIsAmberWhereTheNeglectedShiftMatters) {
     EXPECT_TRUE(label("troubles").contains(u"Bore to"_s)) << qPrintable(label("troubles"));
     // Nothing below it says that all is well, and what is copied has the warning.
     EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
-    EXPECT_TRUE(model->optionRows().at(0).constFirst().text.startsWith(u"! "_s));
+    EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
     EXPECT_EQ(find<QLabel>("check")->palette().color(QPalette::WindowText),
               Theme::instance().warning());
-    EXPECT_TRUE(model->optionRows().at(0).tip.contains(u"By the method alone"_s));
+    EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method alone"_s));
     EXPECT_TRUE(page.resultsAsText().contains(u"Bore to"_s));
     model->edit(u"excess"_s, [](Input& input) {
         input.plug.reset();
@@ -531,7 +531,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
         return u"Piston set from "_s + numbers.join(u' ');
     };
     EXPECT_EQ(printed(), said());
-    const auto table = model->assignmentRows();
+    const auto table = model->assignmentResults().rows;
     auto* move = find<QPushButton>("move_parts");
     move->setFocus();
     QTest::keyClick(move, Qt::Key_Space);
@@ -539,7 +539,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     settle();
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_EQ(printed(), said());
-    EXPECT_EQ(model->assignmentRows(), table);
+    EXPECT_EQ(model->assignmentResults().rows, table);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by the numbers"_s));
     // Kept by the case file.
     const Input kept = model->input();
@@ -568,8 +568,8 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
         type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i * i % 7));
         type(("mass_rod_big_end_" + std::to_string(i)).c_str(), QString::number(500 + i * i % 5));
     }
-    EXPECT_EQ(model->takeOffRows().size(), 2);
-    EXPECT_EQ(model->takeOffRows().at(0).at(1), u"1.00"_s) << "601 g, the lightest 600";
+    EXPECT_EQ(model->takeOffResults().rows.size(), 2);
+    EXPECT_EQ(model->takeOffResults().rows.at(0).at(1), u"1.00"_s) << "601 g, the lightest 600";
     const auto choose = [&](const char* name, Qt::Key key) {
         auto* box = find<QComboBox>(name);
         box->setFocus(Qt::TabFocusReason);
@@ -588,7 +588,7 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
         << qPrintable(label("weigh_in_summary"));
     type("cylinder_spacing_mm", u"110"_s);
     settle();
-    EXPECT_EQ(model->effectRows().size(), 4);
+    EXPECT_EQ(model->effectResults().rows.size(), 4);
     EXPECT_EQ(model->history()->undoText(), u"Cylinder spacing"_s);
     const Json matching = model->inputJson().at("weigh_in").at("matching");
     EXPECT_EQ(matching,
@@ -688,7 +688,7 @@ TEST_F(V8PageTest, EngineBringsItsPlugAndItsOwnSheets) {
 
 TEST_F(V8PageTest, ReadingsAreJudgedByTheToleranceAloneAndBothLimitsAreExplained) {
     const auto verdicts = [&] {
-        const auto rows = model->planeRows();
+        const auto rows = model->planeResults().rows;
         return QStringList{rows.at(0).constLast(), rows.at(1).constLast()};
     };
     type("front_reading_g_mm", u"4.9"_s);
@@ -747,13 +747,13 @@ TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
     ASSERT_TRUE(model->solution().hung());
     type("front_reading_g_mm", u"4"_s);
     type("rear_reading_g_mm", u"3"_s);
-    EXPECT_EQ(model->planeRows().at(0).constLast(), u"✓ passes"_s);
+    EXPECT_EQ(model->planeResults().rows.at(0).constLast(), u"✓ passes"_s);
     auto* hold = find<QPushButton>("readings_hold");
     EXPECT_FALSE(hold->isVisible());
     const double then = *model->solution().hung();
     type("reciprocating_mass_g", u"1010"_s);
     ASSERT_GT(std::abs(*model->solution().hung() - then), 0.1 * gram);
-    EXPECT_EQ(model->planeRows().at(0).constLast(), u"another bob weight"_s);
+    EXPECT_EQ(model->planeResults().rows.at(0).constLast(), u"another bob weight"_s);
     EXPECT_TRUE(field("front_reading_g_mm")->isDoubtful());
     EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
     const QString why = u"The readings were taken with another bob weight: "_s;
@@ -779,7 +779,7 @@ TEST_F(V8PageTest, ReadingsHoldForTheirBobWeightAlone) {
     ASSERT_TRUE(hold->isVisible());
     QTest::mouseClick(hold, Qt::LeftButton);
     EXPECT_FALSE(hold->isVisible());
-    EXPECT_EQ(model->planeRows().at(1).constLast(), u"✓ passes"_s);
+    EXPECT_EQ(model->planeResults().rows.at(1).constLast(), u"✓ passes"_s);
 }
 
 TEST_F(V8PageTest, ReadingsOfAnotherCrankshaftAreAmber) {
@@ -789,9 +789,10 @@ TEST_F(V8PageTest, ReadingsOfAnotherCrankshaftAreAmber) {
     type("front_reading_g_mm", u"4"_s);
     type("rear_reading_g_mm", u"3"_s);
     type("crankshaft_number", u"A-1"_s);
-    EXPECT_EQ(model->planeRows().at(0).constLast(), u"✓ passes"_s) << "a number that comes later";
+    EXPECT_EQ(model->planeResults().rows.at(0).constLast(), u"✓ passes"_s)
+        << "a number that comes later";
     type("crankshaft_number", u"B-2"_s);
-    EXPECT_EQ(model->planeRows().at(0).constLast(), u"another crankshaft"_s);
+    EXPECT_EQ(model->planeResults().rows.at(0).constLast(), u"another crankshaft"_s);
     EXPECT_TRUE(field("front_reading_g_mm")->isDoubtful());
     EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
     const QString why = u"The readings are of another crankshaft: number "_s;

@@ -388,19 +388,7 @@ double BalanceShaftModel::otherMasses() const {
     return sum;
 }
 
-ResultColumns BalanceShaftModel::criteriaColumns() const {
-    return {
-        shownUnit(units::N_m).name,
-        {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ")},
-        {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ)")},
-        {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ")},
-        {tr("change"),
-         tr("Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, "
-            "a minimum nearer to zero.")},
-    };
-}
-
-ResultRows BalanceShaftModel::criteriaRows() const {
+Results BalanceShaftModel::criteria() const {
     const auto moment = [](double value) { return shownCell(value, units::N_m, 1); };
     const auto row = [&](const QString& name, double MomentMetrics::*value,
                          const ResultCell& change, const QString& tip) {
@@ -441,7 +429,16 @@ ResultRows BalanceShaftModel::criteriaRows() const {
         return ResultCell((rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
                                                           : tr("%1 worse").arg(size));
     };
-    return {
+    Results results{{
+        shownUnit(units::N_m).name,
+        {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ")},
+        {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ)")},
+        {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ")},
+        {tr("change"),
+         tr("Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, "
+            "a minimum nearer to zero.")},
+    }};
+    results.rows = {
         row(tr("range"), &MomentMetrics::range,
             judged(unlessNoise(result().range_change, result().M_up.range), true),
             tr("Largest less smallest value over the cycle, max − min")),
@@ -462,15 +459,13 @@ ResultRows BalanceShaftModel::criteriaRows() const {
         row(tr("min"), &MomentMetrics::min,
             judged(relative(result().M_ups.min, result().M_up.min), false),
             tr("Smallest value over the cycle; most are negative, and nearer to zero is better"))};
+    return results;
 }
 
-ResultColumns BalanceShaftModel::quantityColumns() const {
-    return {tr("Quantity"), tr("Value"), tr("Unit")};
-}
-
-ResultRows BalanceShaftModel::quantityRows() const {
+Results BalanceShaftModel::quantities() const {
     const auto& share = result().order_1_share;
-    return {
+    Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
+    results.rows = {
         shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1,
                  tr("Of first order, mⱼ r ω²")),
         shownRow(tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4,
@@ -492,6 +487,7 @@ ResultRows BalanceShaftModel::quantityRows() const {
           shownUnit(units::mm).name},
          tr("Box around cylinder, crank circle, shaft circle, gears and wall in the front view")},
     };
+    return results;
 }
 
 namespace {

@@ -124,10 +124,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double otherMasses() const;
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
-    ResultColumns criteriaColumns() const;
-    ResultRows criteriaRows() const;
-    ResultColumns quantityColumns() const;
-    ResultRows quantityRows() const;
+    Results criteria() const;
+    Results quantities() const;
     /// Work, pressures and power of a computed torque; empty for a table.
     ResultRows cycleRows() const;
     /// Excess work, fluctuation and moment of inertia.

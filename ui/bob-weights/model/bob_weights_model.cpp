@@ -385,9 +385,11 @@ std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
     return bob_text::matchingShown(input(), solution());
 }
 
-ResultRows BobWeightsModel::takeOffRows() const {
-    return input().weigh_in ? matching_text::takeOff(Words(), masses_of(*input().weigh_in))
-                            : ResultRows();
+Results BobWeightsModel::takeOffResults() const {
+    return input().weigh_in
+               ? matching_text::takeOff(Words(), static_cast<std::size_t>(input().engine.cylinders),
+                                        masses_of(*input().weigh_in))
+               : Results();
 }
 
 bool BobWeightsModel::isSearching() const {
@@ -595,41 +597,29 @@ ResultColumns columnsOf(const QStringList& heads, const QStringList& tips) {
 
 }  // namespace
 
-ResultColumns BobWeightsModel::lineColumns() const {
-    return columnsOf(
-        bob_text::lineHead(Words()),
-        {QString(),
-         tr("How many times the mass is in the bob weight: rods on it, times the factor for what "
-            "moves with the piston"),
-         tr("Mass × how often it counts")});
-}
-
-ResultRows BobWeightsModel::lineRows() const {
+Results BobWeightsModel::lineResults() const {
     ResultRows rows = bob_text::lines(Words(), solution());
     if (solution().bob_weight) {
         rows.last().tip = tr("The bob weight: weigh it out so");
     }
-    return rows;
+    return {
+        columnsOf(bob_text::lineHead(Words()), {QString(),
+                                                tr("How many times the mass is in the bob weight: "
+                                                   "rods on it, times the factor for what "
+                                                   "moves with the piston"),
+                                                tr("Mass × how often it counts")}),
+        rows};
 }
 
-ResultColumns BobWeightsModel::runColumns() const {
-    return columnsOf(bob_text::runHead(Words()),
-                     {tr("The readings of the run taken to the front plane"),
-                      tr("The readings of the run taken to the rear plane"),
-                      tr("By the limits of both planes")});
+Results BobWeightsModel::runResults() const {
+    return {columnsOf(bob_text::runHead(Words()),
+                      {tr("The readings of the run taken to the front plane"),
+                       tr("The readings of the run taken to the rear plane"),
+                       tr("By the limits of both planes")}),
+            newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows()};
 }
 
-ResultRows BobWeightsModel::runRows() const {
-    return newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows();
-}
-
-ResultColumns BobWeightsModel::planeColumns() const {
-    const Words words;
-    return {bob_text::planeHead(words).first(), words.translate("BobWeights", "Front"),
-            words.translate("BobWeights", "Rear")};
-}
-
-ResultRows BobWeightsModel::planeRows() const {
+Results BobWeightsModel::planeResults() const {
     const Words words;
     const ResultRows planes = bob_text::planes(words, solution());
     const QStringList names = bob_text::planeHead(words);
@@ -639,24 +629,24 @@ ResultRows BobWeightsModel::planeRows() const {
         tr("Mass that makes this unbalance at the plane's radius"),
         tr("What the holes below leave, their depths rounded, added up as vectors"),
         tr("By the limit of the plane: as measured → after the correction")};
-    ResultRows rows;
+    Results results{{bob_text::planeHead(words).first(), words.translate("BobWeights", "Front"),
+                     words.translate("BobWeights", "Rear")}};
+    ResultRows& rows = results.rows;
     for (qsizetype i = 1; i < names.size() && planes.size() == 2; ++i) {
         rows << ResultRow({names[i], planes[0][i], planes[1][i]}, tips.value(i - 1));
     }
-    return rows;
+    return results;
 }
 
-ResultColumns BobWeightsModel::holeColumns() const {
-    return columnsOf(
-        bob_text::holeHead(Words()),
-        {tr("To the full diameter; the cone of the drill's point lies beyond"),
-         tr("From the machine's zero mark"),
-         tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
-            "steel weighed")});
-}
-
-ResultRows BobWeightsModel::holeRows() const {
-    return bob_text::holes(Words(), solution());
+Results BobWeightsModel::holeResults() const {
+    return {
+        columnsOf(
+            bob_text::holeHead(Words()),
+            {tr("To the full diameter; the cone of the drill's point lies beyond"),
+             tr("From the machine's zero mark"),
+             tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
+                "steel weighed")}),
+        bob_text::holes(Words(), solution())};
 }
 
 // ------------------------------------------------------------------------------------- journal

@@ -89,7 +89,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString weighInText() const;
     /// Which sets to move; nothing where no column is weighed whole.
     std::optional<matching_text::Shown> matchingShown() const;
-    ResultRows takeOffRows() const;
+    Results takeOffResults() const;
     /// True while the best placing is still looked for.
     bool isSearching() const;
     /// The weights change places as the placing says.
@@ -117,15 +117,11 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// True where all planes are within their limits, or no limit is given and all is taken off.
     bool isDone() const;
 
-    ResultColumns lineColumns() const;
-    ResultRows lineRows() const;
-    ResultColumns runColumns() const;
-    ResultRows runRows() const;  ///< nothing where there is but one run
+    Results lineResults() const;
+    Results runResults() const;  ///< nothing where there is but one run
     /// A row for each quantity, a column for each plane.
-    ResultColumns planeColumns() const;
-    ResultRows planeRows() const;
-    ResultColumns holeColumns() const;
-    ResultRows holeRows() const;
+    Results planeResults() const;
+    Results holeResults() const;
 
     // ------------------------------------------------------------------------------- journal
     JobDesk* desk() { return &desk_; }

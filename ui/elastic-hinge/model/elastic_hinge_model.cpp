@@ -410,11 +410,7 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
                              .arg(relief, error, spoilt)};
 }
 
-ResultColumns ElasticHingeModel::quantityColumns() const {
-    return {tr("Quantity"), tr("Value"), tr("Unit")};
-}
-
-ResultRows ElasticHingeModel::quantityRows() const {
+Results ElasticHingeModel::quantities() const {
     const ResultCell none(QStringLiteral("–"));
     const Guide& guide = result().crank_guide;
     const bool there = guide.feasible;
@@ -447,7 +443,8 @@ ResultRows ElasticHingeModel::quantityRows() const {
                              number(100.0 * motion->ripple, motion->ripple < 1e-3 ? 5 : 2));
         return ResultRow({name, cell, QStringLiteral("%")}, tip);
     };
-    return {
+    Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
+    results.rows = {
         length(tr("Relief of the guide"), guide.relief, 4,
                tr("Largest less smallest radius of the guide")),
         row(tr("Preload needed / given"),
@@ -499,6 +496,7 @@ ResultRows ElasticHingeModel::quantityRows() const {
                &HingeMotions::offDesign,
                tr("The same when the crank starts at another speed than the hinge is made for")),
     };
+    return results;
 }
 
 QString ElasticHingeModel::notesText() const {

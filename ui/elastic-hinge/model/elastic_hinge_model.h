@@ -107,8 +107,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     Verdict verdict() const;
     // What the page's tables show: text in the user's locale, the first column the row's name.
-    ResultColumns quantityColumns() const;
-    ResultRows quantityRows() const;
+    Results quantities() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
     /// How the motions went, one line each.

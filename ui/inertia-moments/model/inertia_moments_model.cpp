@@ -718,16 +718,13 @@ Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
 
 }  // namespace
 
-ResultColumns InertiaMomentsModel::orderColumns() const {
-    return {forceAndMoment(),
-            {tr("exact"), tr("Amplitude of the order in the exact motion of the pistons")},
-            {tr("phase, °"), tr("kφ at which the exact component is largest")},
-            {tr("two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
-            {tr("diff., %"), tr("Two-term against exact, as a share of exact")}};
-}
-
-ResultRows InertiaMomentsModel::orderRows() const {
-    ResultRows rows;
+Results InertiaMomentsModel::orderResults() const {
+    Results results{{forceAndMoment(),
+                     {tr("exact"), tr("Amplitude of the order in the exact motion of the pistons")},
+                     {tr("phase, °"), tr("kφ at which the exact component is largest")},
+                     {tr("two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
+                     {tr("diff., %"), tr("Two-term against exact, as a share of exact")}}};
+    ResultRows& rows = results.rows;
     rows.reserve(static_cast<qsizetype>(result().differences.size()));
     const ResultCell zero(0.0, QStringLiteral("0"));
     for (const Difference& d : result().differences) {
@@ -740,21 +737,19 @@ ResultRows InertiaMomentsModel::orderRows() const {
                     : ResultRow{zero, dash, zero, dash});
         rows << row;
     }
-    return rows;
+    return results;
 }
 
-ResultColumns InertiaMomentsModel::rotatingColumns() const {
+Results InertiaMomentsModel::rotatingResults() const {
     const ResultColumn at(
         tr("at, °"), tr("Direction of the part to the left at φ = 0, counter-clockwise from x"));
-    return {forceAndMoment(),
-            {tr("+kω"), tr("Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)")},
-            at,
-            {tr("−kω"), tr("Part B that turns against the crank")},
-            at};
-}
-
-ResultRows InertiaMomentsModel::rotatingRows() const {
-    ResultRows rows;
+    Results results{
+        {forceAndMoment(),
+         {tr("+kω"), tr("Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)")},
+         at,
+         {tr("−kω"), tr("Part B that turns against the crank")},
+         at}};
+    ResultRows& rows = results.rows;
     const auto cells = [](const RotatingPair& pair, double scale, const Unit& unit) {
         return QVector<ResultCell>{
             figure(std::abs(pair.forward), scale, unit), directionOf(pair.forward, scale),
@@ -764,21 +759,19 @@ ResultRows InertiaMomentsModel::rotatingRows() const {
         addOrder(rows, order.order, cells(order.force, order.force_scale, units::newton),
                  cells(order.moment, order.moment_scale, units::N_m));
     }
-    return rows;
+    return results;
 }
 
-ResultColumns InertiaMomentsModel::shaftColumns() const {
-    return {{forceAndMoment(), tr("Order, task and direction; a full dot is switched on")},
-            {tr("cancels"), tr("The part of the order that the shaft cancels")},
-            {shownTitle(tr("mρ, g·mm")).text,
-             tr("Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled")},
-            {tr("at, °"), tr("Direction of its weight (of that towards cylinder 1) at φ = 0, "
-                             "counter-clockwise from x")},
-            {tr("left"), tr("Largest value of the order with this shaft alone")}};
-}
-
-ResultRows InertiaMomentsModel::shaftRows() const {
-    ResultRows rows;
+Results InertiaMomentsModel::shaftResults() const {
+    Results results{
+        {{forceAndMoment(), tr("Order, task and direction; a full dot is switched on")},
+         {tr("cancels"), tr("The part of the order that the shaft cancels")},
+         {shownTitle(tr("mρ, g·mm")).text,
+          tr("Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled")},
+         {tr("at, °"), tr("Direction of its weight (of that towards cylinder 1) at φ = 0, "
+                          "counter-clockwise from x")},
+         {tr("left"), tr("Largest value of the order with this shaft alone")}}};
+    ResultRows& rows = results.rows;
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
@@ -790,17 +783,10 @@ ResultRows InertiaMomentsModel::shaftRows() const {
                         design.phase ? degrees(*design.phase) : ResultCell(dash),
                         figure(design.remaining, design.scale, unit)});
     }
-    return rows;
+    return results;
 }
 
-ResultColumns InertiaMomentsModel::weightColumns() const {
-    return {tr("Rotating masses"),
-            tr("value"),
-            {tr("angle, °"), tr("From crankpin 1, counter-clockwise")},
-            {tr("lag, °"), tr("From crankpin 1 against the rotation")}};
-}
-
-ResultRows InertiaMomentsModel::weightRows() const {
+Results InertiaMomentsModel::weightResults() const {
     const inertia_moments::RotatingMasses& rotating = result().rotating;
     const auto row = [](const QString& name, const ResultCell& value, const Complex& vector,
                         double scale, const QString& tip) {
@@ -846,19 +832,21 @@ ResultRows InertiaMomentsModel::weightRows() const {
                tr("Mass times radius of the counterweight at the rear"),
                tr("Mass of the counterweight at the rear at its radius"));
     }
-    return rows;
+    return {{tr("Rotating masses"),
+             tr("value"),
+             {tr("angle, °"), tr("From crankpin 1, counter-clockwise")},
+             {tr("lag, °"), tr("From crankpin 1 against the rotation")}},
+            rows};
 }
 
-ResultColumns InertiaMomentsModel::remainingColumns() const {
-    return {forceAndMoment(),
-            {tr("before"),
-             tr("Largest value over a turn, with the rotating masses, without balancing")},
-            {tr("left"), tr("Largest value with the counterweights and shafts that are on")},
-            {tr("left, %"), tr("What is left as a share of what was there before")}};
-}
-
-ResultRows InertiaMomentsModel::remainingRows() const {
-    ResultRows rows;
+Results InertiaMomentsModel::remainingResults() const {
+    Results results{
+        {forceAndMoment(),
+         {tr("before"),
+          tr("Largest value over a turn, with the rotating masses, without balancing")},
+         {tr("left"), tr("Largest value with the counterweights and shafts that are on")},
+         {tr("left, %"), tr("What is left as a share of what was there before")}}};
+    ResultRows& rows = results.rows;
     const auto cells = [](double was, double is, double scale, const Unit& unit) {
         const bool isZero = !(was > inertia_moments::zero_share * scale);
         return QVector<ResultCell>{figure(was, scale, unit), figure(is, scale, unit),
@@ -879,7 +867,7 @@ ResultRows InertiaMomentsModel::remainingRows() const {
                  cells(force.max(), after.force.max(), before.force_scale, units::newton),
                  cells(moment.max(), after.moment.max(), before.moment_scale, units::N_m));
     }
-    return rows;
+    return results;
 }
 
 QString InertiaMomentsModel::warningText() const {

@@ -136,16 +136,11 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void setTab(Tabs group, int index);
 
     // What the page's tables show: text in the user's locale.
-    ResultColumns orderColumns() const;
-    ResultRows orderRows() const;
-    ResultColumns rotatingColumns() const;
-    ResultRows rotatingRows() const;
-    ResultColumns shaftColumns() const;
-    ResultRows shaftRows() const;
-    ResultColumns weightColumns() const;
-    ResultRows weightRows() const;
-    ResultColumns remainingColumns() const;
-    ResultRows remainingRows() const;
+    Results orderResults() const;
+    Results rotatingResults() const;
+    Results shaftResults() const;
+    Results weightResults() const;
+    Results remainingResults() const;
     /// Where the two-term form is not enough, one sentence a line; empty where it is.
     QString warningText() const;
 

@@ -112,17 +112,14 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
-    ResultColumns optionColumns() const;
     /// @param isShort  the options in the fewest words
-    ResultRows optionRows(bool isShort = false) const;
-    ResultColumns bobWeightColumns() const;
-    ResultRows bobWeightRows() const;
-    ResultColumns planeColumns() const;
-    ResultRows planeRows() const;
-    ResultRows assignmentRows() const;
+    Results optionResults(bool isShort = false) const;
+    Results bobWeightResults() const;
+    Results planeResults() const;
+    Results assignmentResults() const;
     /// What the placing makes of spread, force and couple.
-    ResultRows effectRows() const;
-    ResultRows takeOffRows() const;
+    Results effectResults() const;
+    Results takeOffResults() const;
     /// True while the best placing is still looked for.
     bool isSearching() const;
     void moveParts();
@@ -132,8 +129,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     void confirmReadings();
     /// What is wrong with readings of another bob weight; empty where nothing.
     QString otherReadingsText() const;
-    ResultColumns crankpinColumns() const;
-    ResultRows crankpinRows() const;
+    Results crankpinResults() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.
     WeighedColumn columnNote(v8_plugs::Part part) const;
 

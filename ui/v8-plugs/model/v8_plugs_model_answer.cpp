@@ -129,8 +129,8 @@ QStringList V8PlugsModel::notCounted() const {
     return v8_text::notCounted(words_, input());
 }
 
-ResultColumns V8PlugsModel::optionColumns() const {
-    return {
+Results V8PlugsModel::optionResults(bool isShort) const {
+    Results results{{
         {tr("Option"), tr("What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the "
                           "method")},
         {shownTitle(tr("const., g")).text,
@@ -144,11 +144,8 @@ ResultColumns V8PlugsModel::optionColumns() const {
             "option cannot")},
         {shownTitle(tr("left, g")).text, tr("Unbalanced mass that stays")},
         {shownTitle(tr("left, g·mm")).text, tr("Unbalance that stays, mass times crank radius")},
-    };
-}
-
-ResultRows V8PlugsModel::optionRows(bool isShort) const {
-    ResultRows rows;
+    }};
+    ResultRows& rows = results.rows;
     for (const OptionId id : all_options) {
         const auto& option = solution().option(id);
         const QString name =
@@ -172,7 +169,7 @@ ResultRows V8PlugsModel::optionRows(bool isShort) const {
              words_.cell(option->residual_unbalance, gram_mm, 1)},
             optionTip(*option));
     }
-    return rows;
+    return results;
 }
 
 bool V8PlugsModel::isFitted(OptionId id) const {
@@ -203,18 +200,15 @@ QString V8PlugsModel::optionTip(const Option& option) const {
     return text.join(QLatin1Char('\n'));
 }
 
-ResultColumns V8PlugsModel::bobWeightColumns() const {
-    return {{shownTitle(tr("factor × mass, g")).text,
-             tr("Share of the part in the bob weight times its mass")},
-            {tr("nominal"), tr("By the nominal masses")},
-            {tr("before"), tr("With the parts as they are")},
-            {tr("after"), tr("After the compensation")}};
-}
-
-ResultRows V8PlugsModel::bobWeightRows() const {
-    ResultRows rows;
+Results V8PlugsModel::bobWeightResults() const {
+    Results results{{{shownTitle(tr("factor × mass, g")).text,
+                      tr("Share of the part in the bob weight times its mass")},
+                     {tr("nominal"), tr("By the nominal masses")},
+                     {tr("before"), tr("With the parts as they are")},
+                     {tr("after"), tr("After the compensation")}}};
+    ResultRows& rows = results.rows;
     if (!solution().nominal || !solution().before) {
-        return rows;
+        return results;
     }
     for (const BobWeightLine& line : solution().before->lines) {
         rows << v8_text::bobWeightCells(words_, solution(), line.part, 2, dash);
@@ -223,22 +217,19 @@ ResultRows V8PlugsModel::bobWeightRows() const {
     rows << v8_text::bobWeightCells(words_, solution(), std::nullopt, 2, dash);
     rows.last().prepend(tr("Bob weight"));
     rows.last().tip = tr("Sum of the lines: what is hung on each crankpin");
-    return rows;
+    return results;
 }
 
-ResultColumns V8PlugsModel::planeColumns() const {
-    return {
+Results V8PlugsModel::planeResults() const {
+    Results results{{
         {tr("Plane"), tr("Correction plane of the crankshaft")},
         {shownTitle(tr("allowed, g·mm")).text,
          tr("Permissible residual unbalance, share of U = G m / ω "
             "(ISO 21940-11)")},
         {shownTitle(tr("reading, g·mm")).text, tr("What the balancing machine reads")},
         {tr("verdict"), tr("Passes where the reading is not above what is allowed")},
-    };
-}
-
-ResultRows V8PlugsModel::planeRows() const {
-    ResultRows rows;
+    }};
+    ResultRows& rows = results.rows;
     const auto add = [&](const QString& name, const PlaneVerdict& plane) {
         rows << ResultRow{
             name, words_.cell(plane.permissible, gram_mm, 1),
@@ -250,34 +241,26 @@ ResultRows V8PlugsModel::planeRows() const {
     };
     add(tr("Front (pulley)"), solution().planes[0]);
     add(tr("Rear (flywheel)"), solution().planes[1]);
-    return rows;
+    return results;
 }
 
-ResultRows V8PlugsModel::assignmentRows() const {
+Results V8PlugsModel::assignmentResults() const {
     const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::assignment(words_, *shown) : ResultRows();
+    return shown ? matching_text::assignment(words_, *shown) : Results();
 }
 
-ResultRows V8PlugsModel::effectRows() const {
+Results V8PlugsModel::effectResults() const {
     const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::effects(words_, *shown) : ResultRows();
+    return shown ? matching_text::effects(words_, *shown) : Results();
 }
 
-ResultRows V8PlugsModel::takeOffRows() const {
-    return input().weigh_in ? matching_text::takeOff(words_, masses_of(*input().weigh_in))
-                            : ResultRows();
+Results V8PlugsModel::takeOffResults() const {
+    return input().weigh_in
+               ? matching_text::takeOff(words_, cylinder_count, masses_of(*input().weigh_in))
+               : Results();
 }
 
-ResultColumns V8PlugsModel::crankpinColumns() const {
-    return {tr("Crankpin"),
-            QStringLiteral("1"),
-            QStringLiteral("2"),
-            QStringLiteral("3"),
-            QStringLiteral("4"),
-            {tr("spread"), tr("Largest less smallest excess of the four crankpins")}};
-}
-
-ResultRows V8PlugsModel::crankpinRows() const {
+Results V8PlugsModel::crankpinResults() const {
     if (!solution().crankpin_excess || !solution().assigned_excess) {
         return {};
     }
@@ -290,10 +273,16 @@ ResultRows V8PlugsModel::crankpinRows() const {
         cells << words_.cell(spread(excess), gram, 2);
         return cells;
     };
-    return {row(tr("as weighed, g"), *solution().crankpin_excess,
-                tr("Excess on each crankpin over the mean, parts where they are")),
-            row(tr("after moving, g"), *solution().assigned_excess,
-                tr("Excess on each crankpin over the mean, parts moved"))};
+    return {{tr("Crankpin"),
+             QStringLiteral("1"),
+             QStringLiteral("2"),
+             QStringLiteral("3"),
+             QStringLiteral("4"),
+             {tr("spread"), tr("Largest less smallest excess of the four crankpins")}},
+            {row(tr("as weighed, g"), *solution().crankpin_excess,
+                 tr("Excess on each crankpin over the mean, parts where they are")),
+             row(tr("after moving, g"), *solution().assigned_excess,
+                 tr("Excess on each crankpin over the mean, parts moved"))}};
 }
 
 WeighedColumn V8PlugsModel::columnNote(Part part) const {

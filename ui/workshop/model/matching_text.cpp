@@ -124,20 +124,18 @@ QString felt(const Words& words, const Shown& shown) {
                .arg(coupleOf(words, shown, before->couple), coupleOf(words, shown, after->couple));
 }
 
-ResultColumns effectColumns(const Words& words) {
-    return {words.translate("Matching", "What differs"), words.translate("Matching", "as weighed"),
-            words.translate("Matching", "placed so")};
-}
-
-ResultRows effects(const Words& words, const Shown& shown) {
+Results effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
-    ResultRows rows{
-        {{words.translate("Matching", "Crankpins, spread"),
-          gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
-          gramsOf(words, matched.spread)},
-         words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")}};
+    Results results{
+        {words.translate("Matching", "What differs"), words.translate("Matching", "as weighed"),
+         words.translate("Matching", "placed so")},
+        {{{words.translate("Matching", "Crankpins, spread"),
+           gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
+           gramsOf(words, matched.spread)},
+          words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")}}};
+    ResultRows& rows = results.rows;
     if (!matched.shaking_before || !matched.shaking) {
-        return rows;
+        return results;
     }
     const Shaking before = shown.shaking_as_weighed.value_or(*matched.shaking_before);
     const Shaking& after = *matched.shaking;
@@ -176,7 +174,7 @@ ResultRows effects(const Words& words, const Shown& shown) {
                                       "Root mean square over a turn and both end cylinders, of "
                                       "force and couple together: what “Least shaking” "
                                       "makes small"));
-    return rows;
+    return results;
 }
 
 QStringList cylinderHead(const Words& words, std::size_t cylinders) {
@@ -192,16 +190,18 @@ std::vector<int> setNumbers(const SetNumbers& numbers, std::size_t cylinders,
     return whole_numbers(from != nullptr ? moved_numbers(numbers, *from) : numbers, cylinders);
 }
 
-ResultColumns assignmentColumns(const Words& words, std::size_t cylinders) {
+namespace {
+
+ResultColumns columnsOf(const Words& words, std::size_t cylinders, const ResultColumn& first) {
     const QStringList head = cylinderHead(words, cylinders);
     ResultColumns columns(head.begin(), head.end());
-    columns.front().tip = words.translate("Matching",
-                                          "A dot: the part stays; a number: it comes from that "
-                                          "cylinder");
+    columns.front() = first;
     return columns;
 }
 
-ResultRows assignment(const Words& words, const Shown& shown) {
+}  // namespace
+
+Results assignment(const Words& words, const Shown& shown) {
     const auto row = [](const QString& name, const SetNumbers& numbers,
                         const std::vector<int>& from, const QString& tip) {
         ResultRow cells({name}, tip);
@@ -212,18 +212,16 @@ ResultRows assignment(const Words& words, const Shown& shown) {
         }
         return cells;
     };
+    const ResultColumn first(words.translate("Matching", "Cylinder"),
+                             words.translate("Matching",
+                                             "A dot: the part stays; a number: it comes from that "
+                                             "cylinder"));
     return {
-        row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
-            words.translate("Matching", "Cylinder from which the piston comes")),
-        row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
-            words.translate("Matching", "Cylinder from which the rod comes"))};
-}
-
-ResultColumns takeOffColumns(const Words& words, std::size_t cylinders) {
-    const QStringList head = cylinderHead(words, cylinders);
-    ResultColumns columns(head.begin(), head.end());
-    columns.front() = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
-    return columns;
+        columnsOf(words, shown.matched.pistons.size(), first),
+        {row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
+             words.translate("Matching", "Cylinder from which the piston comes")),
+         row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
+             words.translate("Matching", "Cylinder from which the rod comes"))}};
 }
 
 ResultRow takeOff(const Words& words, std::span<const Weighed> masses) {
@@ -237,8 +235,10 @@ ResultRow takeOff(const Words& words, std::span<const Weighed> masses) {
     return cells;
 }
 
-ResultRows takeOff(const Words& words, const std::array<std::span<const Weighed>, 6>& masses) {
-    ResultRows rows;
+Results takeOff(const Words& words, std::size_t cylinders,
+                const std::array<std::span<const Weighed>, 6>& masses) {
+    const QString name = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
+    Results results{columnsOf(words, cylinders, name)};
     for (const Part part : all_parts) {
         ResultRow cells = takeOff(words, masses[static_cast<std::size_t>(part)]);
         const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
@@ -246,10 +246,10 @@ ResultRows takeOff(const Words& words, const std::array<std::span<const Weighed>
         });
         if (differs) {
             cells.prepend(words.text(part_word(part).label));
-            rows << cells;
+            results.rows << cells;
         }
     }
-    return rows;
+    return results;
 }
 
 }  // namespace ravnoves::matching_text

@@ -44,24 +44,20 @@ QStringList remarks(const Words& words, const Shown& shown);
 QString felt(const Words& words, const Shown& shown);
 
 /// What is gained: a quantity, as weighed, placed so.
-ResultColumns effectColumns(const Words& words);
-ResultRows effects(const Words& words, const Shown& shown);
+Results effects(const Words& words, const Shown& shown);
 
 /// "Cylinder", 1, 2, …
 QStringList cylinderHead(const Words& words, std::size_t cylinders);
 /// From which cylinder each set comes; a dot where it was weighed there.
-ResultColumns assignmentColumns(const Words& words, std::size_t cylinders);
-ResultRows assignment(const Words& words, const Shown& shown);
+Results assignment(const Words& words, const Shown& shown);
 /// The number of the set that goes to each cylinder.
 /// @param from  null: as the sheet has them
 std::vector<int> setNumbers(const workshop::SetNumbers& numbers, std::size_t cylinders,
                             const std::vector<int>* from);
 
-/// "Take off, g", 1, 2, …
-ResultColumns takeOffColumns(const Words& words, std::size_t cylinders);
 /// What to take off each part to reach the lightest of its column, for columns that differ.
-ResultRows takeOff(const Words& words,
-                   const std::array<std::span<const workshop::Weighed>, 6>& masses);
+Results takeOff(const Words& words, std::size_t cylinders,
+                const std::array<std::span<const workshop::Weighed>, 6>& masses);
 /// The same of one column, empty cells for what is the lightest or not weighed.
 ResultRow takeOff(const Words& words, std::span<const workshop::Weighed> masses);
 
