@@ -314,10 +314,9 @@ void RelievedShaftView::showShaft() {
                               : tr("Not of what stands in the form, but of the values before it; "
                                    "refused entries: %1")
                                     .arg(refused.join(QStringLiteral("; "))));
-    const Theme& theme = Theme::instance();
-    colourText(verdict_, !isTyped                   ? theme.error()
-                         : model_->shaft().feasible ? theme.text()
-                                                    : theme.warning());
+    colourText(verdict_, !isTyped                   ? &Theme::error
+                         : model_->shaft().feasible ? &Theme::text
+                                                    : &Theme::warning);
     table_->setEnabled(isTyped);
     drawing_->setEnabled(isTyped);
     export_->setEnabled(model_->shaft().feasible);

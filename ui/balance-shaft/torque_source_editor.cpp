@@ -158,7 +158,7 @@ void TorqueSourceEditor::showCheck() {
     }
     const bool wrong = check.consistent && !*check.consistent;
     remedies_->setVisible(wrong);
-    colourText(checkText_, wrong ? Theme::instance().warning() : Theme::instance().mutedText());
+    colourText(checkText_, wrong ? &Theme::warning : &Theme::mutedText);
     checkText_->setText(messageText(check.text));
 }
 

@@ -62,7 +62,6 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
     beside->addWidget(new PlaneView(model_, 1, pictures));
     column->addWidget(pictures, 1);
     connect(model_, &SceneModel::changed, this, &BobAnswer::showAnswer);
-    connect(&Theme::instance(), &Theme::changed, this, &BobAnswer::showAnswer);
     showAnswer();
 }
 
@@ -122,19 +121,18 @@ void BobAnswer::setRefused(const QStringList& refused) {
 }
 
 void BobAnswer::showAnswer() {
-    const Theme& theme = Theme::instance();
     const bool known = model_->solution().bob_weight.has_value();
     sayOrHide(headline_, model_->headline());
     const bool isStale = !refused_->text().isEmpty();
     // What is still missing is no sentence for the display size.
     headline_->setFont(Theme::font(known ? Theme::displaySize : Theme::titleSize, !isStale));
-    colourText(headline_, !known                                   ? theme.mutedText()
-                          : isStale || !model_->doubts().isEmpty() ? theme.warning()
-                                                                   : theme.text());
-    colourText(refused_, theme.warning());
+    colourText(headline_, !known                                   ? &Theme::mutedText
+                          : isStale || !model_->doubts().isEmpty() ? &Theme::warning
+                                                                   : &Theme::text);
+    colourText(refused_, &Theme::warning);
     sayOrHide(verdict_, model_->verdictText());
     const bool isOther = !model_->solution().holds();
-    colourText(verdict_, isStale || isOther ? theme.warning() : theme.text());
+    colourText(verdict_, isStale || isOther ? &Theme::warning : &Theme::text);
     sayOrHide(hang_, model_->hangText());
     sayOrHide(factor_, known ? model_->factorText() : QString());
     QStringList limits{model_->limitText(),
@@ -144,7 +142,7 @@ void BobAnswer::showAnswer() {
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     const auto* newest = model_->solution().newest();
     troubles_->setToolTip(newest != nullptr ? otherTip(*newest) : QString());
-    colourText(troubles_, theme.warning());
+    colourText(troubles_, &Theme::warning);
     lines_->setResults(model_->lineResults());
     linesAndForce_->setVisible(known);
     runs_->setResults(model_->runResults());

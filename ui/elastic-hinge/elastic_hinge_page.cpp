@@ -248,10 +248,9 @@ void ElasticHingePage::showInput() {
 void ElasticHingePage::showAnswer() {
     using Level = ElasticHingeModel::Verdict::Level;
     const auto verdict = model_->verdict();
-    const Theme& theme = Theme::instance();
-    colourText(verdict_, verdict.level == Level::Good      ? theme.good()
-                         : verdict.level == Level::Warning ? theme.warning()
-                                                           : theme.error());
+    colourText(verdict_, verdict.level == Level::Good      ? &Theme::good
+                         : verdict.level == Level::Warning ? &Theme::warning
+                                                           : &Theme::error);
     verdict_->setText(verdict.text);
     const auto& guide = model_->result().crank_guide;
     const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;

@@ -56,7 +56,6 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     answerColumn->addWidget(new Apart(warning_, panel));
     column->addWidget(panel, 5);
 
-    connect(&Theme::instance(), &Theme::changed, this, &InertiaMomentsAnswer::showWarning);
     connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showFront);
     connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showWarning);
     showFront();
@@ -78,7 +77,7 @@ void InertiaMomentsAnswer::showFront() {
 }
 
 void InertiaMomentsAnswer::showWarning() {
-    colourText(warning_, Theme::instance().warning());
+    colourText(warning_, &Theme::warning);
     warning_->setText(model_->warningText());
     warning_->parentWidget()->setVisible(!warning_->text().isEmpty());
 }

@@ -43,7 +43,7 @@ void SolvingNotice::say(const QString& trouble) {
             ? tr("Solving… Until then the results are those of the input before the change.")
             : tr("Solving…");
     text()->setText(words);
-    colourText(text(), trouble.isEmpty() ? Theme::instance().warning() : Theme::instance().error());
+    colourText(text(), trouble.isEmpty() ? &Theme::warning : &Theme::error);
     stop_->setVisible(isSolving);
     setVisible(isSolving || isWaiting || !trouble.isEmpty());
 }

@@ -95,6 +95,7 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     row->addWidget(parts);
     connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
+    connect(&Theme::instance(), &Theme::changed, this, &ToleranceWindow::showAnswers);
     // All results as JSON take longer than a frame: not at each step of a slider.
     constexpr int restMs = 400;
     rest_.setSingleShot(true);
@@ -444,7 +445,7 @@ void ToleranceWindow::showAnswers() {
     ink.setColor(QPalette::Text, isCut               ? theme.warning()
                                  : model_->isStale() ? theme.mutedText()
                                                      : theme.text());
-    colourText(words_, isCut ? theme.warning() : theme.mutedText());
+    colourText(words_, isCut ? &Theme::warning : &Theme::mutedText);
     table_->setPalette(ink);
     table_->setRows(rows);
     for (int row = 0; answers != nullptr && row < rows.size(); ++row) {

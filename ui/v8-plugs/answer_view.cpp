@@ -153,9 +153,8 @@ void AnswerView::setRefused(const QStringList& refused) {
 }
 
 void AnswerView::showAdvice() {
-    const Theme& theme = Theme::instance();
     const bool isStale = !refused_->text().isEmpty();
-    colourText(refused_, theme.warning());
+    colourText(refused_, &Theme::warning);
     say(excess_, model_->excessText());
     say(advice_, model_->adviceText());
     const auto& advice = model_->solution().advice;
@@ -164,11 +163,11 @@ void AnswerView::showAdvice() {
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, !isStale));
     const bool isUneven = v8_text::hasUnequalCrankpins(model_->input(), model_->solution());
     const bool doubtful = isStale || isUneven || model_->solution().shift_that_matters() != nullptr;
-    colourText(excess_, isUneven ? theme.warning() : theme.text());
-    colourText(advice_, !advice    ? theme.mutedText()
-                        : doubtful ? theme.warning()
-                        : works    ? theme.text()
-                                   : theme.error());
+    colourText(excess_, isUneven ? &Theme::warning : &Theme::text);
+    colourText(advice_, !advice    ? &Theme::mutedText
+                        : doubtful ? &Theme::warning
+                        : works    ? &Theme::text
+                                   : &Theme::error);
     say(boring_, model_->boringText());
     say(hang_, model_->hangText());
     say(plugs_, model_->plugsText());
@@ -177,14 +176,14 @@ void AnswerView::showAdvice() {
     excess_->setVisible(known);  // the room belongs to what is missing
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
     troubles_->setToolTip(otherTip(model_->solution()));
-    colourText(troubles_, theme.warning());
+    colourText(troubles_, &Theme::warning);
     options_->setResults(model_->optionResults(isNarrow_));
     for (int row = 0; row < options_->rowCount(); ++row) {
         const bool methodAlone = v8_text::methodAlone(
             model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
         for (int column = 0; column < options_->columnCount(); ++column) {
             options_->item(row, column)
-                ->setForeground(methodAlone ? QBrush(theme.warning()) : QBrush());
+                ->setForeground(methodAlone ? QBrush(Theme::instance().warning()) : QBrush());
         }
     }
 }
@@ -198,11 +197,10 @@ void AnswerView::showBobWeights() {
     // What is missing stands above.
     say(check_, !isKnown ? QString() : said.join(QLatin1Char('\n')));
     const bool doubtful = model_->solution().shift_that_matters() != nullptr;
-    const Theme& theme = Theme::instance();
-    colourText(check_, doubtful ? theme.warning() : theme.mutedText());
+    colourText(check_, doubtful ? &Theme::warning : &Theme::mutedText);
     const auto weighing = v8_text::weighingNote(Words(), model_->input());
     say(weighing_, !isKnown ? QString() : weighing.text);
-    colourText(weighing_, weighing.enough ? theme.mutedText() : theme.warning());
+    colourText(weighing_, weighing.enough ? &Theme::mutedText : &Theme::warning);
 }
 
 QString AnswerView::asText() const {

@@ -173,19 +173,46 @@ QScrollArea* scrolled(QWidget* form, QWidget* parent) {
     return new Scrolled(form, parent);
 }
 
-void colourText(QLabel* label, const QColor& colour) {
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, colour);
-    label->setPalette(palette);
+namespace {
+
+/// The ink of a label; it belongs to it.
+class LabelInk final : public QObject {
+  public:
+    static LabelInk* of(QLabel* label) {
+        const QString name = QStringLiteral("ink");
+        auto* ink = label->findChild<QObject*>(name, Qt::FindDirectChildrenOnly);
+        return ink != nullptr ? static_cast<LabelInk*>(ink) : new LabelInk(label, name);
+    }
+    void set(Ink ink) {
+        ink_ = ink;
+        apply();
+    }
+
+  private:
+    LabelInk(QLabel* label, const QString& name) : QObject(label), label_(label) {
+        setObjectName(name);
+        connect(&Theme::instance(), &Theme::changed, this, &LabelInk::apply);
+    }
+    void apply() {
+        const QColor colour = (Theme::instance().*ink_)();
+        QPalette palette = label_->palette();
+        if (palette.color(QPalette::WindowText) != colour) {
+            palette.setColor(QPalette::WindowText, colour);
+            label_->setPalette(palette);
+        }
+    }
+
+    QLabel* label_;
+    Ink ink_ = &Theme::text;
+};
+
+}  // namespace
+
+void colourText(QLabel* label, Ink ink) {
+    LabelInk::of(label)->set(ink);
 }
 
 namespace {
-
-void paintMuted(QLabel* label) {
-    const auto apply = [label] { colourText(label, Theme::instance().mutedText()); };
-    apply();
-    QObject::connect(&Theme::instance(), &Theme::changed, label, apply);
-}
 
 QString withoutMnemonic(QString label) {
     return label.remove(QLatin1Char('&'));
@@ -370,7 +397,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setWordWrap(true);
     label->setFont(Theme::font(Theme::smallSize));
-    paintMuted(label);
+    colourText(label, &Theme::mutedText);
     return label;
 }
 
@@ -401,7 +428,7 @@ void TroubleLine::watch(EntryField* field, bool named) {
 }
 
 void TroubleLine::say(const QString& text, bool isTrouble) {
-    colourText(this, isTrouble ? Theme::instance().error() : Theme::instance().mutedText());
+    colourText(this, isTrouble ? &Theme::error : &Theme::mutedText);
     setText(text);
     if (text.isEmpty() != isHidden()) {
         if (QGuiApplication::mouseButtons() == Qt::NoButton) {
@@ -483,7 +510,7 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         const bool narrow = field->maximumWidth() < QWIDGETSIZE_MAX;
         grid_->addWidget(field, row_, 1, narrow ? Qt::AlignRight : Qt::Alignment());
         auto* unitLabel = new QLabel(unit, this);
-        paintMuted(unitLabel);
+        colourText(unitLabel, &Theme::mutedText);
         grid_->addWidget(unitLabel, row_, 2);
         if (auto* entry = qobject_cast<QLineEdit*>(field)) {
             new UnitBeside(entry, unitLabel);
@@ -510,7 +537,7 @@ QLabel* FormSection::addResult(const QString& label, const QString& hint) {
     value->setToolTip(hint);
     name->setToolTip(hint);
     value->setAccessibleName(withoutMnemonic(label));
-    paintMuted(name);
+    colourText(name, &Theme::mutedText);
     grid_->addWidget(name, row_, 0);
     grid_->addWidget(value, row_, 1, 1, 2);
     ++row_;

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "case-file/field.h"
+#include "theme/theme.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -66,8 +67,10 @@ class FormSection : public QWidget {
 
 /// A form, or another part of a page, that scrolls where it is larger than its place.
 QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
-/// Gives a label's text a colour of its own.
-void colourText(QLabel* label, const QColor& colour);
+/// A colour of the theme by what it says: &Theme::warning.
+using Ink = QColor (Theme::*)() const;
+/// Gives a label's text an ink, whose colour follows the theme.
+void colourText(QLabel* label, Ink ink);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 /// A section heading in the type scale.

@@ -124,20 +124,18 @@ void MatchingSheet::addColumn(int column, const Note& note) {
     QLabel* spread = put(row++, place, {}, Theme::baseSize);
     const auto show = [=, part = all_parts[static_cast<std::size_t>(column)]] {
         const WeighedColumn weighed = note(part);
-        const Theme& theme = Theme::instance();
-        const auto say = [&](QLabel* label, const QString& text, const QColor& colour) {
+        const auto say = [&](QLabel* label, const QString& text, Ink ink) {
             if (label != nullptr) {
                 label->setText(text);
                 label->setToolTip(weighed.toolTip);
-                colourText(label, colour);
+                colourText(label, ink);
             }
         };
-        say(mean, weighed.mean, weighed.counts ? theme.text() : theme.warning());
-        say(deviation, weighed.deviation, weighed.counts ? theme.text() : theme.warning());
+        say(mean, weighed.mean, weighed.counts ? &Theme::text : &Theme::warning);
+        say(deviation, weighed.deviation, weighed.counts ? &Theme::text : &Theme::warning);
         say(spread, weighed.tooWide ? weighed.spread + QStringLiteral(" !") : weighed.spread,
-            weighed.tooWide ? theme.error() : theme.text());
+            weighed.tooWide ? &Theme::error : &Theme::text);
     };
-    connect(&Theme::instance(), &Theme::changed, this, show);
     follow(show);
 }
 
@@ -342,7 +340,6 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"));
     const auto show = [=, this, findings = std::move(findings)] {
         const Findings now = findings();
-        const Theme& theme = Theme::instance();
         back->setVisible(isMoved_());
         button->setEnabled(!now.isSearching);
         for (ResultTable* table : {effects, assignment, takeOff}) {
@@ -351,11 +348,11 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
         if (now.isSearching) {
             // What was found before stays, in grey, until the new comes: nothing jumps.
             summary->setText(tr("Looking for the best placing…"));
-            colourText(summary, theme.mutedText());
+            colourText(summary, &Theme::mutedText);
             return;
         }
         summary->setText(now.summary);
-        colourText(summary, now.isAmber ? theme.warning() : theme.text());
+        colourText(summary, now.isAmber ? &Theme::warning : &Theme::text);
         button->setVisible(now.canMove);
         const auto fill = [](ResultTable* table, const Results& found) {
             table->setResults(found);
@@ -365,7 +362,6 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
         fill(assignment, now.assignment);
         fill(takeOff, now.takeOff);
     };
-    connect(&Theme::instance(), &Theme::changed, this, show);
     follow(show);
 }
 

@@ -196,8 +196,7 @@ void ScaleDialog::showConnection() {
                                    "none of this: its numbers go where the focus is.")
                     : trouble.isEmpty() ? tr("Connected to %1.").arg(reader_->settings().port)
                                         : trouble);
-    colourText(state_, isWanted && !trouble.isEmpty() ? Theme::instance().error()
-                                                      : Theme::instance().text());
+    colourText(state_, isWanted && !trouble.isEmpty() ? &Theme::error : &Theme::text);
 }
 
 void ScaleDialog::showLine(const QByteArray& raw, const ScaleLine& line) {

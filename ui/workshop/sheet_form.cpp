@@ -140,7 +140,7 @@ void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void(
     follow([button, why, isAsked = std::move(isAsked)] {
         button->setVisible(isAsked());
         if (why != nullptr) {
-            colourText(why, Theme::instance().warning());
+            colourText(why, &Theme::warning);
         }
     });
 }

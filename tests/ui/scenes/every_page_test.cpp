@@ -36,6 +36,7 @@
 #include "scenes/open_example.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "theme/theme.h"
 #include "widgets/figure.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
@@ -136,6 +137,34 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
 
 /// With a history and a file.
 class EveryCase : public EveryPage {};
+
+/// A page that was there when the theme changed says it in the colours of one that is made anew.
+TEST_P(EveryPage, LabelsFollowTheTheme) {
+    const auto fill = [](ScenePage& of) {
+        test::openExample(*of.model());
+        for (TroubleLine* line : of.findChildren<TroubleLine*>()) {
+            line->say(u"wrong"_s);
+        }
+    };
+    fill(*page);
+    for (const auto mode : {Theme::Mode::Dark, Theme::Mode::Light}) {
+        Theme::instance().setMode(mode);
+        const auto fresh = make();
+        fill(*fresh);
+        const auto labels = page->findChildren<QLabel*>();
+        const auto others = fresh->findChildren<QLabel*>();
+        ASSERT_EQ(labels.size(), others.size());
+        for (qsizetype i = 0; i < labels.size(); ++i) {
+            // The others have the application's, which comes to hidden ones when they are shown.
+            if (labels[i]->testAttribute(Qt::WA_SetPalette) ||
+                others[i]->testAttribute(Qt::WA_SetPalette)) {
+                EXPECT_EQ(labels[i]->palette().color(QPalette::WindowText).rgb(),
+                          others[i]->palette().color(QPalette::WindowText).rgb())
+                    << labels[i]->text().toStdString();
+            }
+        }
+    }
+}
 
 TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     QSet<const QWidget*> labelled;
