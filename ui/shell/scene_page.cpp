@@ -5,6 +5,7 @@
 
 #include "model/background_job.h"
 #include "plot/plot_view.h"
+#include "shell/comparison.h"
 #include "studies/tolerance_bands.h"
 #include "widgets/elided_tips.h"
 #include "widgets/mechanism_picture.h"
@@ -68,6 +69,10 @@ void ScenePage::resetZoom() {
 bool ScenePage::isBusy() const {
     const auto* bands = findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
     if (bands != nullptr && bands->isBusy()) {
+        return true;
+    }
+    const auto* comparison = findChild<Comparison*>(QString(), Qt::FindDirectChildrenOnly);
+    if (comparison != nullptr && comparison->twin() != nullptr && comparison->twin()->isBusy()) {
         return true;
     }
     const auto jobs = findChildren<BackgroundJob*>();

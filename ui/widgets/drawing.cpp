@@ -20,7 +20,8 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
     const QPointF across(-along.y(), along.x());
     const double head = std::min(4.0 + 2.0 * width, 0.6 * length);
     painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(from, to - along * head * 0.8);
+    // A pale head does not lie over the line.
+    painter.drawLine(from, to - along * head * (colour.alpha() < 255 ? 1.0 : 0.8));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
