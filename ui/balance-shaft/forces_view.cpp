@@ -49,16 +49,19 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     both_ = locus_->addCurve({.name = tr("crank only, 1st + 2nd"),
                               .colour = 4,
                               .pen = Qt::DashLine,
-                              .toolTip = tr("First and second order without a shaft")});
+                              .toolTip = tr("First and second order without a shaft"),
+                              .turn = 360.0});
     first_ = locus_->addCurve({.name = tr("crank only, 1st"),
                                .colour = 1,
                                .width = 2.0,
-                               .toolTip = tr("First order without a shaft: an ellipse")});
+                               .toolTip = tr("First order without a shaft: an ellipse"),
+                               .turn = 360.0});
     shaft_ = locus_->addCurve({.name = tr("with shaft"),
                                .colour = 2,
                                .width = 2.0,
                                .toolTip = tr("With the shaft the first order is a point; the "
-                                             "second order along the cylinder stays")});
+                                             "second order along the cylinder stays"),
+                               .turn = 360.0});
     grid->addWidget(locus_, 1, 0);
     forceTable_ = addTable(tables, tr("Forces with and without a shaft"),
                            {tr("Force"), tr("Value"), tr("Unit")});

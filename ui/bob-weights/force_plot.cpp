@@ -37,11 +37,13 @@ ForcePlot::ForcePlot(BobWeightsModel* model, QWidget* parent)
     addCurve({.name = tr("without counterweights"),
               .colour = 1,
               .pen = Qt::DashLine,
-              .toolTip = tr("Of the reciprocating parts alone, as a mass at the crank radius")});
+              .toolTip = tr("Of the reciprocating parts alone, as a mass at the crank radius"),
+              .turn = 360.0});
     addCurve({.name = tr("left"),
               .colour = 0,
               .width = 2.2,
-              .toolTip = tr("What is left by counterweights that hold the bob weight")});
+              .toolTip = tr("What is left by counterweights that hold the bob weight"),
+              .turn = 360.0});
     connect(model_, &SceneModel::changed, this, &ForcePlot::showForce);
     showForce();
 }

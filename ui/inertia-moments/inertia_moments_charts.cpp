@@ -25,6 +25,7 @@ namespace {
 
 constexpr int hodographPair = 420;  ///< designed pixels of both beside each other
 constexpr int cycleDegrees = 720;   // the paper's Fig. 6 shows two turns
+constexpr double turnDegrees = 360.0;
 
 // Curves of the moment plots, in the order in which they are added.
 enum MomentCurve {
@@ -187,20 +188,25 @@ void InertiaMomentsCharts::addHodographs() {
         plot->setXAxis({i == 0 ? tr("Fx, N") : tr("Mx, N·m"), -1.0, 1.0});
         plot->setYAxis(PlotView::Side::Left, {i == 0 ? tr("Fy, N") : tr("My, N·m")});
         hodographs_[i].plot = plot;
-        plot->addCurve(
-            {.name = tr("1st"), .colour = 2, .toolTip = tr("Exact first order (Fig. 5)")});
+        plot->addCurve({.name = tr("1st"),
+                        .colour = 2,
+                        .toolTip = tr("Exact first order (Fig. 5)"),
+                        .turn = turnDegrees});
         plot->addCurve({.name = tr("2nd"),
                         .colour = 1,
                         .pen = Qt::DashLine,
-                        .toolTip = tr("Exact second order (Fig. 5)")});
+                        .toolTip = tr("Exact second order (Fig. 5)"),
+                        .turn = 0.5 * turnDegrees});
         plot->addCurve({.name = tr("all"),
                         .colour = 0,
                         .width = 1.2,
-                        .toolTip = tr("All orders of the reciprocating parts")});
+                        .toolTip = tr("All orders of the reciprocating parts"),
+                        .turn = turnDegrees});
         plot->addCurve({.name = tr("left"),
                         .colour = 3,
                         .toolTip = tr("All orders with rotating masses, and with the "
-                                      "counterweights and shafts that are on")});
+                                      "counterweights and shafts that are on"),
+                        .turn = turnDegrees});
         pair->add(plot);
     }
     tabs_->addTab(pair, tr("Hodographs"));

@@ -101,19 +101,33 @@ QString OrderBars::sentence() const {
 
 QString OrderBars::table(const CsvFormat& format) const {
     QStringList head{tr("order")};
-    for (const QString& panel : {shownTitle(tr("F, N")).text, shownTitle(tr("M, N·m")).text,
-                                 shownTitle(tr("Mz, N·m")).text}) {
-        for (const QString& kind : {tr("exact"), tr("two-term"), tr("left over")}) {
-            head << panel + QStringLiteral(": ") + kind;
+    const auto all = groups();
+    const auto before = ghosts();
+    const auto addHeadings = [&](const QString& name) {
+        for (const QString& panel : {shownTitle(tr("F, N")).text, shownTitle(tr("M, N·m")).text,
+                                     shownTitle(tr("Mz, N·m")).text}) {
+            for (const QString& kind : {tr("exact"), tr("two-term"), tr("left over")}) {
+                head << name + panel + QStringLiteral(": ") + kind;
+            }
         }
+    };
+    addHeadings({});
+    if (!before.empty()) {
+        addHeadings(referenceName() + QStringLiteral(": "));
     }
     QString text = format.line(head);
-    const auto all = groups();
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < std::max(all.size(), before.size()); ++i) {
         QStringList cells{QString::number(i + 1)};
-        for (const Group& group : all[i]) {
-            cells << format.number(group.exact) << format.number(group.twoTerm)
-                  << format.number(group.left);
+        const auto addCells = [&](const std::vector<std::array<Group, 3>>& of) {
+            for (std::size_t p = 0; p < panels; ++p) {
+                for (const double Group::*member : {&Group::exact, &Group::twoTerm, &Group::left}) {
+                    cells << (i < of.size() ? format.number(of[i][p].*member) : QString());
+                }
+            }
+        };
+        addCells(all);
+        if (!before.empty()) {
+            addCells(before);
         }
         text += format.line(cells);
     }
@@ -150,7 +164,7 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
     const QColor exactColour = theme.curve(2);
     const QColor twoTermColour = theme.curve(1);
     const QColor leftColour = theme.curve(3);
-    constexpr double swatch = 10.0;
+    const double swatch = Theme::withText(10);
     const double row = metrics.height();
     const double legend = 0.5 * Theme::withText(20) + 1.0;  // its middle
     double x = barsRect(0).left();

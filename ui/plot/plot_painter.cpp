@@ -14,6 +14,7 @@
 #include "plot/model/label_places.h"
 #include "plot/model/line_brush.h"
 #include "plot/model/ticks.h"
+#include "text/number_text.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 
@@ -296,7 +297,10 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
                             strokeScale() * std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
                             Qt::FlatCap, Qt::BevelJoin));
         for (const QPolygonF& stretch : data_.stretchesOf(*ghost)) {
-            painter.drawPolyline(stretch);
+            // The outline of a point has no edge: a PDF closed a path that never began.
+            if (!stretch.boundingRect().size().isNull()) {
+                painter.drawPolyline(stretch);
+            }
         }
         // Those of bars stand over them: a lower one would be out of sight below.
         if (ghost->style.shape != Shape::Line && ghost->style.shape != Shape::Bars) {
@@ -659,7 +663,7 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     const bool readsCurves = data_.cursorX && !data_.pointRead;
     if (readsCurves) {
         painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DotLine));
-        const double x = across(*data_.cursorX);
+        const double x = across(*data_.readX());
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     }
     painter.restore();
@@ -918,7 +922,7 @@ void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlac
 void PlotPainter::paintReadout(QPainter& painter) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    const double at = *data_.cursorX;
+    const double at = *data_.readX();
     const double x = across(at);
     if (x < area.left() - 0.5 || x > area.right() + 0.5) {
         return;
@@ -949,12 +953,35 @@ void PlotPainter::paintReadout(QPainter& painter) const {
                  (was ? QStringLiteral("  (%1: %2)").arg(data_.referenceName, shown(*was))
                       : QString()),
              theme.readable(colour)});
-        const QPointF point = data_.toPixel(at, *y, curve.style.side);
+        const bool isBar = curve.style.shape == Shape::Bars;
+        const QPointF point =
+            data_.toPixel(at + (isBar ? curve.style.barShift : 0.0), *y, curve.style.side);
         if (area.contains(point)) {
             dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);
         }
     }
     paintRows(painter, rows, QPointF(x, area.top()), QPointF(10, 6), 0.93F);
+}
+
+std::vector<PlotPainter::Row> PlotPainter::rowsOfPath(const PlotCurve& curve,
+                                                      std::size_t point) const {
+    const Theme& theme = Theme::instance();
+    const PlotCurve* ghost = data_.ghostOf(curve);
+    const bool both = ghost != nullptr && ghost->x.size() == curve.x.size();
+    const auto line = [&](const PlotScale& scale, double value, double was) {
+        const QString old = both ? QStringLiteral("  (%1: %2)")
+                                       .arg(data_.referenceName, scale.readout(was, data_.locale))
+                                 : QString();
+        return Row{scale.spec.title.section(QLatin1Char(','), 0, 0) + QStringLiteral(" = ") +
+                       scale.readout(value, data_.locale) + old,
+                   theme.text()};
+    };
+    const PlotCurve& other = both ? *ghost : curve;
+    return {{curve.style.name, theme.readable(theme.curve(curve.style.colour))},
+            {QStringLiteral("φ = %1°").arg(fixedNumber(curve.angleOf(point), 1, data_.locale)),
+             theme.text()},
+            line(data_.x, curve.x[point], other.x[point]),
+            line(data_.scale(curve.style.side), curve.y[point], other.y[point])};
 }
 
 void PlotPainter::paintPointReadout(QPainter& painter) const {
@@ -966,9 +993,14 @@ void PlotPainter::paintPointReadout(QPainter& painter) const {
     }
     dot(painter, at, strokeScale() * 5.0, QPen(theme.text(), 1.6), theme.curve(curve.style.colour));
     std::vector<Row> rows;
-    for (const QString& text :
-         curve.texts[static_cast<qsizetype>(data_.pointRead->second)].split(QLatin1Char('\n'))) {
-        rows.push_back({text, theme.text()});
+    if (curve.style.turn > 0.0) {
+        rows = rowsOfPath(curve, data_.pointRead->second);
+    } else {
+        for (const QString& text :
+             curve.texts[static_cast<qsizetype>(data_.pointRead->second)].split(
+                 QLatin1Char('\n'))) {
+            rows.push_back({text, theme.text()});
+        }
     }
     paintRows(painter, rows, at, QPointF(12, 8), 0.95F);
 }

@@ -108,6 +108,8 @@ class PlotPainter {
     QLineF strokeOf(const plot::Line& line) const;
     void paintReadout(QPainter& painter) const;
     void paintPointReadout(QPainter& painter) const;
+    /// What is read of a point of a vector's path.
+    std::vector<Row> rowsOfPath(const PlotCurve& curve, std::size_t point) const;
     void paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,
                    const QPointF& away, float opacity) const;
     QPointF pixel(const PlotCurve& curve, std::size_t point) const {

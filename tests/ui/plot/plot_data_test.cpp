@@ -10,6 +10,7 @@
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/thin_polyline.h"
+#include "text/csv_format.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 
@@ -341,6 +342,56 @@ TEST_F(PlotDataTest, ReadsTheNearestPointAndStepsInARound) {
         EXPECT_EQ(data.pointRead, PlotData::Point(0, expected));
     }
     EXPECT_EQ(data.nextPoint(-1), PlotData::Point(0, 2));
+}
+
+TEST_F(PlotDataTest, ReadsTheBarThatIsUnderTheCursor) {
+    data.curves.resize(2);
+    for (const double shift : {-0.1, 0.1}) {
+        PlotCurve& bars = data.curves[shift < 0.0 ? 0 : 1];
+        bars.style.shape = plot::Shape::Bars;
+        bars.style.barWidth = 0.18;
+        bars.style.barShift = shift;
+        bars.set({0.5, 1.0, 1.5}, {144.7 + shift, 158.8 + shift, 112.0}, data.x, data.left);
+    }
+    for (const double at : {0.82, 0.87, 1.0, 1.18}) {
+        EXPECT_EQ(data.barsAt(at), 1.0) << at;
+        EXPECT_EQ(data.valueAt(data.curves[0], at), 158.8 - 0.1) << at;
+    }
+    EXPECT_EQ(data.barsAt(0.41), 0.5);
+    EXPECT_FALSE(data.barsAt(2.0).has_value());
+    EXPECT_FALSE(data.valueAt(data.curves[0], 0.1).has_value());
+    data.cursorX = 0.87;
+    EXPECT_EQ(data.readX(), 1.0);
+    // Beside a line it reads where it stands.
+    data.curves[1].style.shape = plot::Shape::Line;
+    EXPECT_EQ(data.readX(), 0.87);
+}
+
+TEST_F(PlotDataTest, ReadsThePathOfAVectorWithItsAngle) {
+    set({1, 5, 9, 5, 1}, {5, 9, 5, 1, 5});
+    EXPECT_FALSE(data.readsPoints());
+    curve().style.turn = 360.0;
+    EXPECT_TRUE(data.readsPoints());
+    EXPECT_EQ(data.nearestPoint(data.toPixel(5, 9) + QPointF(3, 4)), PlotData::Point(0, 1));
+    EXPECT_EQ(curve().angleOf(1), 90.0);
+    EXPECT_EQ(curve().angleOf(4), 360.0);
+}
+
+TEST_F(PlotDataTest, CsvHoldsTheReferenceThatIsDrawn) {
+    set({1, 2}, {3, 4});
+    curve().style.name = QStringLiteral("M");
+    PlotData before = data;
+    before.curve(0).set({1, 1.5}, {7, 8}, before.x, before.left);
+    data.reference = &before;
+    data.referenceName = QStringLiteral("A");
+    const QStringList rows = data.csv(CsvFormat(QLocale::c())).split(QLatin1Char('\n'));
+    ASSERT_GE(rows.size(), 4);
+    EXPECT_TRUE(rows[0].endsWith(QStringLiteral(",\"M\",\"A: M\""))) << rows[0].toStdString();
+    EXPECT_EQ(rows[1], QStringLiteral("1,3,7"));
+    EXPECT_EQ(rows[2], QStringLiteral("1.5,,8"));
+    EXPECT_EQ(rows[3], QStringLiteral("2,4,"));
+    data.referenceShown = false;
+    EXPECT_FALSE(data.csv(CsvFormat(QLocale::c())).contains(QStringLiteral("A:")));
 }
 
 TEST(ThinPolyline, DropsOnlyWhatMovesNoPixel) {

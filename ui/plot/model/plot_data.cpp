@@ -10,6 +10,7 @@
 
 namespace ravnoves {
 
+using plot::CurveStyle;
 using plot::Shape;
 using plot::Side;
 
@@ -306,17 +307,54 @@ std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
     return stretches;
 }
 
-std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const {
-    if (curve.x.empty() || !curve.ascending || !(at >= curve.x.front() && at <= curve.x.back()) ||
-        curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings) {
-        return std::nullopt;
+namespace {
+
+/// The bar at x, up to the middle between it and the next; -1: none.
+std::ptrdiff_t barOf(const PlotCurve& curve, double at) {
+    if (curve.x.empty()) {
+        return -1;
     }
-    if (curve.style.shape == Shape::Bars) {
-        const auto bar = std::find_if(curve.x.begin(), curve.x.end(),
-                                      [&](double middle) { return std::abs(middle - at) < 0.5; });
-        return bar == curve.x.end()
-                   ? std::nullopt
-                   : std::optional(curve.y[static_cast<std::size_t>(bar - curve.x.begin())]);
+    const auto upper = std::lower_bound(curve.x.begin(), curve.x.end(), at);
+    auto bar = upper - curve.x.begin();
+    if (upper == curve.x.end() || (bar > 0 && at - upper[-1] <= *upper - at)) {
+        --bar;
+    }
+    double reach = curve.x.size() > 1 ? std::numeric_limits<double>::infinity()
+                                      : std::abs(curve.style.barShift) + curve.style.barWidth;
+    for (std::size_t i = 1; i < curve.x.size(); ++i) {
+        reach = std::min(reach, curve.x[i] - curve.x[i - 1]);
+    }
+    reach *= 0.5 * (1.0 + 1e-9);
+    return std::abs(curve.x[static_cast<std::size_t>(bar)] - at) <= reach ? bar : -1;
+}
+
+}  // namespace
+
+std::optional<double> PlotData::barsAt(double at) const {
+    std::optional<double> middle;
+    for (const PlotCurve& curve : curves) {
+        if (!curve.shown || curve.x.empty()) {
+            continue;
+        }
+        if (curve.style.shape != Shape::Bars || !curve.ascending) {
+            return std::nullopt;
+        }
+        if (const std::ptrdiff_t bar = barOf(curve, at); bar >= 0 && !middle) {
+            middle = curve.x[static_cast<std::size_t>(bar)];
+        }
+    }
+    return middle;
+}
+
+std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const {
+    if (curve.style.shape == Shape::Bars && curve.ascending) {
+        const std::ptrdiff_t bar = barOf(curve, at);
+        return bar < 0 ? std::nullopt : std::optional(curve.y[static_cast<std::size_t>(bar)]);
+    }
+    if (curve.x.empty() || !curve.ascending || !(at >= curve.x.front() && at <= curve.x.back()) ||
+        curve.style.shape == Shape::Bars || curve.style.shape == Shape::Points ||
+        curve.style.shape == Shape::Rings) {
+        return std::nullopt;
     }
     const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), at);
     const auto i = static_cast<std::size_t>(upper - curve.x.begin());
@@ -335,8 +373,9 @@ std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const
 }
 
 bool PlotData::readsPoints() const {
-    return std::any_of(curves.begin(), curves.end(),
-                       [](const PlotCurve& curve) { return !curve.texts.isEmpty(); });
+    return std::any_of(curves.begin(), curves.end(), [](const PlotCurve& curve) {
+        return curve.style.turn > 0.0 || !curve.texts.isEmpty();
+    });
 }
 
 std::optional<PlotData::Point> PlotData::nearestPoint(const QPointF& pixel, double reach) const {
@@ -388,8 +427,10 @@ QString PlotData::csv(const CsvFormat& format) const {
     };
     std::vector<double> common;
     for (const PlotCurve& curve : curves) {
-        if (curve.shown && isAscending(curve)) {
-            common.insert(common.end(), curve.x.begin(), curve.x.end());
+        for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
+            if (curve.shown && each != nullptr && isAscending(*each)) {
+                common.insert(common.end(), each->x.begin(), each->x.end());
+            }
         }
     }
     std::sort(common.begin(), common.end());
@@ -401,21 +442,20 @@ QString PlotData::csv(const CsvFormat& format) const {
             columns.back().cells.push_back(text(value, x));
         }
     }
-    for (const PlotCurve& curve : curves) {
-        if (!curve.shown || curve.x.empty()) {
-            continue;
-        }
-        const PlotScale& y = scale(curve.style.side);
+    // A curve, or that of the reference under it, named with it.
+    const auto addCurve = [&](const PlotCurve& curve, const CurveStyle& style,
+                              const QString& before) {
+        const PlotScale& y = scale(style.side);
         const bool shares = isAscending(curve);
         if (!shares) {
-            columns.push_back({curve.style.name + QStringLiteral(": ") + x.spec.title, {}});
+            columns.push_back({before + style.name + QStringLiteral(": ") + x.spec.title, {}});
             for (const double value : curve.x) {
                 columns.back().cells.push_back(text(value, x));
             }
         }
         const QString unit = unitOfTitle(y.spec.title);
         const auto add = [&](const QString& heading, const auto& value) {
-            columns.push_back({heading, {}});
+            columns.push_back({before + heading, {}});
             for (std::size_t i = 0; i < curve.y.size(); ++i) {
                 while (shares && common[columns.back().cells.size()] != curve.x[i]) {
                     columns.back().cells.emplace_back();
@@ -423,15 +463,23 @@ QString PlotData::csv(const CsvFormat& format) const {
                 columns.back().cells.push_back(text(value(i), y));
             }
         };
-        const QString heading = curve.style.name.isEmpty() ? y.spec.title
-                                : unit.isEmpty()           ? curve.style.name
-                                                 : curve.style.name + QStringLiteral(", ") + unit;
+        const QString heading = style.name.isEmpty() ? y.spec.title
+                                : unit.isEmpty()     ? style.name
+                                                     : style.name + QStringLiteral(", ") + unit;
         add(heading, [&](std::size_t i) { return curve.y[i]; });
-        if (showsSpread(curve)) {
+        if (before.isEmpty() && showsSpread(curve)) {
             add(heading + QStringLiteral(", 5 %"),
                 [&](std::size_t i) { return curve.y[i] - curve.below[i]; });
             add(heading + QStringLiteral(", 95 %"),
                 [&](std::size_t i) { return curve.y[i] + curve.above[i]; });
+        }
+    };
+    for (const PlotCurve& curve : curves) {
+        if (curve.shown && !curve.x.empty()) {
+            addCurve(curve, curve.style, {});
+        }
+        if (const PlotCurve* ghost = ghostOf(curve)) {
+            addCurve(*ghost, curve.style, referenceName + QStringLiteral(": "));
         }
     }
     std::size_t rows = 0;

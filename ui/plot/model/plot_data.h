@@ -6,6 +6,7 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <QStringList>
+#include <algorithm>
 
 #include "plot/model/plot_scale.h"
 
@@ -38,6 +39,9 @@ struct CurveStyle {
     double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
     bool gaps = false;      ///< the line is broken where a point is not finite
     bool closed = false;    ///< with gaps: the last point goes on in the first
+    /// Of a vector's path: the angle φ that its points share out evenly, from 0, degrees. The
+    /// cursor then reads the nearest point with its φ.
+    double turn = 0.0;
 };
 
 /// A point worth seeing, with a label.
@@ -112,7 +116,14 @@ struct PlotCurve {
         return style.shape == plot::Shape::Line || style.shape == plot::Shape::LineAndPoints;
     }
     bool hasSpread() const { return !below.empty() && below.size() == x.size(); }
-    bool isReadable() const { return shown && texts.size() == static_cast<qsizetype>(x.size()); }
+    bool isReadable() const {
+        return shown && (style.turn > 0.0 || texts.size() == static_cast<qsizetype>(x.size()));
+    }
+    /// φ of a point, degrees.
+    double angleOf(std::size_t point) const {
+        return style.turn * static_cast<double>(point) /
+               static_cast<double>(std::max<std::size_t>(x.size(), 2) - 1);
+    }
 };
 
 /// What a plot shows, without a window: curves, scales, marks, and where they stand in a rectangle
@@ -191,6 +202,12 @@ struct PlotData {
     /// The same at x, between points along straight lines.
     std::optional<std::pair<double, double>> spreadAt(const PlotCurve& curve, double at) const;
 
+    /// The middle of the bars at x, in a plot of bars alone; nothing beside them.
+    std::optional<double> barsAt(double at) const;
+    /// What the cursor reads.
+    std::optional<double> readX() const {
+        return cursorX ? std::optional(barsAt(*cursorX).value_or(*cursorX)) : cursorX;
+    }
     /// The value of a curve at x along the line drawn; nothing outside its data and in gaps.
     std::optional<double> valueAt(const PlotCurve& curve, double at) const;
     /// Points are read, not curves at an x.
@@ -200,7 +217,8 @@ struct PlotData {
     /// The readable point after or before pointRead, in a round; the first or last where none is.
     std::optional<Point> nextPoint(int by) const;
     /// The data of the shown curves as a table: one x, then a column for each curve, empty where it
-    /// has no point there. A curve that goes back and forth in x has its own x beside it.
+    /// has no point there. A curve that goes back and forth in x has its own x beside it. What is
+    /// drawn of the reference stands beside its curve under its name.
     QString csv(const CsvFormat& format) const;
 
   private:
