@@ -278,7 +278,7 @@ void addVariants(Report& report, const SceneModel& model) {
     const QString name = shortened(names[reference]);
     report.items.push_back(
         Paragraph{ReportWords::tr("The results are seen against the variant %1: its curves are "
-                                  "dashed, and Δ is the present value less its value.")
+                                  "pale and wide, and Δ is the present value less its value.")
                       .arg(name)
                       .toHtmlEscaped()});
     const auto differences = inputDifferences(model, model.variantInput(reference));

@@ -37,6 +37,14 @@ QString numberText(double number, const ShownUnit& unit = {}) {
                               : shownFormNumber(unit.factor * number, QLocale(), converted);
 }
 
+constexpr std::size_t few = 12;           ///< values that stand in one cell
+constexpr std::size_t mostPrinted = 400;  ///< rows of a longer list; beyond them its bounds
+
+bool isNumbers(const Json& value) {
+    return value.is_array() && std::all_of(value.begin(), value.end(),
+                                           [](const Json& each) { return each.is_number(); });
+}
+
 bool isRow(const Json& value) {
     return std::all_of(value.begin(), value.end(),
                        [](const Json& each) { return each.is_object(); });
@@ -134,10 +142,7 @@ class Inputs {
 
     /// Few values as they are, many by their number and bounds.
     static QString listText(const Json& list, const ShownUnit& unit) {
-        constexpr std::size_t few = 12;
-        const bool numbers = std::all_of(list.begin(), list.end(),
-                                         [](const Json& each) { return each.is_number(); });
-        if (list.size() > few && numbers) {
+        if (list.size() > few && isNumbers(list)) {
             double least = list.front().get<double>();
             double most = least;
             for (const Json& each : list) {
@@ -175,6 +180,62 @@ class Inputs {
             } else if (value.is_array() && !value.empty() && isRow(value)) {
                 list(value, at, key);
             }
+        }
+        numberLists(json, pointer);
+    }
+
+    /// The long lists of numbers of an object. Those of one length are the columns of one table,
+    /// whose parts stand side by side.
+    void numberLists(const Json& json, const std::string& pointer) {
+        std::map<std::size_t, std::vector<std::string>> byLength;
+        for (const auto& [key, value] : json.items()) {
+            if (isNumbers(value) && value.size() > few && value.size() <= mostPrinted) {
+                byLength[value.size()].push_back(key);
+            }
+        }
+        for (const auto& [length, keys] : byLength) {
+            constexpr std::size_t mostColumns = 8;
+            constexpr std::size_t leastRows = 8;
+            const bool isCounted = keys.size() == 1;  // a list alone: which value it is
+            const std::size_t columns = keys.size() + (isCounted ? 1 : 0);
+            const std::size_t parts = std::clamp<std::size_t>(mostColumns / columns, 1,
+                                                              (length + leastRows - 1) / leastRows);
+            const std::size_t rows = (length + parts - 1) / parts;
+            Table table;
+            QStringList names;
+            for (const std::string& key : keys) {
+                names << nameOf(pointer + "/" + key, key);
+            }
+            table.caption = names.join(QStringLiteral("; "));
+            for (std::size_t part = 0; part < parts; ++part) {
+                if (isCounted) {
+                    table.headings << QStringLiteral("№");
+                    table.numbers << true;
+                }
+                for (const std::string& key : keys) {
+                    const QString unit = unitOf(pointer + "/" + key).name;
+                    const QString name = nameOf(pointer + "/" + key, key);
+                    table.headings << (unit.isEmpty() ? name : name + QStringLiteral(", ") + unit)
+                                          .toHtmlEscaped();
+                    table.numbers << true;
+                }
+            }
+            for (std::size_t row = 0; row < rows; ++row) {
+                QStringList cells;
+                for (std::size_t part = 0; part < parts; ++part) {
+                    const std::size_t at = part * rows + row;
+                    if (isCounted) {
+                        cells << (at < length ? QString::number(at + 1) : QString());
+                    }
+                    for (const std::string& key : keys) {
+                        cells << (at < length ? numberText(json.at(key)[at].get<double>(),
+                                                           unitOf(pointer + "/" + key))
+                                              : QString());
+                    }
+                }
+                table.rows << cells;
+            }
+            lists_.push_back(std::move(table));
         }
     }
 

@@ -216,6 +216,18 @@ TEST_F(ReportInWindow, LeavesThePageAsItWas) {
     Theme::instance().setMode(Theme::Mode::Light);
 }
 
+TEST_F(ReportInWindow, PrintsTheTableOfTheTorque) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    const QString text = fileText(html);
+    for (const char* cells : {"<td class=\"number\">360</td><td class=\"number\">0</td>",
+                              "<td class=\"number\">375</td><td class=\"number\">893</td>",
+                              "<td class=\"number\">720</td><td class=\"number\">0</td>"}) {
+        EXPECT_TRUE(text.contains(QLatin1String(cells))) << cells;
+    }
+}
+
 TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
     ASSERT_EQ(window.openCase(example()), QString());
     const QString html = file(u"report.html"_s);
