@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
@@ -53,7 +54,6 @@ class HelpText : public QTextBrowser {
 }  // namespace
 
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
-    setWindowTitle(tr("Help"));
     setSizeGripEnabled(true);
     resizeWithText(this, 980, 680);
     auto* column = new QVBoxLayout(this);
@@ -64,50 +64,43 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     field_ = new QLineEdit(this);
     field_->setObjectName(QStringLiteral("help-search"));
-    field_->setPlaceholderText(tr("Search all pages (Ctrl+F)"));
-    field_->setAccessibleName(tr("Search in the help"));
     field_->setClearButtonEnabled(true);
     field_->installEventFilter(this);
     row->addWidget(field_, 1);
     count_ = new QLabel(this);
     count_->setObjectName(QStringLiteral("help-count"));
     row->addWidget(count_);
-    const auto button = [&](Qt::ArrowType arrow, const QString& name, const QString& tip, int by) {
+    const auto button = [&](Qt::ArrowType arrow, const QString& name, int by) {
         auto* made = new QToolButton(this);
         made->setArrowType(arrow);
         made->setObjectName(name);
-        made->setToolTip(tip);
-        made->setAccessibleName(tip);
         made->setAutoRaise(true);
         made->setEnabled(false);
         connect(made, &QToolButton::clicked, this, [this, by] { step(by); });
         row->addWidget(made);
         return made;
     };
-    previous_ = button(Qt::UpArrow, QStringLiteral("help-previous"), tr("Previous (Shift+F3)"), -1);
-    next_ = button(Qt::DownArrow, QStringLiteral("help-next"), tr("Next (F3)"), 1);
+    previous_ = button(Qt::UpArrow, QStringLiteral("help-previous"), -1);
+    next_ = button(Qt::DownArrow, QStringLiteral("help-next"), 1);
     column->addLayout(row);
 
     auto* halves = new QSplitter(this);
     halves->setChildrenCollapsible(false);
     list_ = new QListWidget(halves);
     list_->setObjectName(QStringLiteral("help-list"));
-    list_->setAccessibleName(tr("Pages of the help"));
     list_->setWordWrap(true);
     list_->setTextElideMode(Qt::ElideNone);  // a title that wraps is read whole
     list_->setSpacing(2);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_ = new HelpText(halves);
     text_->setFrameShape(QFrame::NoFrame);
-    text_->setAccessibleName(tr("Help"));
     text_->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
     halves->setStretchFactor(1, 1);
     halves->setSizes({Theme::withText(250), Theme::withText(730)});
     column->addWidget(halves, 1);
 
-    readPages();
-    fillList();
-    showPage(topic);
+    topic_ = topic;
+    renew();
     connect(field_, &QLineEdit::textChanged, this, &HelpWindow::search);
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item != nullptr) {
@@ -123,12 +116,39 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     });
     key(Qt::Key_F3, [this] { step(1); });
     key(Qt::SHIFT | Qt::Key_F3, [this] { step(-1); });
-    connect(&Theme::instance(), &Theme::changed, this, [this] {
-        readPages();
-        showPage(topic_);
-        search();
-    });
+    connect(&Theme::instance(), &Theme::changed, this, &HelpWindow::renew);
+    connect(&Preferences::instance(), &Preferences::changed, this, &HelpWindow::renew,
+            Qt::QueuedConnection);
     text_->setFocus();
+}
+
+void HelpWindow::goTo(const QString& topic) {
+    field_->clear();
+    showPage(topic);
+    show();
+    raise();
+    activateWindow();
+}
+
+void HelpWindow::renew() {
+    setWindowTitle(tr("Help"));
+    text_->setAccessibleName(tr("Help"));
+    list_->setAccessibleName(tr("Pages of the help"));
+    field_->setPlaceholderText(tr("Search all pages (Ctrl+F)"));
+    field_->setAccessibleName(tr("Search in the help"));
+    const auto name = [](QToolButton* button, const QString& tip) {
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+    };
+    name(previous_, tr("Previous (Shift+F3)"));
+    name(next_, tr("Next (F3)"));
+    const int place = text_->verticalScrollBar()->value();
+    readPages();
+    showPage(topic_);
+    search();
+    if (field_->text().trimmed().isEmpty()) {
+        text_->verticalScrollBar()->setValue(place);
+    }
 }
 
 HelpWindow::~HelpWindow() {
@@ -137,6 +157,8 @@ HelpWindow::~HelpWindow() {
 
 /// Read while nothing shows them: a document in view is laid out anew at every paragraph.
 void HelpWindow::readPages() {
+    text_->setExtraSelections({});  // they hold on to the pages that go
+    hit_ = nullptr;
     text_->setDocument(nullptr);
     pages_.clear();
     for (const QString& topic : helpTopics()) {

@@ -24,6 +24,8 @@ class HelpWindow : public QDialog {
     ~HelpWindow() override;
 
     QString topic() const { return topic_; }
+    /// Comes to the front with this page.
+    void goTo(const QString& topic);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -36,6 +38,8 @@ class HelpWindow : public QDialog {
         std::vector<HelpHit> hits;
     };
 
+    /// In the present language and theme.
+    void renew();
     void readPages();
     void showPage(const QString& topic);
     void search();

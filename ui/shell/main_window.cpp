@@ -837,6 +837,10 @@ void MainWindow::fillRecentFiles() {
 }
 
 void MainWindow::showHelp(const QString& topic) {
+    if (auto* open = findChild<HelpWindow*>(QString(), Qt::FindDirectChildrenOnly)) {
+        open->goTo(topic);
+        return;
+    }
     auto* window = new HelpWindow(topic, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->show();

@@ -15,6 +15,7 @@
 #include "shell/scene_page.h"
 #include "shell/whats_this.h"
 #include "text/language.h"
+#include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/result_table.h"
@@ -115,6 +116,38 @@ TEST_F(HelpSearch, SaysWhenThereIsNothing) {
     EXPECT_FALSE(test::named<QToolButton>(help, "help-next")->isEnabled());
     QTest::keyClick(&help, Qt::Key_F3);
     EXPECT_EQ(help.topic(), u"keys"_s);
+}
+
+TEST_F(HelpSearch, FollowsLanguageAndTheme) {
+    installLanguage(u"ru"_s);
+    Preferences::instance().tell();
+    QApplication::processEvents();
+    EXPECT_EQ(help.windowTitle(), u"Справка"_s);
+    EXPECT_EQ(list->currentItem()->text(), u"Клавиши и мышь"_s);
+    EXPECT_TRUE(field->placeholderText().contains(u"Ctrl+F"_s));
+    EXPECT_FALSE(field->placeholderText().contains(u"Search"_s));
+    EXPECT_EQ(help.topic(), u"keys"_s);
+    EXPECT_FALSE(text->toPlainText().contains(u"Keys and mouse"_s));
+    installLanguage(u"en"_s);
+    Preferences::instance().tell();
+    QApplication::processEvents();
+    EXPECT_EQ(list->currentItem()->text(), u"Keys and mouse"_s);
+    field->setText(u"wheel"_s);
+    Theme::instance().setMode(Theme::Mode::Dark);
+    EXPECT_EQ(present().toLower(), u"wheel"_s);
+    EXPECT_EQ(text->palette().color(QPalette::Base), Theme::instance().panel());
+    Theme::instance().setMode(Theme::Mode::Light);
+}
+
+// The list measures a title as it draws it: none is cut where it wraps.
+TEST_F(HelpSearch, TitlesOfPagesAreReadWhole) {
+    for (int i = 0; i < list->count(); ++i) {
+        const QRect row = list->visualItemRect(list->item(i));
+        constexpr int beside = 12;
+        const QRect needed = list->fontMetrics().boundingRect(
+            QRect(0, 0, row.width() - beside, 1000), Qt::TextWordWrap, list->item(i)->text());
+        EXPECT_GE(row.height(), needed.height()) << list->item(i)->text().toStdString();
+    }
 }
 
 TEST(HelpPages, LeaveRoomBetweenParagraphsAndShowTheirFigures) {
