@@ -209,7 +209,7 @@ void ValidationView::showReason() {
 }
 
 void ValidationView::measure() {
-    constexpr int padding = 12;
+    const int padding = Theme::withText(12);
     const QFontMetrics headings = table_->horizontalHeader()->fontMetrics();
     for (int column = 0; column < ValidationModel::Columns; ++column) {
         const QString heading = model_->headerData(column, Qt::Horizontal).toString();

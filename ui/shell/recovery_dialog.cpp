@@ -59,10 +59,11 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             row->setToolTip(1, path);
         }
         list_->header()->setStretchLastSection(false);
-        list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+        list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
         list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
         list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
         list_->setCurrentItem(list_->topLevelItem(0));
+        list_->viewport()->installEventFilter(this);
         column->addWidget(list_, 1);
     }
     for (const QString& file : found.damaged) {
@@ -111,6 +112,18 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     })->setToolTip(cases_.isEmpty() ? QString() : tr("Ask again at the next start"));
     column->addLayout(buttons);
     resizeWithText(this, 640, cases_.isEmpty() ? 140 : 320);
+}
+
+/// The name has the room that the file leaves, and half of it at least.
+bool RecoveryDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && watched == list_->viewport()) {
+        const QAbstractItemView* list = list_;
+        const int room = list_->viewport()->width() - list_->header()->sectionSize(2);
+        list_->header()->resizeSection(
+            0, std::min(list->sizeHintForColumn(0),
+                        std::max(room / 2, room - list->sizeHintForColumn(1))));
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 QList<RecoveredCase> RecoveryDialog::takeTicked() {

@@ -19,6 +19,9 @@ class RecoveryDialog : public QDialog {
     void restored(const RecoveredCase& recovered);
     void thrownAway(const RecoveredCase& recovered);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     /// Takes the ticked cases out of the list; closes where none is left.
     QList<RecoveredCase> takeTicked();

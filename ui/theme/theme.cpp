@@ -61,6 +61,8 @@ class DenseTabs : public QProxyStyle {
             case PM_ButtonIconSize:
                 return std::max(Theme::withText(16),
                                 QProxyStyle::pixelMetric(metric, option, widget));
+            case PM_HeaderMargin:  // headings beside each other stay apart
+                return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(4);
             case PM_MenuButtonIndicator:
                 return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(12);
             case PM_SliderLength:

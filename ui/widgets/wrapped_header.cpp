@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 namespace {
 
-constexpr int margins = 6;  ///< pixels beside a heading
+constexpr int leastMargins = 6;  ///< pixels beside a heading
+int margins() {
+    return std::max(leastMargins, Theme::withText(leastMargins));
+}
 
 /// Where a heading may go on: no sign and no unit stands alone.
 QStringList wordsOf(const QString& heading) {
@@ -52,12 +57,12 @@ int WrappedHeader::widthOf(const QString& heading, bool wraps) const {
     for (const QString& part : parts) {
         width = std::max(width, fontMetrics().horizontalAdvance(part));
     }
-    return width;
+    return width + margins() - leastMargins;
 }
 
 QStringList WrappedHeader::linesOf(int section) const {
     const QString text = model()->headerData(section, Qt::Horizontal).toString();
-    const int room = sectionSize(section) - margins;
+    const int room = sectionSize(section) - margins();
     const QFontMetrics metrics = fontMetrics();
     if (metrics.horizontalAdvance(text) <= room) {
         return {text};
