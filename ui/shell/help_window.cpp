@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QSvgRenderer>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -51,6 +52,23 @@ class HelpText : public QTextBrowser {
     }
 };
 
+/// Titles wrap in the width of the list; its own measure takes another one than it draws in.
+class WrappedTitles : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem item = option;
+        initStyleOption(&item, index);
+        const auto* list = static_cast<const QListView*>(item.widget);
+        const int row = list->viewport()->width() - 2 * list->spacing();
+        const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2;
+        const QRect room(0, 0, std::max(1, row - 2 * margin), QWIDGETSIZE_MAX);
+        const QRect used = item.fontMetrics.boundingRect(room, Qt::TextWordWrap, item.text);
+        return {row, used.height() + 1};
+    }
+};
+
 }  // namespace
 
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
@@ -89,6 +107,8 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     list_ = new QListWidget(halves);
     list_->setObjectName(QStringLiteral("help-list"));
     list_->setWordWrap(true);
+    list_->setItemDelegate(new WrappedTitles(list_));
+    list_->setResizeMode(QListView::Adjust);
     list_->setTextElideMode(Qt::ElideNone);  // a title that wraps is read whole
     list_->setSpacing(2);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
