@@ -304,6 +304,14 @@
         <source>another crankshaft</source>
         <translation>другой вал</translation>
     </message>
+    <message>
+        <source>%1 ∠ %2 at %3</source>
+        <translation>%1 ∠ %2 при %3</translation>
+    </message>
+    <message>
+        <source>The machine read %1 and %2; measured is what that is in the planes.</source>
+        <translation>Станок показал %1 и %2; «измерено» — это в плоскостях коррекции.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -533,10 +541,6 @@
     <message>
         <source>Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses in grams, radii in millimetres</source>
         <translation>Ravnoves %1 · метод: А. Д. Назаров, формулы (3)–(24) · массы в граммах, радиусы в миллиметрах</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>Не удалось записать %1: %2</translation>
     </message>
     <message>
         <source>Weights of the parts by cylinder, %1</source>
@@ -2025,6 +2029,22 @@
         <source>is required where %1 is &quot;weigh-in&quot;</source>
         <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
     </message>
+    <message>
+        <source>The crankpins are unequal: their excess is %1 to %2. The answer is for their mean.</source>
+        <translation>Шатунные шейки неодинаковы: избыток от %1 до %2. Ответ дан для среднего.</translation>
+    </message>
+    <message>
+        <source>Sets moved as sheet 3 says leave a spread of %1.</source>
+        <translation>После перестановки комплектов по листу 3 разброс останется %1.</translation>
+    </message>
+    <message>
+        <source>After would equal nominal, but this cannot be made.</source>
+        <translation>После было бы равно номиналу, но изготовить это нельзя.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
+        <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
@@ -2274,11 +2294,11 @@
     </message>
     <message>
         <source>Heat released per cycle; instead of the IMEP.</source>
-        <translation>Теплота, выделенная за цикл; вместо p_i.</translation>
+        <translation>Теплота, выделенная за цикл; вместо pᵢ.</translation>
     </message>
     <message>
         <source>I&amp;MEP</source>
-        <translation>Давл&amp;ение p_i</translation>
+        <translation>Давл&amp;ение pᵢ</translation>
     </message>
     <message>
         <source>&amp;Start of combustion</source>
@@ -4429,6 +4449,62 @@
     <message>
         <source>needs more memory than there is</source>
         <translation>требует больше памяти, чем есть</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>нет такого файла или каталога</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>нет прав доступа</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>операция не разрешена</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>на диске нет места</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>исчерпана квота на диске</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>диск доступен только для чтения</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>это каталог</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>это не каталог</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>слишком длинное имя файла</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>слишком большой файл</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>устройство занято</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>слишком много вложенных ссылок</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>открыто слишком много файлов</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>ошибка ввода-вывода</translation>
     </message>
 </context>
 <context>
@@ -8805,6 +8881,26 @@ but nothing can be built</source>
         <source>moment Σ z exp(iκ) = %1 at %2; opposite: %3 against the rotation</source>
         <translation>момент Σ z exp(iκ) = %1 под углом %2; противоположно: %3 против вращения</translation>
     </message>
+    <message>
+        <source>size, mm</source>
+        <translation>величина, мм</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>crankpin %1</source>
+        <translation>шейка %1</translation>
+    </message>
+    <message>
+        <source>force Σ exp(iκ)</source>
+        <translation>сила Σ exp(iκ)</translation>
+    </message>
+    <message>
+        <source>moment Σ z exp(iκ)</source>
+        <translation>момент Σ z exp(iκ)</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::CycleView</name>
@@ -9117,6 +9213,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The file chosen for %1 does not do.</source>
         <translation>Файл, выбранный вместо %1, не подходит.</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>Закрыть задачу</translation>
     </message>
 </context>
 <context>
@@ -11411,10 +11511,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Журнал %1 повреждён, и его не удалось отложить; ничего не изменено.</translation>
     </message>
     <message>
-        <source>The job could not be saved.</source>
-        <translation>Работу не удалось сохранить.</translation>
-    </message>
-    <message>
         <source>The job could not be read.</source>
         <translation>Работу не удалось прочесть.</translation>
     </message>
@@ -11455,10 +11551,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Двигатели не удалось прочесть.</translation>
     </message>
     <message>
-        <source>%1 could not be written.</source>
-        <translation>Не удалось записать %1.</translation>
-    </message>
-    <message>
         <source>The engine could not be renamed.</source>
         <translation>Двигатель не удалось переименовать.</translation>
     </message>
@@ -11489,6 +11581,30 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>another program is writing to the journal</source>
         <translation>в журнал пишет другая программа</translation>
+    </message>
+    <message>
+        <source>The job could not be saved: the journal keeps nothing of it.</source>
+        <translation>Задание не сохранено: в журнале от него ничего нет.</translation>
+    </message>
+    <message>
+        <source>there is no space left on the disk</source>
+        <translation>на диске нет места</translation>
+    </message>
+    <message>
+        <source>the journal may only be read</source>
+        <translation>журнал доступен только для чтения</translation>
+    </message>
+    <message>
+        <source>the disk does not read or write it</source>
+        <translation>диск не читается или не пишется</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>файл не открывается</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>файл повреждён</translation>
     </message>
 </context>
 <context>
@@ -13241,10 +13357,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Хранятся рядом с текущими исходными данными: %1.</translation>
     </message>
     <message>
-        <source>The results are seen against the variant %1: its curves are dashed, and Δ is the present value less its value.</source>
-        <translation>Результаты сопоставлены с вариантом %1: его кривые штриховые, а Δ — текущее значение минус его значение.</translation>
-    </message>
-    <message>
         <source>The present input is that of %1.</source>
         <translation>Текущие исходные данные те же, что у %1.</translation>
     </message>
@@ -13331,6 +13443,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>, not numbered there</source>
         <translation>, там без номера</translation>
+    </message>
+    <message>
+        <source>The results are seen against the variant %1: its curves are pale and wide, and Δ is the present value less its value.</source>
+        <translation>Результаты сопоставлены с вариантом %1: его кривые бледные и широкие, а Δ — текущее значение минус его значение.</translation>
     </message>
 </context>
 <context>
@@ -14758,6 +14874,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>%1 at %2 – cannot be built.</source>
         <translation>%1 при %2 — построить нельзя.</translation>
     </message>
+    <message>
+        <source>Against %1 here: range %2; RMS %3; box %4</source>
+        <translation>По сравнению с %1 здесь: размах %2; СКЗ %3; габарит %4</translation>
+    </message>
+    <message>
+        <source>Best place of %1: %2 at %3</source>
+        <translation>Лучшее место у %1: %2 при %3</translation>
+    </message>
+    <message>
+        <source>; against it %1.</source>
+        <translation>; по сравнению с ним %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShaftMapPlot</name>
@@ -15034,6 +15162,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>m %1</source>
         <translation>m %1</translation>
     </message>
+    <message>
+        <source>mρ, g·mm</source>
+        <translation>mρ, г·мм</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>вал</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>фаза, °</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <translation>включён</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SheetForm</name>
@@ -15237,7 +15381,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
-        <translation>&amp;Нагрузка, p_i</translation>
+        <translation>&amp;Нагрузка, pᵢ</translation>
     </message>
     <message>
         <source>bar</source>
@@ -16199,6 +16343,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Parts as weighed</source>
         <translation>Детали как взвешены</translation>
+    </message>
+    <message>
+        <source>Excess Δmᵤ: %1, %2, the mean of unequal crankpins</source>
+        <translation>Избыток Δmᵤ: %1, %2, среднее неодинаковых шеек</translation>
     </message>
 </context>
 <context>

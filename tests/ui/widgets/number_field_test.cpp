@@ -170,7 +170,7 @@ class ValueSliderTest : public ::testing::Test {
 
 TEST(NumberText, AUnitThatIsTypedIsConverted) {
     const auto typed = [](const char16_t* text, const char16_t* unit) {
-        return readTypedNumber(QString(text), QString(unit)).value.value_or(0.0);
+        return readTypedNumber(QString::fromUtf16(text), QString::fromUtf16(unit)).value.value_or(0.0);
     };
     EXPECT_NEAR(typed(u"300 rad/s", u"min⁻¹"), 300.0 * 30.0 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(typed(u"1 rad", u"°"), 180.0 / std::numbers::pi, 1e-12);
