@@ -60,7 +60,8 @@ struct ResultRow : QVector<ResultCell> {
 
     QStringList texts() const { return {begin(), end()}; }
 
-    QString tip;  ///< what the result is, with its formula
+    QString tip;   ///< what the result is, with its formula
+    QString name;  ///< by which a reference has it; empty: the text of the first cell
 };
 using ResultRows = QVector<ResultRow>;
 

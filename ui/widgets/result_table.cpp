@@ -272,7 +272,8 @@ QStringList ResultTable::differenceAt(int row, int column) const {
 
 int ResultTable::rowInReference(int row) const {
     const auto name = [](const ResultTable& table, int at) {
-        return table.rows_.value(at).value(0).text;
+        const ResultRow row = table.rows_.value(at);
+        return row.name.isEmpty() ? row.value(0).text : row.name;
     };
     const QString wanted = name(*this, row);
     if (row < reference_->rowCount() && name(*reference_, row) == wanted) {

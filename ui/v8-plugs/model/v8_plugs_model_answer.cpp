@@ -168,6 +168,7 @@ Results V8PlugsModel::optionResults(bool isShort) const {
              words_.cell(option->residual_mass, gram, 3),
              words_.cell(option->residual_unbalance, gram_mm, 1)},
             optionTip(*option));
+        rows.last().name = name;  // whatever its mark
     }
     return results;
 }
