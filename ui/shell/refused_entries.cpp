@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QMap>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -87,14 +88,30 @@ QStringList refusedInputs(const QWidget* part) {
     return refusedOf(part, true);
 }
 
+namespace {
+
+/// A page of another size has its sections in another order.
+QMap<QString, QList<EntryField*>> fieldsByName(const ScenePage& page) {
+    QMap<QString, QList<EntryField*>> fields;
+    for (EntryField* field : entriesOfPage(&page)) {
+        fields[field->objectName()] << field;
+    }
+    return fields;
+}
+
+}  // namespace
+
 Json refusedTexts(const ScenePage& page) {
     Json texts;
-    const auto fields = entriesOfPage(&page);
-    for (qsizetype i = 0; i < fields.size(); ++i) {
-        if (!fields[i]->trouble().isEmpty()) {
-            texts.push_back({{"field", fields[i]->objectName().toStdString()},
-                             {"place", i},
-                             {"text", fields[i]->text().toStdString()}});
+    const auto byName = fieldsByName(page);
+    for (auto each = byName.cbegin(); each != byName.cend(); ++each) {
+        const QList<EntryField*>& fields = each.value();
+        for (qsizetype i = 0; i < fields.size(); ++i) {
+            if (!fields[i]->trouble().isEmpty()) {
+                texts.push_back({{"field", each.key().toStdString()},
+                                 {"place", i},
+                                 {"text", fields[i]->text().toStdString()}});
+            }
         }
     }
     const auto tables = page.findChildren<TableEditor*>();
@@ -111,18 +128,18 @@ void typeAgain(ScenePage& page, const Json& texts) {
         return;
     }
     SceneModel& model = *page.model();
-    const auto fields = entriesOfPage(&page);
+    const auto fields = fieldsByName(page);
     const auto tables = page.findChildren<TableEditor*>();
     for (const Json& each : texts) {
         const int steps = model.history()->index();
-        const auto place = each.value(each.contains("table") ? "table" : "place", qsizetype{-1});
-        if (place < 0 || place >= (each.contains("table") ? tables.size() : fields.size())) {
-            continue;  // a copy of another version of the program
-        }
+        // What is not there is of a copy of another version of the program.
         if (each.contains("table")) {
-            tables[place]->table()->bringRefused(each.value("cells", Json()));
-        } else if (fields[place]->objectName().toStdString() == each.value("field", "")) {
-            fields[place]->typeAgain(QString::fromStdString(each.value("text", "")));
+            if (TableEditor* table = tables.value(each.value("table", qsizetype{-1}))) {
+                table->table()->bringRefused(each.value("cells", Json()));
+            }
+        } else if (EntryField* field = fields.value(QString::fromStdString(each.value("field", "")))
+                                           .value(each.value("place", qsizetype{-1}))) {
+            field->typeAgain(QString::fromStdString(each.value("text", "")));
         }
         while (model.history()->index() > steps) {
             model.undo();

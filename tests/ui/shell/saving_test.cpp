@@ -27,6 +27,7 @@
 #include "shell/screenshot.h"
 #include "text/file_path.h"
 #include "text/preferences.h"
+#include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/number_field.h"
 #include "widgets/table_editor.h"
@@ -240,6 +241,7 @@ TEST_F(SavingTest, WhatIsRefusedStaysWhereThePageIsMadeAnew) {
         return window.currentPage()->findChild<TableEditor*>()->view()->model()->index(row, column);
     };
     const QString torque = cell(2, 1).data(Qt::EditRole).toString();
+    const QString other = cell(3, 1).data(Qt::EditRole).toString();
     refuse("crank_radius_mm", "-5");
     auto* cells = window.currentPage()->findChild<TableEditor*>()->view()->model();
     cells->setData(cell(5, 1), QStringLiteral("abc"));
@@ -249,11 +251,22 @@ TEST_F(SavingTest, WhatIsRefusedStaysWhereThePageIsMadeAnew) {
     EXPECT_FALSE(radius()->trouble().isEmpty());
     EXPECT_EQ(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
     EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), torque);
-    // In other units too: what the cells hold is as large as before.
+    // A page of another size has its fields in another order.
+    for (const double size : {1.5, 1.0}) {
+        Theme::instance().setTextScale(size);
+        Preferences::instance().tell();
+        QApplication::processEvents();
+        EXPECT_EQ(radius()->text(), QStringLiteral("-5")) << size;
+        EXPECT_FALSE(radius()->trouble().isEmpty()) << size;
+    }
+    // In other units too what the cells hold is as large as before, those typed before too.
+    auto* now = window.currentPage()->findChild<TableEditor*>()->view()->model();
+    now->setData(cell(2, 1), QStringLiteral("200"));
     Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Imperial);
     QApplication::processEvents();
     EXPECT_EQ(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
-    EXPECT_NEAR(cell(2, 1).data(Qt::EditRole).toString().toDouble(), torque.toDouble() * 0.737562,
+    EXPECT_NEAR(cell(2, 1).data(Qt::EditRole).toString().toDouble(), 200.0 * 0.737562, 1e-3);
+    EXPECT_NEAR(cell(3, 1).data(Qt::EditRole).toString().toDouble(), other.toDouble() * 0.737562,
                 1e-3);
     Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Own);
     QApplication::processEvents();

@@ -62,25 +62,26 @@ ResultRows ForcesModel::gearRows(const balance_shaft::GearError& error) {
     const auto angle = [](double radians, int digits) {
         return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
     };
-    const auto moments = [](double one, const QString& sign, double other, int digits) {
-        return shownDigits(one, units::N_m, digits) + sign + shownDigits(other, units::N_m, digits);
+    const auto moments = [](double one, const QString& pattern, double other, int digits) {
+        return ResultCell::two(pattern, shownCell(one, units::N_m, digits),
+                               shownCell(other, units::N_m, digits));
     };
-    const QString to = QStringLiteral(" → ");
+    const QString to = QStringLiteral("%1 → %2");
     const QString momentUnit = shownUnit(units::N_m).name;
     const QString degrees = QStringLiteral("°");
-    return {
-        {{tr("phase error"), angle(error.phase_error, 2), degrees}, tr("360° k / z")},
-        shownRow(tr("force left"), error.residual_force, units::newton, 0,
-                 tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
-        {{tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
-         tr("ΔMᵤₚₛ, shaft in its right place → k teeth out")},
-        {{tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
-         tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out")},
-        {{tr("play, ±"), angle(error.play, 3), degrees},
-         tr("The shaft wanders this far to either side: play / l")},
-        {{tr("range in play"),
-          moments(error.play_range_low, QStringLiteral("…"), error.play_range_high, 0), momentUnit},
-         tr("Least and largest ΔMᵤₚₛ while the shaft wanders")}};
+    return {{{tr("phase error"), angle(error.phase_error, 2), degrees}, tr("360° k / z")},
+            shownRow(tr("force left"), error.residual_force, units::newton, 0,
+                     tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
+            {{tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
+             tr("ΔMᵤₚₛ, shaft in its right place → k teeth out")},
+            {{tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
+             tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out")},
+            {{tr("play, ±"), angle(error.play, 3), degrees},
+             tr("The shaft wanders this far to either side: play / l")},
+            {{tr("range in play"),
+              moments(error.play_range_low, QStringLiteral("%1…%2"), error.play_range_high, 0),
+              momentUnit},
+             tr("Least and largest ΔMᵤₚₛ while the shaft wanders")}};
 }
 
 }  // namespace ravnoves

@@ -53,7 +53,7 @@ std::optional<double> TorqueTableModel::torqueOf(const Row& row) {
         return row.torque;
     }
     const auto shown = readFormNumber(*row.typed->torque);
-    return shown ? std::optional(*shown * shownAs(units::N_m)) : std::nullopt;
+    return shown ? std::optional(*shown * row.typed->unit) : std::nullopt;
 }
 
 /// The row's own text stands for all digits of its number.
@@ -62,6 +62,7 @@ void TorqueTableModel::type(Row& row, int column, const QString& text) {
         row.typed = std::make_unique<Typed>();
     }
     auto& cell = column == CrankAngle ? row.typed->angle : row.typed->torque;
+    row.typed->unit = shownAs(units::N_m);
     cell = text == ownText(row, column) ? std::nullopt : std::optional(text);
 }
 

@@ -72,6 +72,7 @@ class TorqueTableModel : public EditableTable {
     struct Typed {
         std::optional<QString> angle;
         std::optional<QString> torque;
+        Unit unit = units::N_m;  ///< that the torque was typed in
     };
     /// Texts are made when they are seen: a table may have a million rows.
     struct Row {
