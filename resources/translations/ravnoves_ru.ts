@@ -2045,6 +2045,10 @@
         <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
         <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
     </message>
+    <message>
+        <source>Typed on sheet 1, but the weights are to count, and no column of them is whole yet: %1.</source>
+        <translation>Введено на листе 1, но считаются взвешивания, а ни одна их колонка ещё не полна: %1.</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>

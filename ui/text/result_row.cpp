@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/range.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -107,6 +108,8 @@ QString signedPercent(double value, double reference) {
     const double percent = 100.0 * value / std::abs(reference);
     const QString shown = std::abs(percent) < 1000.0
                               ? fixedDecimals(percent, std::abs(percent) < 99.95 ? 1 : 0, QLocale())
+                          : std::abs(percent) < 1e6
+                              ? fixedDecimals(rounded_to(percent, 3), 0, QLocale())
                               : formNumber(percent, QLocale(), 3);
     return (std::abs(percent) < 0.05 ? QStringLiteral("0") : withSign(percent, shown)) +
            QStringLiteral("\u00A0%");

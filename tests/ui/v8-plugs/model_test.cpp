@@ -206,6 +206,18 @@ TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
               u"Typed, but replaced by the weights: improved piston Δmₚᵢ 1.00\u00A0g."_s);
 }
 
+TEST_F(V8ModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});  // big end 0.5 g, shells 1.1 g
+    model.editWeights(u"weigh"_s,
+                      [](WeighIn& sheet) { sheet[Part::piston].mass.fill(619.875 * gram); });
+    ASSERT_TRUE(model.input().changes_from_weigh_in);
+    EXPECT_FALSE(model.solution().advice);
+    EXPECT_TRUE(model.notCounted().at(0).startsWith(
+        u"Typed on sheet 1, but the weights are to count, and no column of them is whole yet: "_s))
+        << qPrintable(model.notCounted().at(0));
+}
+
 TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
     V8PlugsModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});  // big end 0.5 g, shells 1.1 g

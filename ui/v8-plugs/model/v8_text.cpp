@@ -79,7 +79,11 @@ QStringList typedBesideWeights(const Words& words, const Input& input) {
                     .arg(replaced.join(QStringLiteral(", ")));
     }
     if (!kept.isEmpty()) {
-        list << words.translate("V8", "Not weighed, so what was typed counts: %1.")
+        list << (input.changes_known()
+                     ? words.translate("V8", "Not weighed, so what was typed counts: %1.")
+                     : words.translate("V8",
+                                       "Typed on sheet 1, but the weights are to count, and no "
+                                       "column of them is whole yet: %1."))
                     .arg(kept.join(QStringLiteral(", ")));
     }
     return list;
@@ -102,8 +106,8 @@ QStringList notCounted(const Words& words, const Input& input) {
         }
         const QString name = partName(words, part);
         const auto change = change_of(part, input.process);
-        const bool typed =
-            change != nullptr && input.takes_typed(change) && input.typed_changes.*change != 0.0;
+        const bool typed = change != nullptr && input.changes_known() &&
+                           input.takes_typed(change) && input.typed_changes.*change != 0.0;
         gaps << (!column.nominal
                      ? words.translate("V8", "%1: the weights do not count without a nominal mass.")
                            .arg(name)
