@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QtMath>
@@ -573,7 +574,17 @@ void ResultTable::setSmall(bool isSmall) {
     fitted_ = false;
 }
 
+namespace {
+/// Whose columns are being fitted: a scroll bar that comes or goes resizes the table meanwhile, and
+/// two ways that call for one another would never end.
+const ResultTable* fitting = nullptr;
+}  // namespace
+
 void ResultTable::fitColumns() {
+    if (fitting == this) {
+        return;
+    }
+    const QScopedValueRollback<const ResultTable*> present(fitting, this);
     wrapHeadings();
     const QList<std::pair<int, int>> needed = neededWidths();
     int sum = 0;
