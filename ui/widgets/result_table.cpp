@@ -7,7 +7,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
-#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QtMath>
@@ -574,17 +573,7 @@ void ResultTable::setSmall(bool isSmall) {
     fitted_ = false;
 }
 
-namespace {
-/// Whose columns are being fitted: a scroll bar that comes or goes resizes the table meanwhile, and
-/// two ways that call for one another would never end.
-const ResultTable* fitting = nullptr;
-}  // namespace
-
 void ResultTable::fitColumns() {
-    if (fitting == this) {
-        return;
-    }
-    const QScopedValueRollback<const ResultTable*> present(fitting, this);
     wrapHeadings();
     const QList<std::pair<int, int>> needed = neededWidths();
     int sum = 0;
@@ -624,7 +613,11 @@ void ResultTable::fitStretched() {
         least << leastOfWords(*this, column);
         wanted += least.last();
     }
-    const bool over = wanted > viewport()->width();
+    // The viewport has still the room that the bars of before leave it.
+    const QSize whole = maximumViewportSize();
+    const bool isTall = verticalHeader()->length() > whole.height();
+    const int room = whole.width() - (isTall ? verticalScrollBar()->sizeHint().width() : 0);
+    const bool over = wanted > room;
     if (over != isOver_) {
         isOver_ = over;
         setHorizontalScrollBarPolicy(over ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);

@@ -55,6 +55,32 @@ TEST_F(ResultTableTest, ValuesThatMoveAtOneWidthLayItOutOnce) {
     EXPECT_TRUE(differencesInColumns());
 }
 
+/// A bar at the side takes room from the columns, and one below from the rows.
+TEST(WideResultTable, TwoScrollBarsThatWouldCallForOneAnotherComeToAnEnd) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"Value"_s, u"Unit"_s});
+    table.horizontalHeader()->hide();
+    ResultRows rows;
+    for (int row = 0; row < 14; ++row) {
+        rows << ResultRow{u"Moment error from 70.5 µm"_s, u"34996.54 (23863.6 %)"_s, u"N·m"_s};
+    }
+    const int height = [&] {
+        table.setRows(rows);
+        return table.verticalHeader()->length();
+    }();
+    for (int width = 250; width < 350; ++width) {
+        for (const int below : {0, 16}) {  // with room for a bar, and without
+            test::showAt(table, {width, height + below});
+            for (const QString& value : {u"1"_s, u"34996.54 (23863.6 %)"_s, u"1"_s}) {
+                rows[4][1] = ResultCell(value);
+                table.setRows(rows);
+            }
+        }
+    }
+    QApplication::processEvents();
+    EXPECT_EQ(table.rowCount(), 14);
+}
+
 TEST(WideResultTable, NamesThatBeginAlikeAreToldApart) {
     ResultTable table;
     table.setColumns({u"Option"_s, u"constant, g"_s, u"slope"_s, u"limit, g"_s, u"remove, g"_s});
