@@ -51,9 +51,13 @@ Json EditableTable::refusedState() const {
 }
 
 void EditableTable::bringRefused(const Json& state) {
+    std::vector<std::pair<QModelIndex, QString>> cells;
     for (const Json& cell : state) {
-        setData(index(cell.at(0), cell.at(1)),
-                QString::fromStdString(cell.at(2).get<std::string>()));
+        cells.emplace_back(index(cell.at(0).get<int>(), cell.at(1).get<int>()),
+                           QString::fromStdString(cell.at(2).get<std::string>()));
+    }
+    for (const auto& [at, text] : cells) {
+        setData(at, text);
     }
 }
 

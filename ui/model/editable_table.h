@@ -49,6 +49,7 @@ class EditableTable : public QAbstractTableModel {
     /// What is refused in it, as data for another table over the same model; null where nothing is.
     virtual Json refusedState() const;
     /// Shows that again, where it is refused again.
+    /// @throws Json::exception for what is no such data; nothing of it is shown then
     virtual void bringRefused(const Json& state);
     /// The model holds another state as a whole: nothing is refused any more.
     virtual void forgetRefused() {}

@@ -124,22 +124,24 @@ Json refusedTexts(const ScenePage& page) {
 }
 
 void typeAgain(ScenePage& page, const Json& texts) {
-    if (!texts.is_array()) {
-        return;
-    }
     SceneModel& model = *page.model();
     const auto fields = fieldsByName(page);
     const auto tables = page.findChildren<TableEditor*>();
     for (const Json& each : texts) {
         const int steps = model.history()->index();
-        // What is not there is of a copy of another version of the program.
-        if (each.contains("table")) {
-            if (TableEditor* table = tables.value(each.value("table", qsizetype{-1}))) {
-                table->table()->bringRefused(each.value("cells", Json()));
+        try {
+            // What is not there is of a copy of another version of the program.
+            if (each.contains("table")) {
+                if (TableEditor* table = tables.value(each.at("table").get<qsizetype>())) {
+                    table->table()->bringRefused(each.at("cells"));
+                }
+            } else if (EntryField* field =
+                           fields.value(QString::fromStdString(each.at("field").get<std::string>()))
+                               .value(each.at("place").get<qsizetype>())) {
+                field->typeAgain(QString::fromStdString(each.at("text").get<std::string>()));
             }
-        } else if (EntryField* field = fields.value(QString::fromStdString(each.value("field", "")))
-                                           .value(each.value("place", qsizetype{-1}))) {
-            field->typeAgain(QString::fromStdString(each.value("text", "")));
+        } catch (const Json::exception&) {
+            // A copy that is damaged here still holds its case.
         }
         while (model.history()->index() > steps) {
             model.undo();

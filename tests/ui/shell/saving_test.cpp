@@ -23,6 +23,7 @@
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
@@ -277,6 +278,27 @@ TEST_F(SavingTest, WhatIsRefusedStaysWhereThePageIsMadeAnew) {
     EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), torque);
     EXPECT_NE(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
     EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(SavingTest, ADamagedCopyOfWhatWasRefusedChangesNothing) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    ScenePage& page = *window.currentPage();
+    const Json before = model().inputJson();
+    typeAgain(page, parse_json(R"([7, null, "text", {}, {"table": "first"}, {"table": 99},
+        {"table": 0, "cells": [[0, 1], 3]}, {"table": -1, "cells": []}, {"table": 0, "cells": 5},
+        {"field": 3, "place": 0, "text": "x"}, {"field": "crank_radius_mm", "place": -1, "text": "x"},
+        {"field": "crank_radius_mm", "place": 0, "text": 9}, {"field": "nobody", "place": 0,
+        "text": "x"}])"));
+    typeAgain(page, parse_json(R"({"field": {"place": 1}})"));
+    typeAgain(page, Json());
+    EXPECT_EQ(refusedTexts(page), Json());
+    EXPECT_EQ(model().inputJson(), before);
+    EXPECT_FALSE(window.isWindowModified());
+    // What another version of the program would take is no step either.
+    typeAgain(page, parse_json(R"([{"field": "crank_radius_mm", "place": 0, "text": "50"}])"));
+    EXPECT_EQ(model().inputJson(), before);
+    EXPECT_EQ(test::named<NumberField>(page, "crank_radius_mm")->text(), QStringLiteral("46"));
 }
 
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {

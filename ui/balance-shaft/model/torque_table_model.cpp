@@ -315,13 +315,9 @@ Json TorqueTableModel::refusedState() const {
 }
 
 void TorqueTableModel::bringRefused(const Json& state) {
-    if (!state.is_array() || state.empty()) {
-        return;
-    }
-    beginResetModel();
-    rows_.clear();
+    std::vector<Row> rows;
     for (const Json& each : state) {
-        Row& row = rows_.emplace_back();
+        Row& row = rows.emplace_back();
         const auto put = [&](const Json& cell, double& own, int column) {
             if (cell.is_number()) {
                 own = cell.get<double>();
@@ -332,6 +328,11 @@ void TorqueTableModel::bringRefused(const Json& state) {
         put(each.at(0), row.angle, CrankAngle);
         put(each.at(1), row.torque, Torque);
     }
+    if (rows.empty()) {
+        return;
+    }
+    beginResetModel();
+    rows_ = std::move(rows);
     typedOver_.clear();
     endResetModel();
     check();
