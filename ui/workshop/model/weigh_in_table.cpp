@@ -1,6 +1,5 @@
 #include "workshop/model/weigh_in_table.h"
 
-#include "model/scene_model.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
@@ -19,10 +18,7 @@ QString partOf(int column) {
 }  // namespace
 
 WeighInTable::WeighInTable(Source source, QObject* parent)
-    : EditableTable(parent), source_(std::move(source)) {
-    connect(source_.model, &SceneModel::changed, this,
-            [this] { Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); });
-}
+    : EditableTable(parent), source_(std::move(source)) {}
 
 const Field& WeighInTable::fieldOf(int row) const {
     return row >= firstCylinder() ? source_.mass

@@ -27,7 +27,6 @@ class WeighInTable final : public EditableTable {
     using Cells = std::function<Mass&(int row, int column)>;
     /// Where the masses are.
     struct Source {
-        SceneModel* model;
         const Field& mass;  ///< of a part in a cylinder
         bool hasNominal;    ///< rows for nominal masses and permitted spreads
         std::function<int()> cylinders;
@@ -41,10 +40,7 @@ class WeighInTable final : public EditableTable {
     static Source sourceOf(Model* model, const Field& mass, bool hasNominal,
                            std::function<int()> cylinders) {
         const int above = hasNominal ? rowsOfNominal : 0;
-        return {model,
-                mass,
-                hasNominal,
-                std::move(cylinders),
+        return {mass, hasNominal, std::move(cylinders),
                 [model, above](int row, int column) -> Mass {
                     const auto& sheet = model->input().weigh_in;
                     return sheet && row - above < static_cast<int>(sheet->columns[0].mass.size())
