@@ -175,16 +175,22 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     ray(axis, Qt::DashDotLine, theme.mutedText());
     ray(axis + phi, Qt::DashLine, theme.accent());
 
+    const auto* other = qobject_cast<const ShaftView*>(reference());
     double largest = 1e-300;
-    for (const ShaftDesign& each : result.shafts) {
-        if (each.shaft.balances == design.shaft.balances) {
-            largest = std::max(largest, std::abs(each.target));
+    const auto makeRoom = [&](const std::vector<ShaftDesign>& shafts) {
+        for (const ShaftDesign& each : shafts) {
+            if (each.shaft.balances == design.shaft.balances) {
+                largest = std::max(largest, std::abs(each.target));
+            }
         }
+    };
+    makeRoom(result.shafts);
+    if (other != nullptr) {
+        makeRoom(other->model_->result().shafts);
     }
     const auto lengthOf = [&](const Complex& target) {
-        return radius * std::clamp(std::abs(target) / largest, 0.2, 1.2);
+        return radius * std::max(0.2, std::abs(target) / largest);
     };
-    const auto* other = qobject_cast<const ShaftView*>(reference());
     if (other != nullptr &&
         static_cast<std::size_t>(index) < other->model_->result().shafts.size()) {
         const ShaftDesign& was = other->model_->result().shafts[static_cast<std::size_t>(index)];

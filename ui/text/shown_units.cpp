@@ -129,9 +129,9 @@ QString shownDigits(double si, const Unit& unit, int decimals) {
 
 QString shownFigures(double si, const Unit& unit, int digits) {
     const double value = shownValue(si, unit);
-    // Grams of what weighs kilograms are written out.
-    const bool isLong = shownUnit(unit).factor != 1.0 && std::abs(value) < 1e8 &&
-                        std::abs(value) >= std::pow(10.0, digits);
+    // Written out where a power of ten would be no shorter; grams of what weighs kilograms longer.
+    const double longest = shownUnit(unit).factor != 1.0 ? 1e8 : 1e6;
+    const bool isLong = std::abs(value) < longest && std::abs(value) >= std::pow(10.0, digits);
     return isLong ? fixedDecimals(value, 0, QLocale()) : formNumber(value, QLocale(), digits);
 }
 

@@ -167,6 +167,12 @@ TEST_F(ShownUnits, OfTablesAreOfTheSameQuantity) {
     EXPECT_EQ(shownAs(units::bar), units::bar);
 }
 
+TEST(ShownFigures, ArePowersOfTenOnlyWhereThoseAreShorter) {
+    EXPECT_EQ(shownFigures(10052.4 * units::gram_mm, units::gram_mm, 4), u"10052"_s);
+    EXPECT_EQ(shownFigures(1234.56, units::newton, 4), u"1235"_s);
+    EXPECT_TRUE(shownFigures(2.5e7, units::newton, 4).contains(u'E'));
+}
+
 TEST_F(ShownUnits, OfTitlesStandAtTheirEnd) {
     EXPECT_EQ(shownTitle(u"mean Mₛ, N·m"_s).text, u"mean Mₛ, lb·ft"_s);
     EXPECT_EQ(shownTitle(u"φ, °"_s).text, u"φ, °"_s);
