@@ -17,6 +17,7 @@ constexpr qint64 reportMs = 5;  ///< between two reports of progress
 
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
     pause_.setSingleShot(true);
+    pause_.setTimerType(Qt::PreciseTimer);  // a coarse one ends a twentieth before
     connect(&pause_, &QTimer::timeout, this, &BackgroundJob::launch);
 }
 
