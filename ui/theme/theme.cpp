@@ -2,8 +2,10 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QHash>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPalette>
 #include <QProxyStyle>
 #include <QScreen>
 #include <QStyleOptionComplex>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "text/text_width.h"
 #include "theme/desktop_colour_scheme.h"
@@ -24,6 +27,27 @@ int beyondFusion(int pixels) {
     return std::max(0, Theme::withText(pixels) - pixels);
 }
 
+/// The palette with another window colour; the same one for the same question. The pictures of
+/// fields and sliders that Fusion keeps are found again by their palette, and Qt 6.4 never drops
+/// the name of a picture: a new palette at each painting would draw each anew and grow for ever.
+QPalette withWindow(const QPalette& palette, const QColor& window) {
+    static QHash<std::pair<qint64, QRgb>, QPalette> known;
+    constexpr qsizetype many = 1000;
+    const std::pair key(palette.cacheKey(), window.rgba());
+    auto found = known.constFind(key);
+    if (found == known.constEnd()) {
+        if (known.size() >= many) {
+            known.clear();
+        }
+        QPalette other = palette;
+        other.setColor(QPalette::Window, window);
+        found = known.insert(key, other);
+    }
+    QPalette other = *found;
+    other.setCurrentColorGroup(palette.currentColorGroup());
+    return other;
+}
+
 /// With the outline of fields, which Fusion derives from the window's colour: on a dark window it
 /// would be darker still.
 template <typename Option>
@@ -31,7 +55,7 @@ Option outlined(Option option) {
     constexpr int darkening = 140;  // percent, Fusion's
     const QColor outline =
         Theme::instance().fieldBorder(option.state.testFlag(QStyle::State_Enabled));
-    option.palette.setColor(QPalette::Window, outline.lighter(darkening));
+    option.palette = withWindow(option.palette, outline.lighter(darkening));
     return option;
 }
 

@@ -2,6 +2,7 @@
 // and marks that go with the text.
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <QApplication>
 #include <QCheckBox>
@@ -106,6 +107,25 @@ TEST_F(Style, AChoiceHasRoomForItsEntryAtEveryTextSize) {
         EXPECT_GE(room.width() - 2, combo.fontMetrics().horizontalAdvance(combo.itemText(0)))
             << scale;
     }
+}
+
+/// A program that paints all day: what Fusion keeps of a picture is found again, not kept anew.
+TEST_F(Style, PaintingAgainKeepsNothing) {
+    QDoubleSpinBox spin;
+    QSlider slider(Qt::Horizontal);
+    QComboBox combo;
+    QWidget* const all[] = {&spin, &slider, &combo};
+    const auto paint = [&](int times) {
+        for (int i = 0; i < times; ++i) {
+            for (QWidget* each : all) {
+                each->grab();
+            }
+        }
+        return static_cast<double>(mallinfo2().uordblks);
+    };
+    const double before = paint(20);
+    const double bytes = paint(300) - before;
+    EXPECT_LT(bytes / 300.0, 10.0) << "bytes a time";
 }
 
 }  // namespace
