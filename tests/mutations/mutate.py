@@ -65,13 +65,13 @@ def run(*command, limit=None):
         return None
 
 
-def build(preset):
-    return run("cmake", "--build", "--preset", preset)
+def build(preset, *targets):
+    return run("cmake", "--build", "--preset", preset, *(["--target", *targets] if targets else []))
 
 
-def noticed_by(tests, own):
-    """The first test program that fails; that of the folder first."""
-    for program in sorted(tests, key=lambda path: path.name != f"test-core-{own}"):
+def noticed_by(tests):
+    """The first test program that fails."""
+    for program in tests:
         done = run(str(program), "--gtest_brief=1", "--gtest_fail_fast", limit=300)
         if done is None:
             return f"{program.name} (no end)"
@@ -79,6 +79,19 @@ def noticed_by(tests, own):
             failed = re.search(r"\[  FAILED  \] (\S+)", done.stdout)
             return f"{program.name}: {failed.group(1) if failed else done.returncode}"
     return None
+
+
+def caught_by(preset, tests, own):
+    """What notices the change: the tests of its folder first, which alone are built for that."""
+    own_tests = [path for path in tests if path.name == f"test-core-{own}"]
+    if build(preset, *(path.name for path in own_tests)).returncode != 0:
+        return "the compiler"
+    caught = noticed_by(own_tests)
+    if caught is not None:
+        return caught
+    if build(preset).returncode != 0:
+        return "the compiler"
+    return noticed_by([path for path in tests if path not in own_tests])
 
 
 def main():
@@ -107,7 +120,7 @@ def main():
         sys.exit("the program does not build")
     tests = list((ROOT / "build" / options.preset / "tests" / "core").glob("test-core-*"))
     tests = [path for path in tests if path.is_file()]
-    if noticed_by(tests, "") is not None:
+    if noticed_by(tests) is not None:
         sys.exit("the tests fail before anything is changed")
 
     survivors = []
@@ -119,8 +132,7 @@ def main():
         lines[number] = lines[number][:at] + new + lines[number][at + len(old):]
         try:
             path.write_text("\n".join(lines))
-            caught = "the compiler" if build(options.preset).returncode != 0 else noticed_by(
-                tests, path.parent.name)
+            caught = caught_by(options.preset, tests, path.parent.name)
         finally:
             path.write_text(before)
         print(f"{count:3} {caught or 'SURVIVED'}  {text}", flush=True)
