@@ -5,6 +5,7 @@
 #include <QGraphicsScene>
 #include <QImage>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <QValueAxis>
 #include <algorithm>
 #include <utility>
@@ -63,18 +64,26 @@ QColor veil(QColor colour, float opacity) {
     return colour;
 }
 
-/// The axis makes its ticks anew at each word of ours, one by one from its anchor on: none of them
-/// may leave it with a fine step on a long range, or far from the anchor.
+/// The axis makes all its ticks anew, each as an item of a scene, whenever it hears of a change: it
+/// hears of one.
 void moveAxis(QValueAxis& axis, double low, double high, double step) {
-    constexpr double many = 1e3;
-    const double extent =
-        std::max({std::abs(low), std::abs(high), std::abs(axis.min()), std::abs(axis.max())});
-    if (extent > many * std::min(step, axis.tickInterval())) {
-        axis.setTickInterval(2.0 * extent);
+    constexpr double many = 1e3;  // the ticks are counted from the anchor on, one by one
+    const double anchor = std::abs(low) > many * step ? std::ceil(low / step - 1e-9) * step : 0.0;
+    const bool hasOtherTicks = axis.tickInterval() != step || axis.tickAnchor() != anchor;
+    {
+        const QSignalBlocker quiet(axis);
+        axis.setTickAnchor(anchor);
+        axis.setTickInterval(step);
     }
-    axis.setTickAnchor(std::abs(low) > many * step ? std::ceil(low / step - 1e-9) * step : 0.0);
+    const std::pair before(axis.min(), axis.max());
     axis.setRange(low, high);
-    axis.setTickInterval(step);
+    if (hasOtherTicks && before == std::pair(axis.min(), axis.max())) {
+        {
+            const QSignalBlocker quiet(axis);
+            axis.setTickInterval(2.0 * step);
+        }
+        axis.setTickInterval(step);
+    }
 }
 
 /// The ground of a label, over whatever is drawn there.
