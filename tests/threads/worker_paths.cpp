@@ -62,7 +62,9 @@ void jobs() {
         for (int i = 0; i < 4; ++i) {
             job.start([&, i](const BackgroundJob::Progress& progress) -> std::function<void()> {
                 std::vector<int> values(100, i);
-                planted += plants ? 1 : 0;
+                if (plants) {
+                    ++planted;
+                }
                 for (int step = 0; step < 100; ++step) {
                     if (!progress(step / 100.0)) {
                         return nullptr;
@@ -77,7 +79,9 @@ void jobs() {
             if (i == 2 && round % 4 == 0) {
                 job.cancel();
             }
-            planted += plants ? 1 : 0;
+            if (plants) {
+                ++planted;
+            }
             QCoreApplication::processEvents();
         }
         if (round % 2 == 0) {
@@ -118,19 +122,21 @@ void journal() {
 
 void maps() {
     BalanceShaftModel model;
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     ShaftMapModel map(&model);
     SpeedStudyModel speed(&model);
     map.setWatched(true);
+    check(speed.hasLoad(), "there is a load");
     for (int angle = 60; angle < 72; ++angle) {
         model.setByKey(u"shaft_angle_deg"_s, QString::number(angle));
-        speed.setLoad(0.5 + 0.01 * angle);
+        speed.setLoad(5.0 + 0.01 * angle);
         QCoreApplication::processEvents();
     }
     check(comes([&] { return !map.job()->isRunning() && !speed.job()->isRunning(); }),
           "the maps are computed");
 }
 
-void studies() {
+void runStudies() {
     BalanceShaftModel model;
     StudyModel study(&model);
     study.setWatched(true);
@@ -173,7 +179,7 @@ void motion() {
           "the motion is computed");
 }
 
-void methods() {
+void measureMethods() {
     MethodsModel model;
     model.setActive(true);
     comes([] { return false; }, 300);
@@ -192,9 +198,9 @@ int main(int argc, char** argv) {
         jobs();
         return 0;
     }
-    const std::pair<const char*, void (*)()> paths[] = {{"jobs", jobs},     {"journal", journal},
-                                                        {"maps", maps},     {"studies", studies},
-                                                        {"motion", motion}, {"methods", methods}};
+    const std::pair<const char*, void (*)()> paths[] = {
+        {"jobs", jobs},          {"journal", journal}, {"maps", maps},
+        {"studies", runStudies}, {"motion", motion},   {"methods", measureMethods}};
     for (const auto& [name, path] : paths) {
         std::printf("%s\n", name);
         std::fflush(stdout);

@@ -215,6 +215,9 @@ double SpeedStudyModel::load() const {
 }
 
 void SpeedStudyModel::setLoad(double load) {
+    if (!hasLoad()) {
+        return;
+    }
     model_->setLoad(&balance_shaft::GasCycle::imep, load * units::bar, true);
 }
 
