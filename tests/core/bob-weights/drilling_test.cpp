@@ -156,6 +156,34 @@ TEST(Plan, KeepsItsLimits) {
     }
 }
 
+TEST(Plan, TheLastHoleMayLieAtTheLargestAngleAndNoFurther) {
+    const double one[] = {drills[0]};
+    int checked = 0;
+    for (double target = 200.0; target < 12'000.0; target *= 1.17) {
+        const auto planned = [&](double maximum_angle) {
+            HoleLimits limits = usual;
+            limits.maximum_angle = maximum_angle;
+            return plan_holes(target * gram_mm, 0.0, rim, one, limits, -1.0);
+        };
+        const HolePlan free = planned(pi);
+        const std::size_t count = free.holes.size();
+        if (free.shortfall != Shortfall::none || count < 2) {
+            continue;
+        }
+        const double last = std::abs(std::remainder(free.holes.back().angle, 2.0 * pi));
+        const HolePlan wide = planned(last + 1e-6);
+        EXPECT_EQ(wide.shortfall, Shortfall::none) << target;
+        EXPECT_EQ(wide.holes.size(), count) << target;
+        const HolePlan narrow = planned(last - 1e-6);
+        EXPECT_TRUE(narrow.shortfall != Shortfall::none || narrow.holes.size() != count) << target;
+        for (const Hole& hole : narrow.holes) {
+            EXPECT_LT(std::abs(std::remainder(hole.angle, 2.0 * pi)), last) << target;
+        }
+        checked += count > 2 ? 1 : 0;
+    }
+    EXPECT_GT(checked, 2);
+}
+
 TEST(Plan, SaysWhyItFallsShort) {
     // Within the limit nothing is drilled; what the point alone exceeds cannot be.
     EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());
