@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPainterPath>
+#include <vector>
+
+#include "balance-shaft/model/shaft_map_model.h"
+
+class QPainter;
+
+/// What the map of places is drawn with; sizes in pixels.
+namespace ravnoves {
+
+/// Radius of a marker's sign.
+double glyphRadius();
+QColor faint(QColor colour, double alpha);
+/// Colours of the stretches between the levels.
+std::vector<QRgb> bandColours(const std::vector<double>& levels);
+/// The field as bands of colour, each step of the grid drawn several pixels wide.
+QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
+                  const std::vector<double>& levels);
+/// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
+/// triangle, over a band of speeds a square; hollow where it cannot be built.
+QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
+                   double radius = glyphRadius());
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
+void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius);
+void drawHatch(QPainter& painter, const QRectF& box);
+
+}  // namespace ravnoves

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QColor>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <cmath>
+
+#include "plot/model/disc.h"
+#include "plot/plot_painter.h"
+#include "text/text_width.h"
+#include "theme/theme.h"
+
+/// What several parts of a plot are drawn with; sizes in pixels.
+namespace ravnoves::painter_parts {
+
+/// From a label to what it names, for text of the designed size.
+inline double labelGap() {
+    return Theme::withText(6);
+}
+/// A tick of an axis with labels of our own: powers stand higher.
+inline double rowPerTick() {
+    return Theme::withText(36);
+}
+
+inline void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen,
+                const QBrush& fill) {
+    painter.setPen(pen);
+    painter.setBrush(fill);
+    paintDisc(painter, at, radius);
+}
+
+/// Of the dots of points; rings leave room for a dot in them.
+inline double pointRadius(plot::Shape shape) {
+    return strokeScale() * (shape == plot::Shape::Rings ? 5.4 : 3.6);
+}
+
+inline QColor veil(QColor colour, float opacity) {
+    colour.setAlphaF(opacity);
+    return colour;
+}
+
+/// The ground of a label, over whatever is drawn there.
+inline void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.92F) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil(Theme::instance().panel(), opacity));
+    painter.drawRoundedRect(box, 3, 3);
+}
+
+inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of it
+
+inline QSizeF labelSize(const QFont& font, const QString& text) {
+    return {std::ceil(textWidth(font, text)) + 2.0 * besideLabel,
+            QFontMetricsF(font).height() + 1.0};
+}
+
+}  // namespace ravnoves::painter_parts

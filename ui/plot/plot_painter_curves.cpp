@@ -1,0 +1,222 @@
+// Curves, points, bars and spreads of a plot.
+
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+
+#include "plot/model/line_brush.h"
+#include "plot/painter_parts.h"
+#include "plot/plot_painter.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+using namespace painter_parts;
+using plot::Shape;
+
+namespace {
+
+/// A dashed curve on a wider one: its dashes, as long as the gaps that show the other, clear the
+/// ground on both sides. So both are told apart whatever their colours. In widths of the curve.
+constexpr double cleared = 2.3;
+constexpr double dashOnAnother = 5.0;
+
+}  // namespace
+
+void PlotPainter::paintCurves(QPainter& painter) const {
+    paintShades(painter);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(data_.area);
+    painter.setBrush(Qt::NoBrush);
+    for (const PlotCurve& curve : data_.curves) {
+        if (curve.shown) {
+            // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
+            // a smooth curve.
+            QPen pen(Theme::instance().curve(curve.style.colour), strokeScale() * curve.style.width,
+                     curve.style.pen, Qt::FlatCap, Qt::BevelJoin);
+            if (data_.liesOnAnother(curve)) {
+                QPen ground(Theme::instance().panel(), cleared * pen.widthF(), Qt::SolidLine,
+                            Qt::FlatCap, Qt::BevelJoin);
+                ground.setDashPattern({dashOnAnother / cleared, dashOnAnother / cleared});
+                pen.setDashPattern({dashOnAnother, dashOnAnother});
+                painter.setPen(ground);
+                for (const QPolygonF& stretch : curve.stretches) {
+                    painter.drawPolyline(stretch);
+                }
+            }
+            painter.setPen(pen);
+            for (const QPolygonF& stretch : curve.stretches) {
+                painter.drawPolyline(stretch);
+            }
+        }
+    }
+    painter.restore();
+    paintPoints(painter);
+}
+
+void PlotPainter::paintCurves(QImage& picture) const {
+    const auto any = [this](auto&& is) {
+        return std::any_of(data_.curves.begin(), data_.curves.end(), is);
+    };
+    if (any([this](const PlotCurve& curve) { return data_.showsSpread(curve); })) {
+        QPainter painter(&picture);
+        paintShades(painter);
+    }
+    const double ratio = picture.devicePixelRatio();
+    LineBrush brush(picture,
+                    QRectF(data_.area.topLeft() * ratio, data_.area.size() * ratio).toRect());
+    for (const PlotCurve& curve : data_.curves) {
+        if (curve.shown && !curve.stretches.empty()) {
+            const double width = strokeScale() * curve.style.width * ratio;
+            const QColor colour = Theme::instance().curve(curve.style.colour);
+            if (data_.liesOnAnother(curve)) {
+                const QList<qreal> dashes{dashOnAnother * width, dashOnAnother * width};
+                brush.draw(curve.stretches, ratio, Theme::instance().panel(), cleared * width,
+                           dashes);
+                brush.draw(curve.stretches, ratio, colour, width, dashes);
+            } else {
+                brush.draw(curve.stretches, ratio, colour, width, curve.style.pen);
+            }
+        }
+    }
+    if (any([this](const PlotCurve& curve) {
+            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
+                                   shrunkTo(curve).has_value());
+        })) {
+        QPainter painter(&picture);
+        paintPoints(painter);
+    }
+}
+
+void PlotPainter::paintShades(QPainter& painter) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(data_.area);
+    painter.setPen(Qt::NoPen);
+    for (const PlotCurve& curve : data_.curves) {
+        if (data_.showsSpread(curve)) {
+            painter.setBrush(veil(Theme::instance().curve(curve.style.colour),
+                                  data_.spreadStale ? 0.12F : 0.26F));
+            for (const QPolygonF& shade : curve.shades) {
+                painter.drawPolygon(shade);
+            }
+        }
+    }
+    painter.restore();
+}
+
+void PlotPainter::paintPoints(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const double reach = strokeScale() * 4.0;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(data_.area.adjusted(-reach, -reach, reach, reach));
+    for (const PlotCurve& curve : data_.curves) {
+        if (!curve.shown) {
+            continue;
+        }
+        const QColor colour = theme.curve(curve.style.colour);
+        paintErrorBars(painter, curve);
+        if (curve.style.shape == Shape::Bars) {
+            paintBars(painter, curve, Qt::NoPen, colour);
+            if (const PlotCurve* ghost = data_.ghostOf(curve)) {
+                const double width = strokeScale() * 1.2;
+                paintBars(painter, *ghost, QPen(theme.panel(), 2.0 * width), Qt::NoBrush);
+                paintBars(painter, *ghost, QPen(theme.text(), width, Qt::DashLine), Qt::NoBrush);
+            }
+            paintSpreads(painter, curve);
+        } else if (curve.style.shape != Shape::Line) {
+            const bool hollow = curve.style.shape == Shape::Rings;
+            const QPen pen(hollow ? colour : theme.panel(), strokeScale() * (hollow ? 1.6 : 1.0));
+            paintSpreads(painter, curve);
+            for (std::size_t i = 0; i < curve.x.size(); ++i) {
+                dot(painter, pixel(curve, i), pointRadius(curve.style.shape), pen,
+                    hollow ? theme.panel() : colour);
+            }
+        } else if (const auto at = shrunkTo(curve)) {
+            dot(painter, *at, strokeScale() * 3.0, Qt::NoPen, colour);
+        }
+    }
+    painter.restore();
+}
+
+std::optional<QPointF> PlotPainter::shrunkTo(const PlotCurve& curve) {
+    constexpr double smallest = 2.0;  // pixels
+    QRectF whole;
+    for (const QPolygonF& stretch : curve.stretches) {
+        // What has neither width nor height is nothing to a union.
+        whole = whole.united(stretch.boundingRect().adjusted(-0.1, -0.1, 0.1, 0.1));
+        if (whole.width() > smallest || whole.height() > smallest) {
+            return std::nullopt;
+        }
+    }
+    return whole.isEmpty() ? std::nullopt : std::optional(whole.center());
+}
+
+void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
+                            const QBrush& brush) const {
+    const QRectF& area = data_.area;
+    const Side side = curve.style.side;
+    painter.setPen(pen);
+    painter.setBrush(brush);
+    const auto corner = [&](double x, double y) {
+        return QPointF(x, std::clamp(y, area.top(), area.bottom()));
+    };
+    const double foot =
+        data_.scale(side).spec.logarithmic ? area.bottom() : data_.toPixel(0.0, 0.0, side).y();
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const double middle = curve.x[i] + curve.style.barShift;
+        const double half = 0.5 * curve.style.barWidth;
+        const QPointF left = data_.toPixel(middle - half, curve.y[i], side);
+        const QPointF right = data_.toPixel(middle + half, curve.y[i], side);
+        painter.drawRect(QRectF(corner(left.x(), left.y()), corner(right.x(), foot)).normalized());
+    }
+}
+
+void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const {
+    if (!data_.showsSpread(curve) || curve.isLine()) {
+        return;
+    }
+    const Theme& theme = Theme::instance();
+    const bool onBar = curve.style.shape == Shape::Bars;
+    painter.setPen(QPen(veil(onBar ? theme.text() : theme.curve(curve.style.colour),
+                             data_.spreadStale ? 0.45F : 1.0F),
+                        1.2));
+    const QPointF cap(3, 0);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const auto [low, high] = data_.spreadAt(curve, i);
+        const double middle = curve.x[i] + (onBar ? curve.style.barShift : 0.0);
+        const QPointF foot = data_.toPixel(middle, low, curve.style.side);
+        const QPointF tip = data_.toPixel(middle, high, curve.style.side);
+        if (foot.y() - tip.y() < 1.0) {
+            continue;  // nothing to be seen
+        }
+        painter.drawLine(foot, tip);
+        painter.drawLine(foot - cap, foot + cap);
+        painter.drawLine(tip - cap, tip + cap);
+    }
+}
+
+void PlotPainter::paintErrorBars(QPainter& painter, const PlotCurve& curve) const {
+    if (curve.low.size() != curve.x.size() || curve.high.size() != curve.x.size()) {
+        return;
+    }
+    painter.setPen(QPen(Theme::instance().curve(curve.style.colour), 1.0));
+    const bool upright = curve.bars == Qt::Vertical;
+    const QPointF cap = upright ? QPointF(3, 0) : QPointF(0, 3);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const auto end = [&](double value) {
+            return upright ? data_.toPixel(curve.x[i], value, curve.style.side)
+                           : data_.toPixel(value, curve.y[i], curve.style.side);
+        };
+        const QPointF low = end(curve.low[i]);
+        const QPointF high = end(curve.high[i]);
+        painter.drawLine(low, high);
+        for (const QPointF& tip : {low, high}) {
+            painter.drawLine(tip - cap, tip + cap);
+        }
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,420 @@
+// What stands over the curves of a plot: lines, marks, their labels, and what the cursor reads.
+
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "plot/model/label_places.h"
+#include "plot/painter_parts.h"
+#include "plot/plot_painter.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+using namespace painter_parts;
+using plot::Shape;
+using plot::Side;
+
+void PlotPainter::paintOverlay(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const QRectF& area = data_.area;
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (data_.faded) {
+        painter.fillRect(
+            QRectF(QPointF(0.0, data_.headerHeight), QPointF(size_.width(), size_.height())),
+            veil(theme.panel(), 0.62F));
+    }
+    painter.save();
+    painter.setClipRect(area);
+    paintLines(painter);
+    if (data_.presentX) {
+        const double x = across(*data_.presentX);
+        painter.setPen(QPen(theme.accent(), strokeScale() * 1.4));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        for (const PlotCurve& curve : data_.curves) {
+            const auto y = curve.shown ? data_.valueAt(curve, *data_.presentX) : std::nullopt;
+            if (y) {
+                dot(painter, data_.toPixel(*data_.presentX, *y, curve.style.side),
+                    strokeScale() * 4.5, QPen(theme.panel(), strokeScale() * 1.5),
+                    theme.curve(curve.style.colour));
+            }
+        }
+    }
+    const bool readsCurves = data_.cursorX && !data_.pointRead;
+    if (readsCurves) {
+        painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DotLine));
+        const double x = across(*data_.readX());
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
+    painter.restore();
+    paintLabels(painter);
+    if (data_.faded && !data_.fadedText.isEmpty()) {
+        painter.setFont(Theme::font(Theme::baseSize));
+        painter.setPen(theme.mutedText());
+        painter.drawText(area, Qt::AlignCenter, data_.fadedText);
+    }
+    if (data_.pointRead) {
+        paintPointReadout(painter);
+    } else if (readsCurves) {
+        paintReadout(painter);
+    }
+}
+
+void PlotPainter::paintLines(QPainter& painter) const {
+    for (const plot::Line& line : data_.lines) {
+        const bool muted = line.colour == plot::Line::muted;
+        painter.setPen(
+            QPen(colourOf(line), strokeScale() * 1.2, muted ? Qt::DotLine : Qt::DashLine));
+        painter.drawLine(strokeOf(line));
+    }
+}
+
+QColor PlotPainter::colourOf(const plot::Line& line) {
+    const Theme& theme = Theme::instance();
+    return line.colour == plot::Line::muted ? theme.mutedText() : theme.curve(line.colour);
+}
+
+QLineF PlotPainter::strokeOf(const plot::Line& line) const {
+    const QRectF& area = data_.area;
+    if (line.orientation == Qt::Horizontal) {
+        const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
+        return {area.left(), y, area.right(), y};
+    }
+    const double x = across(line.at);
+    return {x, area.top(), x, area.bottom()};
+}
+
+LabelPlaces PlotPainter::drawnPlaces() const {
+    LabelPlaces places(data_.area);
+    for (const PlotCurve& curve : data_.curves) {
+        if (!curve.shown) {
+            continue;
+        }
+        for (const QPolygonF& stretch : curve.stretches) {
+            places.addLine(stretch);
+        }
+        const auto add = [&](double lowX, double lowY, double highX, double highY, double room) {
+            places.addShape(QRectF(data_.toPixel(lowX, lowY, curve.style.side),
+                                   data_.toPixel(highX, highY, curve.style.side))
+                                .normalized()
+                                .adjusted(-room, -room, room, room));
+        };
+        const double radius = pointRadius(curve.style.shape) + 0.4;
+        for (std::size_t i = 0; curve.style.shape != Shape::Line && i < curve.x.size(); ++i) {
+            if (curve.style.shape == Shape::Bars) {
+                const double middle = curve.x[i] + curve.style.barShift;
+                const double half = 0.5 * curve.style.barWidth;
+                const double foot = data_.scale(curve.style.side).low;
+                add(middle - half, std::max(0.0, foot), middle + half, curve.y[i], 0.0);
+            } else {
+                add(curve.x[i], curve.y[i], curve.x[i], curve.y[i], radius);
+            }
+        }
+        for (std::size_t i = 0; i < std::min(curve.low.size(), curve.x.size()); ++i) {
+            const bool upright = curve.bars == Qt::Vertical;
+            add(upright ? curve.x[i] : curve.low[i], upright ? curve.low[i] : curve.y[i],
+                upright ? curve.x[i] : curve.high[i], upright ? curve.high[i] : curve.y[i], 1.0);
+        }
+    }
+    for (const plot::Line& line : data_.lines) {
+        places.addLine(strokeOf(line).p1(), strokeOf(line).p2());
+    }
+    for (const plot::Mark& mark : data_.marks) {
+        const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+        const QPointF corner(radiusOf(mark), radiusOf(mark));
+        places.addShape(QRectF(at - corner, at + corner));
+    }
+    return places;
+}
+
+void PlotPainter::paintLabels(QPainter& painter) const {
+    const auto hasText = [](const auto& each) { return !each.text.isEmpty(); };
+    paintMarks(painter);
+    if (std::none_of(data_.marks.begin(), data_.marks.end(), hasText) &&
+        std::none_of(data_.lines.begin(), data_.lines.end(), hasText) &&
+        std::none_of(data_.bands.begin(), data_.bands.end(), hasText)) {
+        return;
+    }
+    // What belongs to a point chooses first.
+    LabelPlaces places = drawnPlaces();
+    for (const plot::Mark& mark : data_.marks) {
+        labelMark(painter, mark, places);
+    }
+    for (const plot::Line& line : data_.lines) {
+        labelLine(painter, line, places);
+    }
+    for (const plot::Band& band : data_.bands) {
+        paintBandWords(painter, band, places);
+    }
+}
+
+void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const {
+    const QRectF& area = data_.area;
+    const QLineF stroke = strokeOf(line);
+    const QFont font = Theme::font(Theme::smallSize);
+    const bool flat = line.orientation == Qt::Horizontal;
+    if (line.text.isEmpty()) {
+        return;
+    }
+    if (sideBeyond(line) != 0) {
+        if (line.keptAtEdge) {
+            labelBeyond(painter, line, places);
+        }
+        return;
+    }
+    const QString text =
+        QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap());
+    const QSizeF size = labelSize(font, text);
+    constexpr int steps = 16;
+    constexpr double away = 2.0;
+    std::vector<QRectF> candidates;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        if (flat) {
+            const double x =
+                area.left() + away + part * std::max(0.0, area.width() - size.width() - 2.0 * away);
+            candidates.emplace_back(QPointF(x, stroke.y1() - away - size.height()), size);
+            candidates.emplace_back(QPointF(x, stroke.y1() + away), size);
+        } else {
+            const double y = area.top() + away +
+                             part * std::max(0.0, area.height() - size.height() - 2.0 * away);
+            candidates.emplace_back(QPointF(stroke.x1() + away, y), size);
+            candidates.emplace_back(QPointF(stroke.x1() - away - size.width(), y), size);
+        }
+    }
+    const QRectF box = places.place(candidates);
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setPen(Theme::instance().readable(colourOf(line)));
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+int PlotPainter::sideBeyond(const plot::Line& line) const {
+    const PlotScale& scale = line.orientation == Qt::Horizontal ? data_.scale(line.side) : data_.x;
+    const double at = scale.fraction(line.at);
+    constexpr double rounding = 1e-3;
+    return at < -rounding ? -1 : at > 1.0 + rounding ? 1 : 0;
+}
+
+void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
+                              LabelPlaces& places) const {
+    const bool flat = line.orientation == Qt::Horizontal;
+    const PlotScale& scale = flat ? data_.scale(line.side) : data_.x;
+    const QRectF& area = data_.area;
+    const QFont font = Theme::font(Theme::smallSize);
+    constexpr double arrow = 8.0;  // pixels
+    const QString text = QFontMetricsF(font).elidedText(
+        line.text + QLatin1Char(' ') + scale.readout(line.at, data_.locale), Qt::ElideRight,
+        area.width() - arrow - 2.0 * labelGap());
+    const QSizeF size = labelSize(font, text);
+    // At the edge that it lies beyond, the arrow's point on that.
+    const double sign = sideBeyond(line);
+    constexpr int steps = 6;
+    std::vector<QRectF> candidates;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        const double along = flat ? area.left() + labelGap() +
+                                        part * (area.width() - size.width() - 2.0 * labelGap())
+                                  : area.top() + labelGap() +
+                                        part * (area.height() - size.height() - 2.0 * labelGap());
+        const double away = arrow + 2.0;
+        candidates.emplace_back(
+            flat ? QPointF(along,
+                           sign > 0.0 ? area.top() + away : area.bottom() - away - size.height())
+                 : QPointF(sign > 0.0 ? area.right() - away - size.width() : area.left() + away,
+                           along),
+            size);
+    }
+    const QRectF box = places.place(candidates);
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setBrush(colourOf(line));
+    const QPointF ahead = flat ? QPointF(0.0, -sign) : QPointF(sign, 0.0);
+    const QPointF across(ahead.y(), ahead.x());
+    const QPointF tip = flat ? QPointF(box.center().x(), sign > 0.0 ? area.top() : area.bottom())
+                             : QPointF(sign > 0.0 ? area.right() : area.left(), box.center().y());
+    painter.drawPolygon(QPolygonF{tip, tip - arrow * ahead + 0.5 * arrow * across,
+                                  tip - arrow * ahead - 0.5 * arrow * across});
+    painter.setPen(Theme::instance().readable(colourOf(line)));
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+double PlotPainter::radiusOf(const plot::Mark& mark) {
+    return strokeScale() * (mark.ring ? 7.0 : 3.6);
+}
+
+bool PlotPainter::isSeen(const plot::Mark& mark) const {
+    return data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y, mark.side));
+}
+
+void PlotPainter::paintMarks(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    for (const plot::Mark& mark : data_.marks) {
+        if (isSeen(mark)) {
+            const QColor colour = theme.curve(mark.colour);
+            dot(painter, data_.toPixel(mark.x, mark.y, mark.side), radiusOf(mark),
+                QPen(mark.ring ? colour : theme.panel(), strokeScale() * (mark.ring ? 2.0 : 1.2)),
+                mark.ring ? QBrush() : QBrush(colour));
+        }
+    }
+}
+
+void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const {
+    if (mark.text.isEmpty() || !isSeen(mark)) {
+        return;
+    }
+    const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+    const QFont font = Theme::font(Theme::smallSize);
+    const QSizeF size = labelSize(font, mark.text);
+    // Right, left, above, below and between, and farther off where something is near.
+    std::vector<QRectF> candidates;
+    for (const double farther : {0.0, 0.8, 1.8, 3.0}) {
+        const double away = radiusOf(mark) + 3.0 + farther * size.height();
+        const double left = -away - size.width();
+        const double above = -away - size.height();
+        const double slant = 0.7 * away;
+        for (const QPointF& corner :
+             {QPointF(away, -size.height() / 2), QPointF(left, -size.height() / 2),
+              QPointF(-size.width() / 2, above), QPointF(-size.width() / 2, away),
+              QPointF(slant, -slant - size.height()), QPointF(slant, slant),
+              QPointF(-slant - size.width(), -slant - size.height()),
+              QPointF(-slant - size.width(), slant)}) {
+            candidates.emplace_back(at + corner, size);
+        }
+    }
+    const QRectF box = places.place(candidates);
+    const QColor colour = Theme::instance().curve(mark.colour);
+    // A line to the point that it is far from.
+    const QPointF edge(std::clamp(at.x(), box.left(), box.right()),
+                       std::clamp(at.y(), box.top(), box.bottom()));
+    const QLineF leader(at, edge);
+    constexpr double close = 8.0;
+    if (leader.length() > radiusOf(mark) + close) {
+        painter.setPen(QPen(veil(colour, 0.6F), 1.0));
+        painter.drawLine(leader.pointAt(radiusOf(mark) / leader.length()), edge);
+    }
+    painter.setFont(font);
+    drawVeil(painter, box);
+    painter.setPen(Theme::instance().readable(colour));
+    painter.drawText(box, Qt::AlignCenter, mark.text);
+}
+
+void PlotPainter::paintReadout(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const QRectF& area = data_.area;
+    const double at = *data_.readX();
+    const double x = across(at);
+    if (x < area.left() - 0.5 || x > area.right() + 0.5) {
+        return;
+    }
+    const QString equals = QStringLiteral(" = ");
+    const QString name = data_.x.spec.title.section(QLatin1Char(','), 0, 0);
+    std::vector<Row> rows{
+        {(name.isEmpty() ? QStringLiteral("x") : name) + equals + data_.x.readout(at, data_.locale),
+         theme.text()}};
+    for (const PlotCurve& curve : data_.curves) {
+        const auto y = curve.shown ? data_.valueAt(curve, at) : std::nullopt;
+        if (!y) {
+            continue;
+        }
+        const QColor colour = theme.curve(curve.style.colour);
+        const auto shown = [&](double value) {
+            return data_.scale(curve.style.side)
+                .readout(value, data_.locale, data_.readoutDecimals);
+        };
+        const PlotCurve* ghost = data_.ghostOf(curve);
+        const auto was = ghost != nullptr ? data_.valueAt(*ghost, at) : std::nullopt;
+        const auto spread = data_.spreadAt(curve, at);
+        rows.push_back(
+            {curve.style.name + equals + shown(*y) +
+                 (spread ? QStringLiteral("  [%1 … %2]")
+                               .arg(shown(spread->first), shown(spread->second))
+                         : QString()) +
+                 (was ? QStringLiteral("  (%1: %2)").arg(data_.referenceName, shown(*was))
+                      : QString()),
+             theme.readable(colour)});
+        const bool isBar = curve.style.shape == Shape::Bars;
+        const QPointF point =
+            data_.toPixel(at + (isBar ? curve.style.barShift : 0.0), *y, curve.style.side);
+        if (area.contains(point)) {
+            dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);
+        }
+    }
+    paintRows(painter, rows, QPointF(x, area.top()), QPointF(10, 6), 0.93F);
+}
+
+std::vector<PlotPainter::Row> PlotPainter::rowsOfPath(const PlotCurve& curve,
+                                                      std::size_t point) const {
+    const Theme& theme = Theme::instance();
+    const PlotCurve* ghost = data_.ghostOf(curve);
+    const bool both = ghost != nullptr && ghost->x.size() == curve.x.size();
+    const auto line = [&](const PlotScale& scale, double value, double was) {
+        const QString old = both ? QStringLiteral("  (%1: %2)")
+                                       .arg(data_.referenceName, scale.readout(was, data_.locale))
+                                 : QString();
+        return Row{scale.spec.title.section(QLatin1Char(','), 0, 0) + QStringLiteral(" = ") +
+                       scale.readout(value, data_.locale) + old,
+                   theme.text()};
+    };
+    const PlotCurve& other = both ? *ghost : curve;
+    return {{curve.style.name, theme.readable(theme.curve(curve.style.colour))},
+            {QStringLiteral("φ = %1°").arg(fixedNumber(curve.angleOf(point), 1, data_.locale)),
+             theme.text()},
+            line(data_.x, curve.x[point], other.x[point]),
+            line(data_.scale(curve.style.side), curve.y[point], other.y[point])};
+}
+
+void PlotPainter::paintPointReadout(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const PlotCurve& curve = data_.curves[data_.pointRead->first];
+    const QPointF at = pixel(curve, data_.pointRead->second);
+    if (!data_.area.adjusted(-1, -1, 1, 1).contains(at)) {
+        return;
+    }
+    dot(painter, at, strokeScale() * 5.0, QPen(theme.text(), 1.6), theme.curve(curve.style.colour));
+    std::vector<Row> rows;
+    if (curve.style.turn > 0.0) {
+        rows = rowsOfPath(curve, data_.pointRead->second);
+    } else {
+        for (const QString& text :
+             curve.texts[static_cast<qsizetype>(data_.pointRead->second)].split(
+                 QLatin1Char('\n'))) {
+            rows.push_back({text, theme.text()});
+        }
+    }
+    paintRows(painter, rows, at, QPointF(12, 8), 0.95F);
+}
+
+void PlotPainter::paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,
+                            const QPointF& away, float opacity) const {
+    const Theme& theme = Theme::instance();
+    const QRectF& area = data_.area;
+    const QFont font = Theme::font(Theme::smallSize);
+    const QFontMetricsF metrics(font);
+    double wide = 0.0;
+    for (const Row& row : rows) {
+        wide = std::max(wide, metrics.horizontalAdvance(row.text));
+    }
+    const double rowHeight = metrics.height() + 2.0;
+    QRectF box(at + away, QSizeF(wide + 14.0, rowHeight * static_cast<double>(rows.size()) + 8.0));
+    if (box.right() > area.right()) {
+        box.moveRight(at.x() - away.x());
+    }
+    box.moveLeft(std::max(box.left(), area.left()));
+    if (box.bottom() > area.bottom() && at.y() > area.top()) {
+        box.moveBottom(at.y() - away.y());
+    }
+    painter.setPen(QPen(theme.border(), 1.0));
+    painter.setBrush(veil(theme.panel(), opacity));
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setFont(font);
+    QRectF line(box.left() + 7.0, box.top() + 4.0, wide + 2.0, rowHeight);
+    for (const Row& row : rows) {
+        painter.setPen(row.colour);
+        painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft, row.text);
+        line.translate(0.0, rowHeight);
+    }
+}
+
+}  // namespace ravnoves
