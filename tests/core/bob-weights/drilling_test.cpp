@@ -184,6 +184,32 @@ TEST(Plan, TheLastHoleMayLieAtTheLargestAngleAndNoFurther) {
     EXPECT_GT(checked, 2);
 }
 
+TEST(Plan, RoundsToTheDeepestStepThatHasRoom) {
+    HoleLimits limits = usual;
+    limits.depth_step = 0.5 * mm;
+    const double one[] = {16 * mm};
+    int checked = 0;
+    for (int angle = 6; angle < 60; ++angle) {
+        limits.maximum_angle = angle * degree;
+        const HolePlan plan = plan_holes(50'000 * gram_mm, 0.0, rim, one, limits, -1.0);
+        ASSERT_EQ(plan.shortfall, Shortfall::too_little_room);
+        const double depth = plan.holes.at(0).depth;
+        EXPECT_NEAR(std::remainder(depth, limits.depth_step), 0.0, 1e-12);
+        if (depth >= limits.maximum_depth) {
+            continue;
+        }
+        const double gaps = 0.5 * (static_cast<double>(plan.holes.size()) - 1.0);
+        const auto reach = [&](double at) {
+            const auto apart = hole_spacing(rim, one[0], at, limits.minimum_wall);
+            return apart ? gaps * *apart : pi;
+        };
+        EXPECT_LE(reach(depth), limits.maximum_angle) << angle;
+        EXPECT_GT(reach(depth + limits.depth_step), limits.maximum_angle) << angle;
+        ++checked;
+    }
+    EXPECT_GT(checked, 10);
+}
+
 TEST(Plan, SaysWhyItFallsShort) {
     // Within the limit nothing is drilled; what the point alone exceeds cannot be.
     EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());

@@ -201,6 +201,38 @@ TEST(Study, SecondOrderIsExactForSquares) {
     EXPECT_NEAR(linear->deviation, 1.0, 1e-9);
 }
 
+TEST(Study, SecondOrderSharesEachProductAmongItsTwo) {
+    const auto products = [](auto x, auto y) {
+        y[0] = x[0] * x[1] + 2.0 * x[1] * x[2] + 3.0 * x[0] * x[2];
+        return true;
+    };
+    const Part part = whole(problem(normal_study(3, "second-order", 1, 1), {0, 0, 0}, products));
+    const auto found = part.basis.expansions[0].propagated(part.basis.laws, true);
+    const double variance = 1.0 + 4.0 + 9.0;
+    EXPECT_NEAR(found->deviation, std::sqrt(variance), 1e-9);
+    EXPECT_NEAR(found->total[0], (1.0 + 9.0) / variance, 1e-9);
+    EXPECT_NEAR(found->total[1], (1.0 + 4.0) / variance, 1e-9);
+    EXPECT_NEAR(found->total[2], (4.0 + 9.0) / variance, 1e-9);
+}
+
+TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
+    Json study = normal_study(2, "sobol", 20'000, 1, "/angle_deg");
+    const auto shares = [&](double zero) {
+        const Part part = whole(problem(study, {0, 0}, [zero](auto x, auto y) {
+            const double angle = std::fmod(zero + 20.0 * x[0] + 10.0 * x[1], 360.0);
+            y[0] = angle < 0.0 ? angle + 360.0 : angle;
+            return true;
+        }));
+        return part.tally.statistics(0);
+    };
+    for (const double zero : {0.0, 7.0, 180.0}) {
+        const Statistics found = shares(zero);
+        EXPECT_NEAR(found.first_order[0], 0.8, 0.01) << zero;
+        EXPECT_NEAR(found.total[0], 0.8, 0.03) << zero;
+        EXPECT_NEAR(found.total[1], 0.2, 0.03) << zero;
+    }
+}
+
 TEST(Study, CountsRefusalsByTheirReasons) {
     const Part part =
         whole(problem(normal_study(1, "monte-carlo", 1000, 5), {0.0}, [](auto x, auto y) {
