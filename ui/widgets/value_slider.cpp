@@ -96,6 +96,12 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] { refuse({}); });
 }
 
+ValueSlider::~ValueSlider() {
+    // A box that loses the focus by that says that its editing ends: nobody is there to hear it.
+    slider_->disconnect(this);
+    box_->disconnect(this);
+}
+
 QDoubleSpinBox* ValueSlider::box() const {
     return box_;
 }

@@ -24,6 +24,7 @@ class ValueSlider : public QWidget {
     /// @param label  with & for the mnemonic
     ValueSlider(const QString& label, double min, double max, double step, double pageStep,
                 int decimals, const QString& unit, QWidget* parent = nullptr);
+    ~ValueSlider() override;
 
     double value() const { return value_; }
     void setValue(double value);  ///< no signal
