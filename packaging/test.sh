@@ -50,8 +50,10 @@ unset QT_FONT_DPI QT_SCALE_FACTOR DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$root/build/test-home/config XDG_DATA_HOME=$root/build/test-home/data
 export UBSAN_OPTIONS=print_stacktrace=1
 
-summary=() failed=()
-passed_total=0 failed_total=0 skipped_total=0
+# What the stages leave: a line for each, and how many tests passed, failed and were skipped.
+notes=$(mktemp -d)
+trap 'rm -rf "$notes"' EXIT
+touch "$notes/stages" "$notes/failed" "$notes/counts"
 
 heading() { printf '\n==== %s ====\n' "$*"; }
 
@@ -61,9 +63,21 @@ stage() {
     shift
     heading "$name"
     "$@" || outcome=FAILED
-    [ $outcome = ok ] || failed+=("$name")
-    summary+=("$(printf '%-34s %-7s %4d s' "$name" $outcome $((SECONDS - started)))")
+    [ $outcome = ok ] || printf '%s\n' "$name" >>"$notes/failed"
+    printf '%-34s %-7s %4d s\n' "$name" $outcome $((SECONDS - started)) >>"$notes/stages"
     [ $outcome = ok ]
+}
+
+# beside LANE LANE: two functions of stages that take one core each; what they say comes lane by lane.
+beside() {
+    local lane
+    for lane in "$@"; do
+        "$lane" >"$notes/$lane.log" 2>&1 &
+    done
+    wait
+    for lane in "$@"; do
+        cat "$notes/$lane.log"
+    done
 }
 
 # Counts from ctest's own summary; a skipped test, which ctest calls passed, is counted apart.
@@ -78,9 +92,7 @@ run_tests() {
         return 1
     fi
     skipped=$(grep -c '(Skipped)$' "$log" || true)
-    skipped_total=$((skipped_total + skipped))
-    passed_total=$((passed_total + total - failed - skipped))
-    failed_total=$((failed_total + failed))
+    printf '%d %d %d\n' $((total - failed - skipped)) "$failed" "$skipped" >>"$notes/counts"
     return $status
 }
 
@@ -106,10 +118,16 @@ run_random_cases() {
         "$root/resources/examples" "$root/tests/fuzz/seeds/case"
 }
 
-# What the tests reach, of core and of what the pages show.
+# What the tests reach, of core and of what the pages show. Each program runs whole: a process for
+# each test would read and write the counters of everything for each.
 run_coverage() {
+    local -x LOCPATH=$root/build/coverage/locales
     find "$root/build/coverage" -name '*.gcda' -delete
-    (cd "$root" && ctest --test-dir build/coverage -j "$(nproc)" --no-tests=error) || return 1
+    # shellcheck disable=SC2016 # the shell of each program expands it
+    find "$root/build/coverage/tests" -type f -name 'test-*' -perm -u+x -print0 |
+        xargs -0 -P "$(nproc)" -I '{}' sh -c \
+            '"$0" --gtest_brief=1 >"$0.log" 2>&1 || { tail -n 30 "$0.log"; echo "$0 failed"; exit 1; }' '{}' ||
+        return 1
     "$root/tests/coverage/coverage.py" "$root/build/coverage" --folder core=97 \
         --folder 'ui/*/model=90'
 }
@@ -121,8 +139,18 @@ run_kills() {
         "$root/build/release/tests/ui/test-ui-workshop" --gtest_filter='*WhenKilled*'
 }
 
-# Slider moves, cases opened and closed, animation: memory stays.
-run_long_use() { build release long-use && "$root/build/release/tests/ui/shell/long-use"; }
+# Builds what it changes; nothing beside it may build from the sources.
+change_formulas() {
+    stage "mutations" "$root/tests/mutations/mutate.py" || true
+    stage "500 kills" run_kills || true
+}
+
+feed_numbers() {
+    stage "random cases" run_random_cases || true
+    stage "fuzz" "$root/tests/fuzz/fuzz.sh" --no-build 60 || true
+    # Slider moves, cases opened and closed, animation: memory stays.
+    stage "long use" "$root/build/release/tests/ui/shell/long-use" || true
+}
 
 # A random layout of addresses is none that the sanitizer of gcc 12 can take.
 run_threads() {
@@ -171,7 +199,7 @@ sections=(core ui run test)
 build_and_test core-only
 # What core-only has just built and tested is not built and tested again.
 archive=$root/build/core-only/core/libravnoves-core.a
-[[ " ${failed[*]} " != *" core-only: build "* ]] && [ -f "$archive" ] || archive=
+! grep -qx 'core-only: build' "$notes/failed" && [ -f "$archive" ] || archive=
 build_and_test release -DRAVNOVES_BUILD_CORE_TESTS=OFF -DRAVNOVES_CORE_ARCHIVE="$archive"
 if [ $quick = no ]; then
     stage "lint: scripts" lint_scripts || true
@@ -179,11 +207,9 @@ if [ $quick = no ]; then
     stage "lint: Debian package" "$root/packaging/deb.sh" --no-install || true
 fi
 if [ $full = yes ]; then
-    stage "random cases" run_random_cases || true
-    stage "fuzz" "$root/tests/fuzz/fuzz.sh" 60 || true
-    stage "mutations" "$root/tests/mutations/mutate.py" || true
-    stage "500 kills" run_kills || true
-    stage "long use" run_long_use || true
+    stage "fuzz: build" "$root/tests/fuzz/fuzz.sh" --build || true
+    stage "long use: build" build release long-use || true
+    beside change_formulas feed_numbers
     check_threads
     build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
     measure_coverage
@@ -194,10 +220,11 @@ fi
 [ ! -f "$root/build/release/CMakeCache.txt" ] || configure release -DRAVNOVES_CORE_ARCHIVE= >/dev/null
 
 heading "summary"
-printf '%s\n' "${summary[@]}"
-[ $skipped_total -eq 0 ] || printf '%d skipped\n' "$skipped_total"
-printf '%d passed, %d failed\n' "$passed_total" "$failed_total"
-if [ ${#failed[@]} -ne 0 ]; then
-    printf 'FAILED: %s\n' "${failed[*]}"
+cat "$notes/stages"
+awk '{ passed += $1; failed += $2; skipped += $3 }
+    END { if (skipped) printf "%d skipped\n", skipped; printf "%d passed, %d failed\n", passed, failed }' \
+    "$notes/counts"
+if [ -s "$notes/failed" ]; then
+    printf 'FAILED: %s\n' "$(paste -sd ',' "$notes/failed")"
     exit 1
 fi

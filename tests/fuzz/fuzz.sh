@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
-# fuzz.sh [SECONDS]: builds the fuzz targets and gives each of them so many seconds (60). What it
-# learns stays in build/fuzz/corpus and is where the next run goes on. A fault ends it: the input
-# that caused it lies in build/fuzz/faults, and belongs among the seeds once it is mended.
+# fuzz.sh [--build | --no-build] [SECONDS]: builds the fuzz targets and gives each of them so many
+# seconds (60); or only builds them, or takes them as they are. What it learns stays in
+# build/fuzz/corpus and is where the next run goes on. A fault ends it: the input that caused it lies
+# in build/fuzz/faults, and belongs among the seeds once it is mended.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../packaging/common.sh"
 
-seconds=${1:-60}
 here=$root/tests/fuzz
-configure fuzz
-build fuzz
+only=
+case ${1:-} in --build | --no-build) only=$1 && shift ;; esac
+seconds=${1:-60}
+if [ "$only" != --no-build ]; then
+    configure fuzz
+    build fuzz
+fi
+[ "$only" != --build ] || exit 0
 mkdir -p "$root/build/fuzz/faults"
 status=0
 for program in "$root"/build/fuzz/tests/fuzz/fuzz-*; do
