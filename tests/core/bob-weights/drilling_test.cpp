@@ -210,6 +210,25 @@ TEST(Plan, RoundsToTheDeepestStepThatHasRoom) {
     EXPECT_GT(checked, 10);
 }
 
+TEST(Plan, StaysWithinTheSectorAtBothItsEnds) {
+    int many = 0;
+    for (int from = -40; from < 0; from += 3) {
+        for (const bool turned : {false, true}) {
+            HoleLimits limits = usual;
+            limits.sector = turned ? std::pair(-30 * degree, -from * degree)
+                                   : std::pair(from * degree, 30 * degree);
+            const HolePlan plan = plan_holes(5000 * gram_mm, 0.0, rim, drills, limits, -1.0);
+            for (const Hole& hole : plan.holes) {
+                const double angle = std::remainder(hole.angle, 2.0 * pi);
+                EXPECT_GE(angle, limits.sector->first - 1e-12);
+                EXPECT_LE(angle, limits.sector->second + 1e-12);
+            }
+            many += plan.holes.size() > 1 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(many, 4);
+}
+
 TEST(Plan, SaysWhyItFallsShort) {
     // Within the limit nothing is drilled; what the point alone exceeds cannot be.
     EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());

@@ -1,5 +1,9 @@
 #include "elastic-hinge/rod_hinge_moment.h"
 
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <numbers>
+
+#include "elastic-hinge/design.h"
 #include "elastic-hinge/motion.h"
 #include "elastic-hinge/presets.h"
 #include "support.h"
@@ -28,6 +32,38 @@ TEST(ElasticHingeRod, IntegralIsThePrintedOneAtEverySpeed) {
             EXPECT_NEAR(by_quadrature, kinematics == Kinematics::series ? 9.46863 : 9.46481, 5e-6);
             EXPECT_NEAR(by_quadrature, result.rod_hinge_integral, 1e-11);
             EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment_potential), 0.0, 1e-11);
+        }
+    }
+}
+
+/// By a quadrature of its own, between whose ends the integrand is smooth; near λ = 1 too, where
+/// the angle of the rod turns over within a fraction of a degree.
+TEST(ElasticHingeRod, WorkIsTheIntegralOfItsMomentOverItsAngle) {
+    for (const double lambda : {0.3, 0.9, 0.975, 0.995, 0.9999}) {
+        Input input = preset_zotov();
+        input.kinematics = Kinematics::exact;
+        input.lambda = lambda;
+        const Design design(input);
+        const auto slope = [&](double phi) {
+            const double s = std::sin(phi);
+            const double c = std::cos(phi);
+            const double dpsi = lambda * c / std::sqrt((1.0 - lambda * s) * (1.0 + lambda * s));
+            return (design.rod_moment(s, c).value(design.angular_speed()) -
+                    design.rod_hinge_mean()) *
+                   (1.0 + dpsi);
+        };
+        boost::math::quadrature::tanh_sinh<double> quadrature;
+        double work = 0.0;
+        double largest = 0.0;
+        double from = 0.0;
+        // At none of the table's angles, but for the dead ends and the turning over of the rod.
+        for (const double to :
+             {0.4004, 1.2, 0.5 * std::numbers::pi, 1.9003, 2.7, 3.6005, 4.4, 5.9}) {
+            work += quadrature.integrate(slope, from, to);
+            largest = std::max(largest, std::abs(work));
+            EXPECT_NEAR(design.rod_work(to), work, 1e-8 * largest) << lambda << ' ' << to;
+            EXPECT_NEAR(design.rod_work(to - 2.0 * std::numbers::pi), work, 1e-8 * largest);
+            from = to;
         }
     }
 }
