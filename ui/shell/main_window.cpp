@@ -2,31 +2,24 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/recovery.h"
 #include "plot/picture_file.h"
 #include "report/case_report.h"
-#include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/new_case_dialog.h"
@@ -34,12 +27,10 @@
 #include "shell/recovery_dialog.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
-#include "shell/settings_dialog.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
 #include "studies/band_progress.h"
-#include "studies/tolerance_switch.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -53,23 +44,8 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int navigationWidth = 104;
-
-const QString restoreKey = QStringLiteral("session/restore");
 const QString filesKey = QStringLiteral("session/files");
 const QString currentKey = QStringLiteral("session/current");  ///< a file, or a scene
-
-/// A title that is wider than `room`, broken at the last blank where the first line fits.
-QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
-    if (metrics.horizontalAdvance(title) <= room) {
-        return title;
-    }
-    qsizetype at = title.lastIndexOf(QLatin1Char(' '));
-    while (at > 0 && metrics.horizontalAdvance(title.left(at)) > room) {
-        at = title.lastIndexOf(QLatin1Char(' '), at - 1);
-    }
-    return at > 0 ? title.replace(at, 1, QLatin1Char('\n')) : title;
-}
 
 }  // namespace
 
@@ -164,305 +140,6 @@ void MainWindow::renew() {
     centralWidget()->show();
     if (auto* again = field.isEmpty() ? nullptr : currentPage()->findChild<QWidget*>(field)) {
         again->setFocus();
-    }
-}
-
-void MainWindow::buildNavigation() {
-    auto* centre = new QWidget(this);
-    auto* row = new QHBoxLayout(centre);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
-
-    startAction_ = new QAction(themedIcon(QStringLiteral("start")), tr("Start"), this);
-    startAction_->setCheckable(true);
-    startAction_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Home));
-    startAction_->setToolTip(
-        tr("Scenes, recent files, examples") +
-        QStringLiteral(" (%1)").arg(startAction_->shortcut().toString(QKeySequence::NativeText)));
-    connect(startAction_, &QAction::toggled, this, [this](bool on) {
-        if (on) {
-            showStart();
-        }
-    });
-
-    auto* navigation = new QWidget(centre);
-    navigation->setFixedWidth(Theme::withText(navigationWidth));
-    navigation->setAutoFillBackground(true);
-    auto* column = new QVBoxLayout(navigation);
-    column->setContentsMargins(Theme::gap, Theme::gap, Theme::gap, Theme::gap);
-    column->setSpacing(2);  // all are seen in a window of 540 pixels
-    sceneGroup_ = new QActionGroup(this);
-    sceneGroup_->addAction(startAction_);
-    // In a window that is too low for all of them they scroll; what is open or has the focus is
-    // seen.
-    auto* area = new QScrollArea(centre);
-    const auto addButton = [&](QAction* action, int height) {
-        auto* button = new QToolButton(navigation);
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
-        button->setAutoRaise(true);
-        button->setFont(Theme::font(Theme::smallSize));
-        action->setIconText(
-            inTwoLines(action->text(), button->fontMetrics(),
-                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumHeight(std::max(height, button->sizeHint().height()));
-        button->setFocusPolicy(Qt::TabFocus);
-        column->addWidget(button);
-        connect(action, &QAction::toggled, area, [area, button](bool on) {
-            if (on) {
-                area->ensureWidgetVisible(button, 0, Theme::gap);
-            }
-        });
-    };
-    addButton(startAction_, 0);
-    for (const SceneInfo& info : documents_->scenes()) {
-        const int key = static_cast<int>(scenes_.size()) + 1;
-        auto* action =
-            new QAction(themedIcon(QStringLiteral("scene-") + info.name), info.title, this);
-        action->setCheckable(true);
-        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + key)));
-        action->setToolTip(info.summary + QStringLiteral(" (Ctrl+%1)").arg(key));
-        action->setStatusTip(info.summary);
-        sceneGroup_->addAction(action);
-        // A screen reader toggles the button without a click.
-        connect(action, &QAction::toggled, this, [this, name = info.name](bool on) {
-            if (on) {
-                showScene(name);
-            }
-        });
-        addButton(action, Theme::withText(58));
-        scenes_.push_back(action);
-    }
-    column->addStretch();
-    area->setObjectName(QStringLiteral("navigation"));
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidgetResizable(true);
-    area->setWidget(navigation);
-    area->setFixedWidth(navigation->minimumWidth());
-    QScrollBar* bar = area->verticalScrollBar();
-    connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
-        area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
-    });
-    const auto showChecked = [area, navigation, bar] {
-        for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
-            if (button->isChecked()) {
-                // From the top: the window was lower while it was laid out.
-                bar->setValue(0);
-                area->ensureWidgetVisible(button, 0, Theme::gap);
-            }
-        }
-    };
-    // Once the buttons are laid out.
-    connect(bar, &QScrollBar::rangeChanged, area, showChecked, Qt::QueuedConnection);
-    connect(qApp, &QApplication::focusChanged, area,
-            [area, navigation](const QWidget* was, QWidget* now) {
-                // Not where a window gets the focus that comes first.
-                if (was != nullptr && now != nullptr && navigation->isAncestorOf(now)) {
-                    area->ensureWidgetVisible(now, 0, Theme::gap);
-                }
-            });
-    row->addWidget(area);
-    auto* line = new QFrame(centre);
-    line->setFrameShape(QFrame::VLine);
-    line->setFrameShadow(QFrame::Plain);
-    line->setForegroundRole(QPalette::Mid);
-    line->setFixedWidth(1);
-    row->addWidget(line);
-    front_ = new QStackedWidget(centre);
-    front_->addWidget(documents_);
-    row->addWidget(front_, 1);
-    setCentralWidget(centre);
-}
-
-void MainWindow::buildMenus() {
-    const auto add = [this](QMenu* menu, const QString& icon, const QString& text,
-                            const QKeySequence& keys, auto&& slot) {
-        auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
-        action->setShortcut(keys);
-        QString tip = text;
-        tip.remove(QLatin1Char('&')).remove(QChar(0x2026));
-        if (!keys.isEmpty()) {
-            tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
-        }
-        action->setToolTip(tip);
-        connect(action, &QAction::triggered, this, slot);
-        menu->addAction(action);
-        return action;
-    };
-
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
-                         [this] { newCase(currentScene()); });
-    newFrom_ = add(file, {}, tr("New case &from…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                   [this] { beginWithDialog(); });
-    QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
-                        [this] { openWithDialog(); });
-    recentMenu_ = file->addMenu(tr("Open &recent"));
-    connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
-    examplesMenu_ = file->addMenu(tr("E&xamples"));
-    connect(examplesMenu_, &QMenu::aboutToShow, this, &MainWindow::fillExamples);
-    QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
-                              [this] { documents_->current().document->save(); });
-    QAction* saveAsAction =
-        add(file, {}, tr("Save case &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-            [this] { documents_->current().document->saveAs(); });
-    file->addSeparator();
-    QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
-                           QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
-    QAction* report = add(file, QStringLiteral("pdf"), tr("Repor&t…"),
-                          QKeySequence(Qt::CTRL | Qt::Key_R), [this] { exportReport(); });
-    file->addSeparator();
-    QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
-                         [this] { documents_->closeCurrent(); });
-    file->addSeparator();
-    QAction* restores = add(file, {}, tr("Open the same cases at the next s&tart"), {}, [] {});
-    restores->setCheckable(true);
-    restores->setChecked(QSettings().value(restoreKey, false).toBool());
-    connect(restores, &QAction::toggled, this, [this](bool on) {
-        QSettings().setValue(restoreKey, on);
-        rememberSession();
-    });
-    add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
-
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this] {
-        // What is refused is the newest of all, and in no history.
-        if (SceneModel& model = *currentPage()->model(); !takeBackRefused(model)) {
-            model.undo();
-        }
-    });
-    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
-                [this] { currentPage()->model()->redo(); });
-    redo_->setShortcuts(
-        {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
-    edit->addSeparator();
-    QAction* copyText = add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
-                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] {
-                                QApplication::clipboard()->setText(currentPage()->resultsAsText());
-                                statusBar()->showMessage(tr("Results copied as text"), 3000);
-                            });
-    QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
-        QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
-        statusBar()->showMessage(tr("Results copied as CSV"), 3000);
-    });
-
-    edit->addSeparator();
-    variants_ = new VariantMenu(this);
-    edit->addMenu(variants_);
-    QAction* tolerances =
-        add(edit, QStringLiteral("tolerances"), tr("T&olerances…"),
-            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { showTolerances(); });
-    QAction* properties =
-        add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
-            auto* dialog = new CaseProperties(currentPage()->model(), this);
-            dialog->setAttribute(Qt::WA_DeleteOnClose);
-            dialog->open();
-        });
-    add(edit, {}, tr("&Settings…"), QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] {
-        auto* dialog = new SettingsDialog(this);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->open();
-    });
-    add(edit, {}, tr("Sca&le…"), {}, [this] { scale_->openSettings(); });
-
-    sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
-
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(startAction_);
-    view->addActions(QList<QAction*>(scenes_.begin(), scenes_.end()));
-    view->addSeparator();
-    nextTab_ = add(view, {}, tr("Ne&xt case"), QKeySequence(Qt::CTRL | Qt::Key_Tab),
-                   [this] { documents_->step(1); });
-    previousTab_ =
-        add(view, {}, tr("Pre&vious case"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Tab),
-            [this] { documents_->step(-1); });
-    view->addSeparator();
-    QAction* reset =
-        add(view, QStringLiteral("reset-zoom"), tr("Reset &zoom of all plots"),
-            QKeySequence(Qt::CTRL | Qt::Key_0), [this] { currentPage()->resetZoom(); });
-    QAction* bands = add(view, {}, tr("Tolerance &bands"), {}, [] {});
-    bands->setCheckable(true);
-    bands->setChecked(ToleranceSwitch::instance().isOn());
-    bands->setStatusTip(
-        tr("Bands about the curves and ± beside the numbers, where the case has "
-           "tolerances"));
-    connect(bands, &QAction::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
-    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QAction::setChecked);
-    add(view, {}, tr("&Full screen"), QKeySequence(Qt::Key_F11),
-        [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    view->addSeparator();
-    QMenu* themes = view->addMenu(themedIcon(QStringLiteral("theme")), tr("&Theme"));
-    auto* themeGroup = new QActionGroup(this);
-    const std::vector<std::pair<Theme::Mode, QString>> modes{
-        {Theme::Mode::System, tr("As the &desktop")},
-        {Theme::Mode::Light, tr("&Light")},
-        {Theme::Mode::Dark, tr("&Dark")}};
-    for (const auto& [mode, text] : modes) {
-        QAction* action = themes->addAction(text, this, [mode = mode] {
-            Theme::instance().setMode(mode);
-            QSettings().setValue(QStringLiteral("view/theme"), static_cast<int>(mode));
-        });
-        action->setCheckable(true);
-        themeGroup->addAction(action);
-        const auto check = [action, mode = mode] {
-            action->setChecked(Theme::instance().mode() == mode);
-        };
-        check();
-        connect(&Theme::instance(), &Theme::changed, action, check);
-    }
-    QMenu* languages = view->addMenu(tr("L&anguage"));
-    auto* languageGroup = new QActionGroup(this);
-    for (const Language& language : availableLanguages()) {
-        QAction* action = languages->addAction(language.ownName, this, [language] {
-            Preferences::instance().setLanguage(language.code);
-        });
-        action->setCheckable(true);
-        action->setChecked(language.code == currentLanguage());
-        languageGroup->addAction(action);
-    }
-
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    add(help, QStringLiteral("help"), tr("&About this page: formulas and sources"),
-        QKeySequence::HelpContents,
-        [this] { showHelp(isAtStart() ? QStringLiteral("keys") : currentScene()); });
-    add(help, {}, tr("&Case files and command line"), {},
-        [this] { showHelp(QStringLiteral("case-files")); });
-    add(help, {}, tr("&Variants: one design against another"), {},
-        [this] { showHelp(QStringLiteral("variants")); });
-    add(help, {}, tr("&Tolerances: how sure a result is"), {},
-        [this] { showHelp(QStringLiteral("tolerances")); });
-    add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
-    whatsThis_ = new WhatsThis(this);
-    help->addAction(whatsThis_->action());
-    help->addSeparator();
-    add(help, {}, tr("About &Ravnoves"), {}, [this] { showAbout(); });
-
-    toolBar_ = addToolBar(tr("Main toolbar"));
-    toolBar_->setObjectName(QStringLiteral("main-toolbar"));
-    toolBar_->setMovable(false);
-    toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
-    toolBar_->addActions({fresh, open, saveAction});
-    newMenu_ = new QMenu(toolBar_);
-    connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
-    auto* newButton = qobject_cast<QToolButton*>(toolBar_->widgetForAction(fresh));
-    newButton->setMenu(newMenu_);
-    newButton->setPopupMode(QToolButton::MenuButtonPopup);
-    toolBar_->addSeparator();
-    toolBar_->addActions({undo_, redo_});
-    toolBar_->addSeparator();
-    toolBar_->addActions({copyText, picture, reset});
-    toolBar_->addSeparator();
-    toolBar_->addWidget(variants_->button());
-    toolBar_->addAction(tolerances);
-    toolBar_->addSeparator();
-    pageActions_ = {close, copyText, copyCsv, picture, reset};
-    caseActions_ = {fresh, saveAction, saveAsAction, tolerances, properties, report};
-    for (QAction* action : caseActions_) {
-        action->setData(action->toolTip());
     }
 }
 
@@ -572,27 +249,6 @@ void MainWindow::beginOrSayWhy(const CaseFile& file) {
 void MainWindow::beginWithDialog() {
     if (const auto file = NewCaseDialog::ask(currentScene(), this)) {
         beginOrSayWhy(*file);
-    }
-}
-
-void MainWindow::fillNewMenu() {
-    newMenu_->clear();
-    for (const NewCase& each : newCases()) {
-        if (each.scene == currentScene()) {
-            newMenu_->addAction(listed(each), this, [this, each] { beginOrSayWhy(each.make()); });
-        }
-    }
-    newMenu_->addSeparator();
-    newMenu_->addAction(newFrom_);
-}
-
-void MainWindow::fillExamples() {
-    examplesMenu_->clear();
-    for (const NewCase& each : newCases()) {
-        if (each.kind == NewCase::Kind::Example) {
-            examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
-                                     this, [this, each] { beginOrSayWhy(each.make()); });
-        }
     }
 }
 
@@ -822,17 +478,6 @@ void MainWindow::exportReport() {
         statusBar()->showMessage(tr("Report written: %1").arg(path), 5000);
     } else {
         QMessageBox::warning(this, tr("Report"), trouble);
-    }
-}
-
-void MainWindow::fillRecentFiles() {
-    recentMenu_->clear();
-    const QStringList files = CaseDocument::recentPaths();
-    for (const QString& file : files) {
-        recentMenu_->addAction(file, this, [this, file] { openOrSayWhy(file); });
-    }
-    if (files.isEmpty()) {
-        recentMenu_->addAction(tr("No files yet"))->setEnabled(false);
     }
 }
 

@@ -73,6 +73,9 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    /// Whether the next start opens the files of the last.
+    static constexpr QLatin1String restoreKey{"session/restore"};
+
     void buildNavigation();
     void buildMenus();
     /// Makes menus, navigation and pages anew, in the present language, units and size of text.
