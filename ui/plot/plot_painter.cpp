@@ -5,9 +5,9 @@
 #include <QGraphicsScene>
 #include <QImage>
 #include <QPainter>
-#include <QSignalBlocker>
 #include <QValueAxis>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "plot/model/axis_title.h"
@@ -38,27 +38,6 @@ double columnPerTick() {
 }
 double chartRowPerTick() {
     return Theme::withText(28);
-}
-/// The axis makes all its ticks anew, each as an item of a scene, whenever it hears of a change: it
-/// hears of one.
-void moveAxis(QValueAxis& axis, double low, double high, double step) {
-    constexpr double many = 1e3;  // the ticks are counted from the anchor on, one by one
-    const double anchor = std::abs(low) > many * step ? std::ceil(low / step - 1e-9) * step : 0.0;
-    const bool hasOtherTicks = axis.tickInterval() != step || axis.tickAnchor() != anchor;
-    {
-        const QSignalBlocker quiet(axis);
-        axis.setTickAnchor(anchor);
-        axis.setTickInterval(step);
-    }
-    const std::pair before(axis.min(), axis.max());
-    axis.setRange(low, high);
-    if (hasOtherTicks && before == std::pair(axis.min(), axis.max())) {
-        {
-            const QSignalBlocker quiet(axis);
-            axis.setTickInterval(2.0 * step);
-        }
-        axis.setTickInterval(step);
-    }
 }
 
 }  // namespace
@@ -172,39 +151,41 @@ void PlotPainter::layoutArea(const QSizeF& size, const Margins& least) {
 }
 
 void PlotPainter::layoutAxes() {
-    const Theme& theme = Theme::instance();
-    const auto apply = [&](std::size_t number, const PlotScale& scale, Qt::Alignment edge) {
-        QValueAxis*& axis = axes_[number];
-        if (axis == nullptr) {
-            axis = new QValueAxis;
-            chart_->addAxis(axis, edge);
-            axis->setTickType(QValueAxis::TicksDynamic);
-            axis->setTickAnchor(0.0);
-            axis->setMinorGridLineVisible(false);
-            axis->setGridLineVisible(edge != Qt::AlignRight);
-            // Numbers and title are painted by hand: a true minus, a unit that stays. The chart
-            // would lay out, as rich text, even numbers that it does not show: without a place
-            // for the number in their format they are empty.
-            axis->setLabelFormat(QStringLiteral(" "));
-            axis->setLabelsVisible(false);
-            axis->setTitleVisible(false);
-        }
-        axis->setVisible(!scale.isOwn());
-        axis->setLinePen(QPen(theme.border(), 1));
-        // Over a picture the grid gives way.
-        axis->setGridLinePen(
-            QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
-        if (!scale.isOwn()) {
-            moveAxis(*axis, scale.number(scale.low), scale.number(scale.high), scale.step);
-        }
-    };
     chooseColumns(data_.x, data_.area.width());
     data_.left.chooseStep(data_.area.height(), chartRowPerTick());
     data_.right.chooseStep(data_.area.height(), chartRowPerTick());
-    apply(0, data_.x, Qt::AlignBottom);
-    apply(1, data_.left, Qt::AlignLeft);
-    if (data_.sideUsed(Side::Right)) {
-        apply(2, data_.right, Qt::AlignRight);
+    layoutLines();
+}
+
+void PlotPainter::layoutLines() {
+    const QPen pen(Theme::instance().border(), 1);
+    const bool isRight = data_.sideUsed(Side::Right);
+    const ChartLines lines{
+        size_,
+        data_.area,
+        pen,
+        {!data_.x.isOwn(), !data_.left.isOwn(), isRight && !data_.right.isOwn()}};
+    if (lines == chartLines_) {
+        return;
+    }
+    chartLines_ = lines;
+    constexpr std::array edges{Qt::AlignBottom, Qt::AlignLeft, Qt::AlignRight};
+    for (std::size_t i = 0; i < (isRight ? 3 : 2); ++i) {
+        QValueAxis*& axis = axes_[i];
+        if (axis == nullptr) {
+            axis = new QValueAxis;
+            chart_->addAxis(axis, edges[i]);
+            // Ticks, grid and numbers are painted by hand: the chart makes an item and a rich text
+            // for each, anew with every change of the scale.
+            axis->setTickCount(2);
+            axis->setRange(0.0, 1.0);
+            axis->setLabelFormat(QStringLiteral(" "));
+            axis->setLabelsVisible(false);
+            axis->setTitleVisible(false);
+            axis->setGridLineVisible(false);
+        }
+        axis->setVisible(lines.seen[i]);
+        axis->setLinePen(pen);
     }
     // A new plot area alone does not lay out anything; in this order it is done once.
     scene_->setSceneRect(QRectF(QPointF(), size_));
@@ -236,14 +217,54 @@ void PlotPainter::paintAxes(QPainter& painter) {
     for (const plot::Band& band : data_.bands) {
         paintBand(painter, band);
     }
+    paintGrid(painter);
     const QRectF whole(QPointF(), size_);
+    painter.save();
+    painter.setClipRect(
+        data_.area.adjusted(-1.0, -1.0, 1.0, 1.0));  // without the chart's own ticks
     scene_->render(&painter, whole, whole);
+    painter.restore();
     paintAxis(painter, data_.x, Qt::BottomEdge);
     paintAxis(painter, data_.left, Qt::LeftEdge);
     if (data_.sideUsed(Side::Right)) {
         paintAxis(painter, data_.right, Qt::RightEdge);
     }
     paintGhosts(painter);
+}
+
+void PlotPainter::paintGrid(QPainter& painter) const {
+    constexpr double stroke = 5.0;  // of a tick, beyond the line
+    const Theme& theme = Theme::instance();
+    const QRectF& area = data_.area;
+    // Over a picture the grid gives way.
+    const QPen grid(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1);
+    const QPen line(theme.border(), 1);
+    QList<QLineF> across;
+    QList<QLineF> strokes;
+    if (!data_.x.isOwn()) {
+        for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
+            const double x = area.left() + data_.x.fraction(tick) * area.width();
+            across.append({x, area.top(), x, area.bottom()});
+            strokes.append({x, area.bottom(), x, area.bottom() + stroke});
+        }
+    }
+    if (!data_.left.isOwn()) {
+        for (const double tick : data_.left.ticks(area.height(), rowPerTick())) {
+            const double y = area.bottom() - data_.left.fraction(tick) * area.height();
+            across.append({area.left(), y, area.right(), y});
+            strokes.append({area.left() - stroke, y, area.left(), y});
+        }
+    }
+    if (data_.sideUsed(Side::Right) && !data_.right.isOwn()) {
+        for (const double tick : data_.right.ticks(area.height(), rowPerTick())) {
+            const double y = area.bottom() - data_.right.fraction(tick) * area.height();
+            strokes.append({area.right(), y, area.right() + stroke, y});
+        }
+    }
+    painter.setPen(grid);
+    painter.drawLines(across);
+    painter.setPen(line);
+    painter.drawLines(strokes);
 }
 
 void PlotPainter::paintGhosts(QPainter& painter) const {
@@ -333,7 +354,7 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
 void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    const bool own = scale.isOwn();  // of others grid and line are the chart's
+    const bool own = scale.isOwn();  // of others the line is the chart's
     const bool flat = edge == Qt::BottomEdge;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);

@@ -2,6 +2,7 @@
 
 #include <QFont>
 #include <QLineF>
+#include <QPen>
 #include <array>
 #include <memory>
 #include <span>
@@ -75,6 +76,10 @@ class PlotPainter {
     /// The step of x in so many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;
     void layoutAxes();
+    /// The chart's part of the axes: their lines.
+    void layoutLines();
+    /// Grid and ticks of axes that are not own.
+    void paintGrid(QPainter& painter) const;
     void paintBand(QPainter& painter, const plot::Band& band) const;
     /// Where there is room for them.
     void paintBandWords(QPainter& painter, const plot::Band& band, LabelPlaces& places) const;
@@ -121,6 +126,15 @@ class PlotPainter {
     QSizeF size_;
     QSizeF laidOut_;
     std::array<double, 10> placed_{};  ///< area and scales of the lines made last
+    /// What the chart's lines are laid out for.
+    struct ChartLines {
+        QSizeF size;
+        QRectF area;
+        QPen pen;
+        std::array<bool, 3> seen{};
+        bool operator==(const ChartLines&) const = default;
+    };
+    ChartLines chartLines_;
     std::unique_ptr<QGraphicsScene> scene_;
     QChart* chart_;  // owned by the scene
     std::array<QValueAxis*, 3>
