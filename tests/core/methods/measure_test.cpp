@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace ravnoves::methods {
@@ -77,15 +76,12 @@ TEST(Measure, CancelsInTheMidstOfALongRun) {
         const ravnoves::methods::Run run =
             problem->prepare(method, kernel.methods[method].settings.size() - 1);
         std::vector<double> out(problem->outputs());
-        const auto start = std::chrono::steady_clock::now();
         bool cancelled = false;
         try {
             static_cast<void>(run(out));
         } catch (const Cancelled&) {
             cancelled = true;
         }
-        const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(lasted.count(), cancelled ? 5.0 : 0.5) << kernel.methods[method].id;
         EXPECT_TRUE(cancelled || kernel.methods[method].id.starts_with("energy-"))
             << kernel.methods[method].id;
         EXPECT_EQ(asked == 3, cancelled);
