@@ -26,6 +26,7 @@ NO_FORMULA = re.compile(r'"|std::string|throw |\bwork_|\bcost\(')
 # Changes that no answer shows: what they touch only saves work. By the line as it is.
 OF_WORK = {
     "abs(slope_left) + abs(slope_right) > curvature * h": "a search that is passed over finds nothing",
+    "most - least - search_.enough": "steers a search whose finds are judged for themselves",
 }
 CHANGES = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
            ("std::sin(", "std::cos("), ("std::cos(", "std::sin(")]

@@ -89,6 +89,17 @@ TEST(BobWeight, FollowsFactorAndOverbalance) {
     EXPECT_NEAR(solved(input).at("bobweight_g").get<double>(), 800, 1e-9);
 }
 
+TEST(BobWeight, OverbalanceLeavesAFactorOfZeroOrMore) {
+    Json input = shop_card();
+    input["factor"] = {{"reciprocating_percent", 2}, {"overbalance_percent", 5}};
+    EXPECT_NEAR(solved(input).at("bobweight_g").get<double>(), 4 + 2 * (253.5 + 0.07 * 994.2),
+                1e-9);
+    input["factor"]["overbalance_percent"] = -2;
+    EXPECT_NEAR(solved(input).at("bobweight_g").get<double>(), 4 + 2 * 253.5, 1e-9);
+    input["factor"]["overbalance_percent"] = -2.5;
+    EXPECT_THROW(solved(input), InputError);
+}
+
 TEST(BobWeight, OfWeighedPartsTakesTheirMeans) {
     Json input = shop_card();
     input["engine"]["cylinders"] = 4;

@@ -106,6 +106,52 @@ TEST(QuickResponse, RefusesAsTheWholeSolutionDoes) {
     }
 }
 
+/// Scenes without a quick way are solved whole at every sample.
+TEST(CaseResponse, GivesTheNumbersOfTheWholeSolutionOfEveryScene) {
+    const struct {
+        const char* file;
+        const char* varied;
+        double impossible;
+    } scenes[] = {{"zotov-energy.case.json", "/lambda", 7.0},
+                  {"vr5-volkswagen.case.json", "/crank_radius_mm", -1.0},
+                  {"v8-6-manufacture.case.json", "/engine/plug_radius_mm", -1.0},
+                  {"bob-weights-v8.case.json", "/parts_g/piston", -1.0}};
+    for (const auto& scene : scenes) {
+        CaseFile file = example(scene.file);
+        const Json::json_pointer place(scene.varied);
+        const double nominal = file.input.at(place).get<double>();
+        std::vector<std::string> watched;
+        Json watch = Json::object();
+        const Json flat = solve_case(file, {}).at("result").flatten();
+        for (const auto& item : flat.items()) {
+            if (item.value().is_number_float() && watched.size() < 12) {
+                watch[item.key()] = Json::object();
+                watched.push_back(item.key());
+            }
+        }
+        file.study = {{"vary", {{scene.varied, {{"plus_minus_percent", 0.5}}}}},
+                      {"watch", watch},
+                      {"samples", 8}};
+        const Problem problem = problem_of(file, {});
+        const auto response = problem.make();
+        std::vector<double> y(watched.size());
+        for (const double share : {0.996, 1.0, 1.003}) {
+            const double x = share * nominal;
+            CaseFile moved = file;
+            moved.input[place] = x;
+            ASSERT_TRUE(response->evaluate(std::span(&x, 1), y)) << scene.file;
+            const Json result = solve_case(moved, {}).at("result");
+            for (std::size_t w = 0; w < watched.size(); ++w) {
+                EXPECT_EQ(y[w], result.at(Json::json_pointer(watched[w])).get<double>())
+                    << scene.file << watched[w];
+            }
+        }
+        EXPECT_FALSE(response->evaluate(std::span(&scene.impossible, 1), y)) << scene.file;
+        EXPECT_NE(response->reason().message().english().find(scene.varied), std::string::npos)
+            << response->reason().message().english();
+    }
+}
+
 TEST(CaseResponse, SaysReasonsAsMessages) {
     CaseFile file = example("tmz-650d.case.json");
     file.input["centre_distance_mm"] = 20.0;  // no room at any angle

@@ -8,6 +8,7 @@
 
 #include "case-file/json.h"
 #include "studies/exact_sum.h"
+#include "studies/law.h"
 #include "studies/sampler.h"
 #include "studies/sha256.h"
 
@@ -15,6 +16,27 @@ namespace ravnoves::studies {
 namespace {
 
 constexpr std::array sampled{Method::monte_carlo, Method::latin_hypercube, Method::sobol};
+
+TEST(Law, HasTheMomentsOfItsSamples) {
+    constexpr int steps = 200'000;
+    for (const Varied::Spread spread : {Varied::Spread::normal, Varied::Spread::plus_minus}) {
+        const Law law = law_of({.pointer = "/x", .spread = spread, .size = 0.5}, 3.0);
+        double mean = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            mean += law.at((i + 0.5) / steps) / steps;
+        }
+        double squares = 0.0;
+        double fourths = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            const double away = law.at((i + 0.5) / steps) - mean;
+            squares += away * away / steps;
+            fourths += away * away * away * away / steps;
+        }
+        EXPECT_NEAR(mean, law.mean, 1e-9);
+        EXPECT_NEAR(squares, law.deviation * law.deviation, 1e-4 * squares);
+        EXPECT_NEAR(fourths, law.fourth_moment, 1e-3 * fourths);
+    }
+}
 
 TEST(CounterRandom, GivesThePublishedNumbers) {
     // The first known answer of philox4x32-10 in Random123.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -53,6 +54,21 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         EXPECT_NEAR(spread(after), best.spread, 1e-12);
         EXPECT_LE(spread(after), spread(by_crankpin) + 1e-15);
     }
+}
+
+TEST(WeighInSheet, CrankOfTheEngineHasItsPinsCrosswise) {
+    const workshop::Crank crank = crank_of(WeighIn{});
+    ASSERT_EQ(crank.angles.size(), crankpin_count);
+    const double quarter = 0.5 * std::numbers::pi;
+    const double turned[] = {0.0, quarter, 3.0 * quarter, 2.0 * quarter};
+    for (std::size_t pin = 0; pin < crankpin_count; ++pin) {
+        EXPECT_NEAR(crank.angles[pin], turned[pin], 1e-15);
+    }
+    // Static balance, and a couple that a weight at each end takes up.
+    EXPECT_NEAR(std::cos(crank.angles[0]) + std::cos(crank.angles[3]), 0.0, 1e-15);
+    WeighIn sheet;
+    sheet.matching.crankpin_angles_deg = {0, 180, 180, 0};
+    EXPECT_NEAR(crank_of(sheet).angles[1], 2.0 * quarter, 1e-15);
 }
 
 TEST(WeighInSheet, NominalMassesOfTheGearFollowFromTheParts) {
