@@ -220,8 +220,8 @@ void PlotPainter::paintAxes(QPainter& painter) {
     paintGrid(painter);
     const QRectF whole(QPointF(), size_);
     painter.save();
-    painter.setClipRect(
-        data_.area.adjusted(-1.0, -1.0, 1.0, 1.0));  // without the chart's own ticks
+    // The lines whole, without the chart's own ticks.
+    painter.setClipRect(data_.area.adjusted(-0.5, -0.5, 0.5, 0.5));
     scene_->render(&painter, whole, whole);
     painter.restore();
     paintAxis(painter, data_.x, Qt::BottomEdge);

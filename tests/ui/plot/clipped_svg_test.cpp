@@ -268,7 +268,8 @@ TEST(ClippedSvg, ACurveOfAZoomedPlotStaysInItsChart) {
     // The generator writes a curve as a polyline: none leaves the chart.
     const QString svg = QString::fromUtf8(out.data());
     static const QRegularExpression curves(u"<polyline [^>]*points=\"([^\"]*)\""_s);
-    const QRectF chart = plot.plotArea().adjusted(-0.1, -0.1, 0.1, 0.1);
+    constexpr double line = 0.6;  // half of an axis
+    const QRectF chart = plot.plotArea().adjusted(-line, -line, line, line);
     int inside = 0;
     for (const QRegularExpressionMatch& curve : curves.globalMatch(svg)) {
         const QStringList points = curve.captured(1).split(u' ', Qt::SkipEmptyParts);
