@@ -245,6 +245,18 @@ TEST(ArticulatedRods, OrdersAddUpToTheForces) {
     }
 }
 
+TEST(ArticulatedRods, ScaleOfMomentsIsThatOfForcesTimesTheirLever) {
+    Input input = irregular_star();
+    for (Cylinder& cylinder : input.cylinders) {
+        cylinder.axial_position = 0.113;
+    }
+    const EngineOrders orders = exact_orders(make_engine(input), 6);
+    for (const EngineOrder& order : orders.orders) {
+        EXPECT_GT(order.force_scale, 0.0);
+        EXPECT_NEAR(order.moment_scale, 0.1 * order.force_scale, 1e-12 * order.force_scale);
+    }
+}
+
 TEST(ArticulatedRods, AKnuckleAtTheCrankpinIsAPlainRod) {
     Input input = irregular_star();
     for (Cylinder& cylinder : input.cylinders) {

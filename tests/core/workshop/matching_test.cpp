@@ -387,6 +387,19 @@ TEST_F(Matching, OfManyCylindersProvesFewMoves) {
     EXPECT_NE(never.remark.english().find("No placing found"), std::string::npos);
 }
 
+TEST_F(Matching, WhatIsJustPermittedStays) {
+    Case at = made(8);
+    at.sheet.matching.goal = MatchingGoal::fewest_moves;
+    at.sheet.matching.permitted_spread = 1.0;
+    const Matched as_it_is = at.matched();
+    ASSERT_EQ(as_it_is.moved, 0);
+    ASSERT_GT(as_it_is.spread, 0.0);
+    at.sheet.matching.permitted_spread = as_it_is.spread;
+    EXPECT_EQ(at.matched().moved, 0);
+    at.sheet.matching.permitted_spread = as_it_is.spread - 1e-8;
+    EXPECT_GT(at.matched().moved, 0);
+}
+
 TEST_F(Matching, SaysWhatAGoalLacks) {
     Case at = made(8);
     at.sheet.matching.goal = MatchingGoal::fewest_moves;
