@@ -203,16 +203,17 @@ TEST(Study, SecondOrderIsExactForSquares) {
 
 TEST(Study, SecondOrderSharesEachProductAmongItsTwo) {
     const auto products = [](auto x, auto y) {
-        y[0] = x[0] * x[1] + 2.0 * x[1] * x[2] + 3.0 * x[0] * x[2];
+        y[0] = x[0] * x[1] + 2.0 * x[1] * x[2] + 3.0 * x[0] * x[2] + 5.0 * x[1] * x[3];
         return true;
     };
-    const Part part = whole(problem(normal_study(3, "second-order", 1, 1), {0, 0, 0}, products));
+    const Part part = whole(problem(normal_study(4, "second-order", 1, 1), {0, 0, 0, 0}, products));
     const auto found = part.basis.expansions[0].propagated(part.basis.laws, true);
-    const double variance = 1.0 + 4.0 + 9.0;
+    const double variance = 1.0 + 4.0 + 9.0 + 25.0;
     EXPECT_NEAR(found->deviation, std::sqrt(variance), 1e-9);
     EXPECT_NEAR(found->total[0], (1.0 + 9.0) / variance, 1e-9);
-    EXPECT_NEAR(found->total[1], (1.0 + 4.0) / variance, 1e-9);
+    EXPECT_NEAR(found->total[1], (1.0 + 4.0 + 25.0) / variance, 1e-9);
     EXPECT_NEAR(found->total[2], (4.0 + 9.0) / variance, 1e-9);
+    EXPECT_NEAR(found->total[3], 25.0 / variance, 1e-9);
 }
 
 TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
