@@ -1,5 +1,6 @@
 #include "bob-weights/input.h"
 
+#include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
 #include "case-file/field_writer.h"
