@@ -96,7 +96,9 @@ struct EngineOrders {
     std::size_t transform_samples = 0;  ///< longest transform used; 0 for the two-term form
     bool accurate = true;  ///< false where a mechanism is too near locking for the accuracy asked
 
-    const EngineOrder& order(int k) const { return orders[static_cast<std::size_t>(k) - 1]; }
+    const EngineOrder& order(int k) const& { return orders[static_cast<std::size_t>(k) - 1]; }
+    /// Of orders that end with the statement a copy.
+    EngineOrder order(int k) && { return orders[static_cast<std::size_t>(k) - 1]; }
 };
 
 /// The note on orders that are not accurate.
