@@ -229,7 +229,8 @@ TEST(Correction, LeavesWhatItSays) {
             if (slugs) {
                 input["correction"]["slug"] = {{"diameter_mm", 20}, {"density_kg_m3", 17'500}};
             }
-            for (const Json& plane : solved(input).at("correction").at("planes")) {
+            const Json planes = solved(input).at("correction").at("planes");
+            for (const Json& plane : planes) {
                 EXPECT_NEAR(left_of(plane), plane.at("remaining_g_mm").get<double>(), 1e-6);
                 EXPECT_TRUE(plane.at("within_tolerance").is_null());
             }
