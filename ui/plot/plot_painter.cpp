@@ -160,11 +160,7 @@ void PlotPainter::layoutAxes() {
 void PlotPainter::layoutLines() {
     const QPen pen(Theme::instance().border(), 1);
     const bool isRight = data_.sideUsed(Side::Right);
-    const ChartLines lines{
-        size_,
-        data_.area,
-        pen,
-        {!data_.x.isOwn(), !data_.left.isOwn(), isRight && !data_.right.isOwn()}};
+    const ChartLines lines{size_, data_.area, pen, isRight};
     if (lines == chartLines_) {
         return;
     }
@@ -184,8 +180,10 @@ void PlotPainter::layoutLines() {
             axis->setTitleVisible(false);
             axis->setGridLineVisible(false);
         }
-        axis->setVisible(lines.seen[i]);
         axis->setLinePen(pen);
+    }
+    if (axes_[2] != nullptr) {
+        axes_[2]->setVisible(isRight);
     }
     // A new plot area alone does not lay out anything; in this order it is done once.
     scene_->setSceneRect(QRectF(QPointF(), size_));
@@ -233,37 +231,37 @@ void PlotPainter::paintAxes(QPainter& painter) {
 }
 
 void PlotPainter::paintGrid(QPainter& painter) const {
-    constexpr double stroke = 5.0;  // of a tick, beyond the line
+    constexpr double stroke = 5.0;  // of a tick, beyond the line; a scale of its own has none
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    // Over a picture the grid gives way.
-    const QPen grid(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1);
-    const QPen line(theme.border(), 1);
-    QList<QLineF> across;
+    QList<QLineF> grid;
     QList<QLineF> strokes;
-    if (!data_.x.isOwn()) {
-        for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
-            const double x = area.left() + data_.x.fraction(tick) * area.width();
-            across.append({x, area.top(), x, area.bottom()});
+    for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
+        const double x = area.left() + data_.x.fraction(tick) * area.width();
+        grid.append({x, area.top(), x, area.bottom()});
+        if (!data_.x.isOwn()) {
             strokes.append({x, area.bottom(), x, area.bottom() + stroke});
         }
     }
-    if (!data_.left.isOwn()) {
-        for (const double tick : data_.left.ticks(area.height(), rowPerTick())) {
-            const double y = area.bottom() - data_.left.fraction(tick) * area.height();
-            across.append({area.left(), y, area.right(), y});
-            strokes.append({area.left() - stroke, y, area.left(), y});
+    const auto addRows = [&](const PlotScale& scale, double from, double to, bool hasGrid) {
+        for (const double tick : scale.ticks(area.height(), rowPerTick())) {
+            const double y = area.bottom() - scale.fraction(tick) * area.height();
+            if (hasGrid) {
+                grid.append({area.left(), y, area.right(), y});
+            }
+            if (!scale.isOwn()) {
+                strokes.append({from, y, to, y});
+            }
         }
+    };
+    addRows(data_.left, area.left() - stroke, area.left(), true);
+    if (data_.sideUsed(Side::Right)) {
+        addRows(data_.right, area.right(), area.right() + stroke, false);
     }
-    if (data_.sideUsed(Side::Right) && !data_.right.isOwn()) {
-        for (const double tick : data_.right.ticks(area.height(), rowPerTick())) {
-            const double y = area.bottom() - data_.right.fraction(tick) * area.height();
-            strokes.append({area.right(), y, area.right() + stroke, y});
-        }
-    }
-    painter.setPen(grid);
-    painter.drawLines(across);
-    painter.setPen(line);
+    // Over a picture the grid gives way.
+    painter.setPen(QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
+    painter.drawLines(grid);
+    painter.setPen(QPen(theme.border(), 1));
     painter.drawLines(strokes);
 }
 
@@ -354,7 +352,6 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
 void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    const bool own = scale.isOwn();  // of others the line is the chart's
     const bool flat = edge == Qt::BottomEdge;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
@@ -367,19 +364,12 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
         const QString text = scale.tickText(tick, data_.locale);
         const double wide = textWidth(font, text) + 2.0;
         QRectF box(0, 0, wide, metrics.height());
-        painter.setPen(QPen(theme.grid(), 1));
         if (flat) {
             const double x = area.left() + scale.fraction(tick) * area.width();
-            if (own) {
-                painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-            }
             box.moveTop(area.bottom() + labelGap());
             box.moveLeft(std::min(x - wide / 2.0, size_.width() - wide));
         } else {
             const double y = area.bottom() - scale.fraction(tick) * area.height();
-            if (own && edge == Qt::LeftEdge) {
-                painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-            }
             box.moveTop(y - metrics.height() / 2.0);
             box.moveLeft(edge == Qt::LeftEdge ? side - labelGap() - wide : side + labelGap());
         }
@@ -392,12 +382,6 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
         taken.push_back(room);
         painter.setPen(theme.mutedText());
         painter.drawText(box, Qt::AlignCenter, text);
-    }
-    painter.setPen(QPen(theme.border(), 1));
-    if (own && flat) {
-        painter.drawLine(area.bottomLeft(), area.bottomRight());
-    } else if (own) {
-        painter.drawLine(QPointF(side, area.top()), QPointF(side, area.bottom()));
     }
     if (scale.spec.title.isEmpty()) {
         return;

@@ -78,13 +78,13 @@ class PlotPainter {
     void layoutAxes();
     /// The chart's part of the axes: their lines.
     void layoutLines();
-    /// Grid and ticks of axes that are not own.
+    /// Grid, and ticks of scales that are not own.
     void paintGrid(QPainter& painter) const;
     void paintBand(QPainter& painter, const plot::Band& band) const;
     /// Where there is room for them.
     void paintBandWords(QPainter& painter, const plot::Band& band, LabelPlaces& places) const;
     QRectF shadeOf(const plot::Band& band) const;
-    /// Numbers and title; of an own axis grid and line too.
+    /// Numbers and title.
     void paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
     void paintGhosts(QPainter& painter) const;
     void paintShades(QPainter& painter) const;
@@ -131,7 +131,7 @@ class PlotPainter {
         QSizeF size;
         QRectF area;
         QPen pen;
-        std::array<bool, 3> seen{};
+        bool isRight = false;
         bool operator==(const ChartLines&) const = default;
     };
     ChartLines chartLines_;

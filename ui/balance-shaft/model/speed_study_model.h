@@ -81,7 +81,7 @@ class SpeedStudyModel : public QObject {
     /// The load can be moved where the torque is a computed cycle.
     bool hasLoad() const;
     double load() const;        ///< indicated mean effective pressure, bar
-    void setLoad(double load);  ///< part of a drag
+    void setLoad(double load);  ///< part of a drag; nothing without a load
 
   Q_SIGNALS:
     /// There is something else to show.
