@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -102,6 +103,18 @@ std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws) {
         return each.cylinders.size() == throws.front().cylinders.size();
     });
     return alike && !throws.empty() ? std::optional(throws.front().cylinders.size()) : std::nullopt;
+}
+
+std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
+    std::map<std::size_t, const Throw*> kinds;
+    for (const Throw& each : throws) {
+        kinds.try_emplace(each.cylinders.size(), &each);
+    }
+    std::vector<const Throw*> found;
+    for (const auto& kind : kinds) {
+        found.push_back(kind.second);
+    }
+    return found;
 }
 
 Message describe_difference(std::span<const Throw> throws) {

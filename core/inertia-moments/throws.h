@@ -25,6 +25,9 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
 /// The number of rods on every throw; nothing where throws differ in it.
 std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
 
+/// One throw for each number of rods, from the fewest to the most: the first that carries so many.
+std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws);
+
 /// Why a mass for each throw cannot be shared out: "throws carry from 1 to 2 rods".
 Message describe_difference(std::span<const Throw> throws);
 

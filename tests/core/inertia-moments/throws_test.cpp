@@ -69,6 +69,14 @@ TEST(Throws, RodsThatShareAPinAreOneThrow) {
 }
 
 // The counterweights follow from the pins alone: so many kilograms at R on each.
+TEST(Throws, AreOfOneKindWhereTheyCarryAsManyRods) {
+    const std::vector<Throw> throws{
+        {{0, 1}, 0.0, 0.0}, {{2}, 0.1, 1.0}, {{3, 4}, 0.2, 2.0}, {{5}, 0.3, 3.0}};
+    const std::vector<const Throw*> expected{&throws[1], &throws[0]};
+    EXPECT_EQ(kinds_of_throw(throws), expected) << "the first of each, the fewest rods first";
+    EXPECT_TRUE(kinds_of_throw({}).empty());
+}
+
 TEST(Throws, CounterweightsAreThoseOfTheMassOnEachPin) {
     Input input = engine_of("v8-cross-plane");
     input.rotating_mass = 1.6;

@@ -313,27 +313,6 @@ QString InertiaMomentsModel::setFiringOrder(const std::vector<int>& order) {
 
 // -------------------------------------------------------------------------------------- throws
 
-namespace {
-
-/// One throw for each number of rods, from the fewest to the most.
-std::vector<const inertia_moments::Throw*> kindsOfThrow(const Result& result) {
-    std::vector<const inertia_moments::Throw*> kinds;
-    for (const inertia_moments::Throw& each : result.engine.throws) {
-        const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const auto* kind) {
-            return kind->cylinders.size() == each.cylinders.size();
-        });
-        if (!known) {
-            kinds.push_back(&each);
-        }
-    }
-    std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
-        return a->cylinders.size() < b->cylinders.size();
-    });
-    return kinds;
-}
-
-}  // namespace
-
 bool InertiaMomentsModel::hasSharedPins() const {
     return result().engine.throws.size() < result().engine.cylinders.size();
 }
@@ -354,7 +333,8 @@ QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
 
 QString InertiaMomentsModel::throwMassText() const {
     QStringList kinds;
-    for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
+    for (const inertia_moments::Throw* kind :
+         inertia_moments::kinds_of_throw(result().engine.throws)) {
         kinds << tr("%1, rods: %2")
                      .arg(shownShort(result().engine.mass_on(*kind), units::kg, 4))
                      .arg(kind->cylinders.size());

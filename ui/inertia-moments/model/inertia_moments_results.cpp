@@ -13,6 +13,7 @@
 
 namespace ravnoves {
 
+using inertia_moments::Balances;
 using inertia_moments::Complex;
 using inertia_moments::Difference;
 using inertia_moments::Direction;
@@ -229,7 +230,8 @@ Results InertiaMomentsModel::weightResults() const {
             tr("Where a counterweight against the force stands")),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale,
             tr("Where the front one of two opposite counterweights against the moment stands"))};
-    for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
+    for (const inertia_moments::Throw* kind :
+         inertia_moments::kinds_of_throw(result().engine.throws)) {
         rows << ResultRow(
             {shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
              figure(result().engine.mass_on(*kind), units::gram)},
