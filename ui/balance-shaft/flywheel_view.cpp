@@ -68,8 +68,12 @@ QWidget* FlywheelView::buildForm() {
           std::pair(&field::fluctuation, &FlywheelTarget::fluctuation)}) {
         NumberField* number = form->number(
             *given,
-            [this, value] { return model_->input().flywheel.value_or(FlywheelTarget{}).*value; },
-            [this, value](std::optional<double> typed) { model_->setFlywheel(value, typed); });
+            [this, value = value] {
+                return model_->input().flywheel.value_or(FlywheelTarget{}).*value;
+            },
+            [this, value = value](std::optional<double> typed) {
+                model_->setFlywheel(value, typed);
+            });
         number->setOptional(true);
         number->setDigits(6);
     }

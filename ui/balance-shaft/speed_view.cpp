@@ -177,8 +177,9 @@ Form* SpeedView::buildForm() {
     for (const auto& [end, field] : {std::pair(&SpeedBand::from, &field::band_from),
                                      std::pair(&SpeedBand::to, &field::band_to)}) {
         NumberField* number = form->number(
-            *field, [this, end, field] { return from_si(*field, study_->band().*end); },
-            [this, end](std::optional<double> value) { study_->setBand(end, *value); });
+            *field,
+            [this, end = end, field = field] { return from_si(*field, study_->band().*end); },
+            [this, end = end](std::optional<double> value) { study_->setBand(end, *value); });
         number->setDigits(6);
     }
     criterion_ = new QComboBox(form);

@@ -226,11 +226,11 @@ QWidget* TorqueSourceEditor::buildCycle() {
          {std::pair(&field::imep, &GasCycle::imep), std::pair(&field::heat, &GasCycle::heat)}) {
         NumberField* number = form->number(
             *load,
-            [this, load, value]() -> std::optional<double> {
+            [this, load = load, value = value]() -> std::optional<double> {
                 const auto& given = model_->input().torque.cycle.*value;
                 return given ? std::optional(*given / load->unit) : std::nullopt;
             },
-            [this, load, value](std::optional<double> typed) {
+            [this, load = load, value = value](std::optional<double> typed) {
                 if (typed) {  // one of the two always holds
                     model_->setLoad(value, *typed * load->unit);
                 }

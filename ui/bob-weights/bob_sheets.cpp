@@ -185,7 +185,9 @@ NumberField* BobMachineSheet::cell(const Field& field, const QString& name, cons
 void BobMachineSheet::buildPlanes() {
     section(tr("Planes"));
     const std::array names{bob_text::planeName(Words(), 0), bob_text::planeName(Words(), 1)};
-    const auto [grid, trouble] = this->grid({QString(), names[0], names[1]});
+    const auto sheet = this->grid({QString(), names[0], names[1]});
+    QGridLayout* const grid = sheet.first;
+    TroubleLine* const trouble = sheet.second;
     std::array<QList<NumberField*>, 2> fields;
     const auto row = [&](const char* key, const Field& field, auto get) {
         const int at = grid->rowCount();

@@ -1,6 +1,7 @@
 #include "inertia-moments/inertia_moments_charts.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTabBar>

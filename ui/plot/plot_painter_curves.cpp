@@ -13,6 +13,7 @@ namespace ravnoves {
 
 using namespace painter_parts;
 using plot::Shape;
+using plot::Side;
 
 namespace {
 

@@ -593,7 +593,7 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
         }
         return path;
     };
-    dialogs.goOnWithoutRefused = [this, &document] {
+    dialogs.goOnWithoutRefused = [&document] {
         return goOnWithoutRefused(document.page, tr("Save case"));
     };
     dialogs.leaveRefused = [this, &document] {

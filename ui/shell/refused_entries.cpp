@@ -5,6 +5,7 @@
 #include <QMap>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTableView>
 
 #include "case-file/json.h"
 #include "model/editable_table.h"

@@ -92,7 +92,7 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     }
     current()->addWidget(shownText(description.label), field, unit);
     connect(field, &CheckedField::valueEdited, this,
-            [this, name = fieldName(description), text](const QString& typed) {
+            [name = fieldName(description), text](const QString& typed) {
                 text.write(name, text.normal(typed));
             });
     follow([field, text] {

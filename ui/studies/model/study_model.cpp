@@ -444,7 +444,9 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
         return trouble_;
     }
     Study next = study_;
-    for (const auto& [pointer, text] : texts) {
+    for (const auto& entry : texts) {
+        const std::string& pointer = entry.first;
+        const QString& text = entry.second;
         const auto there =
             std::find_if(next.vary.begin(), next.vary.end(),
                          [&](const Varied& varied) { return varied.pointer == pointer; });
