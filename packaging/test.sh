@@ -8,7 +8,8 @@ usage() {
     cat <<END
 usage: packaging/test.sh [--quick | --full] [--no-install]
 
-  1. core-only    core and the command line with Qt hidden from CMake: build, tests
+  1. core-only    core and the command line with Qt hidden from CMake: build, tests; core's tests and
+                  a short fuzz once more, with a core under sanitizers
   2. release      the whole program, warnings are errors: build, its other tests (offscreen)
   3. lint         shellcheck over the scripts; what the desktop reads; the Debian package
   4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy; a minute
@@ -80,11 +81,13 @@ beside() {
     done
 }
 
-# Counts from ctest's own summary; a skipped test, which ctest calls passed, is counted apart.
+# run_tests PRESET [CTEST-ARGUMENT…]. Counts from ctest's own summary; a skipped test, which ctest
+# calls passed, is counted apart.
 run_tests() {
     local preset=$1 log=$root/build/$1/tests.log status=0 failed total skipped
+    shift
     # One more than there are cores: some tests wait for what they have killed, locked or drawn.
-    (cd "$root" && ctest --preset "$preset" -j "$(($(nproc) + 1))" --no-tests=error) | tee "$log" || status=1
+    (cd "$root" && ctest --preset "$preset" -j "$(($(nproc) + 1))" --no-tests=error "$@") | tee "$log" || status=1
     read -r failed total < <(sed -n \
         's/^.*tests passed, \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log") || true
     if [ -z "${total:-}" ]; then
@@ -118,16 +121,40 @@ run_random_cases() {
         "$root/resources/examples" "$root/tests/fuzz/seeds/case"
 }
 
-# What the tests reach, of core and of what the pages show. Each program runs whole: a process for
-# each test would read and write the counters of everything for each.
-run_coverage() {
-    local -x LOCPATH=$root/build/coverage/locales
-    find "$root/build/coverage" -name '*.gcda' -delete
+# Each test program of a preset, whole: where a process for each test would take most of the time to
+# start, and to write what it counted.
+run_programs() {
+    local build=$root/build/$1 status=0 logs passed
+    local -x LOCPATH=$build/locales
+    find "$build/tests" -name 'test-*.log' -delete
     # shellcheck disable=SC2016 # the shell of each program expands it
-    find "$root/build/coverage/tests" -type f -name 'test-*' -perm -u+x -print0 |
-        xargs -0 -P "$(nproc)" -I '{}' sh -c \
-            '"$0" --gtest_brief=1 >"$0.log" 2>&1 || { tail -n 30 "$0.log"; echo "$0 failed"; exit 1; }' '{}' ||
-        return 1
+    find "$build/tests" -type f -name 'test-*' ! -name '*-sanitized' -perm -u+x -print0 |
+        xargs -0 -P "$(nproc)" -I '{}' sh -c '"$0" --gtest_brief=1 >"$0.log" 2>&1 || {
+            tail -n 60 "$0.log"; echo "$(basename "$0") failed"; exit 1; }' '{}' || status=1
+    logs=$(find "$build/tests" -name 'test-*.log' -exec cat {} +)
+    passed=$(sed -n 's/^\[  PASSED  \] \([0-9]*\) tests*\..*/\1/p' <<<"$logs" |
+        awk '{ n += $1 } END { print n + 0 }')
+    say "$passed tests passed"
+    printf '%d %d %d\n' "$passed" "$(grep -c '^\[  FAILED  \] .*ms)$' <<<"$logs" || true)" \
+        "$(grep -c '^\[  SKIPPED \] .*ms)$' <<<"$logs" || true)" >>"$notes/counts"
+    [ "$passed" -gt 0 ] || status=1
+    return $status
+}
+
+# All under address and undefined-behaviour sanitizers: the test programs, and what ctest runs beside.
+check_memory() {
+    local -x LSAN_OPTIONS=suppressions=$root/tests/leaks-of-libraries.txt:print_suppressions=0
+    stage "asan-ubsan: configure" configure asan-ubsan -DRAVNOVES_BUILD_TESTS=ON || return 0
+    stage "asan-ubsan: build" build asan-ubsan || return 0
+    stage "asan-ubsan: test programs" run_programs asan-ubsan || true
+    stage "asan-ubsan: programs, scripts" run_tests asan-ubsan \
+        -R '^(app/(readme|desktop|bare)|fuzz/|threads/|ui/accessibility/)' || true
+}
+
+# What the tests reach, of core and of what the pages show.
+run_coverage() {
+    find "$root/build/coverage" -name '*.gcda' -delete
+    run_programs coverage || return 1
     "$root/tests/coverage/coverage.py" "$root/build/coverage" --folder core=97 \
         --folder 'ui/*/model=90'
 }
@@ -211,7 +238,7 @@ if [ $full = yes ]; then
     stage "long use: build" build release long-use || true
     beside change_formulas feed_numbers
     check_threads
-    build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
+    check_memory
     measure_coverage
     lint_sources
 fi

@@ -19,6 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 WITHOUT_FORMULAS = {"bibliography", "case-file", "drawing", "methods", "scenes"}
 FOLDERS = sorted(path.name for path in (ROOT / "core").iterdir()
                  if path.is_dir() and path.name not in WITHOUT_FORMULAS)
+# Folders of tests, each a program.
+TESTS = sorted({path.parent.name for path in (ROOT / "tests" / "core").glob("*/*_test.cpp")})
 # What is not a formula: reading, writing, words, drawings.
 PASSED_OVER = re.compile(r"scene|fields|presets|formulas|study_file|torque_table|drawing|sha256")
 # Neither words nor the counting of work is one.
@@ -74,8 +76,9 @@ def run(*command, limit=None):
         return None
 
 
-def build(preset, *targets):
-    return run("cmake", "--build", "--preset", preset, *(["--target", *targets] if targets else []))
+def build(preset, tests):
+    """The test programs, and what they are made of; nothing else is run here."""
+    return run("cmake", "--build", "--preset", preset, "--target", *(path.name for path in tests))
 
 
 def noticed_by(tests):
@@ -93,14 +96,14 @@ def noticed_by(tests):
 def caught_by(preset, tests, own):
     """What notices the change: the tests of its folder first, which alone are built for that."""
     own_tests = [path for path in tests if path.name == f"test-core-{own}"]
-    if build(preset, *(path.name for path in own_tests)).returncode != 0:
-        return "the compiler"
-    caught = noticed_by(own_tests)
-    if caught is not None:
-        return caught
-    if build(preset).returncode != 0:
-        return "the compiler"
-    return noticed_by([path for path in tests if path not in own_tests])
+    others = [path for path in tests if path not in own_tests]
+    for some in (own_tests, others):
+        if build(preset, some).returncode != 0:
+            return "the compiler"
+        caught = noticed_by(some)
+        if caught is not None:
+            return caught
+    return None
 
 
 def main():
@@ -108,7 +111,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--preset", default="core-only")
+    parser.add_argument("--preset", default="mutations")
     parser.add_argument("--list", action="store_true", help="only print what would be changed")
     options = parser.parse_args()
     chosen = choose(options.count, options.seed)
@@ -124,13 +127,14 @@ def main():
         return 0
     if run("git", "status", "--porcelain").stdout.strip():
         sys.exit("the sources have changes that are not committed: use a clean clone")
+    folder = ROOT / "build" / options.preset / "tests" / "core"
+    tests = [folder / f"test-core-{name}" for name in TESTS]
     made = run("cmake", "--preset", options.preset)
-    if made.returncode != 0 or build(options.preset).returncode != 0:
+    if made.returncode != 0 or build(options.preset, tests).returncode != 0:
         sys.exit("the program does not build")
-    tests = list((ROOT / "build" / options.preset / "tests" / "core").glob("test-core-*"))
-    tests = [path for path in tests if path.is_file() and not path.suffix]
-    if noticed_by(tests) is not None:
-        sys.exit("the tests fail before anything is changed")
+    failed = noticed_by(tests)
+    if failed is not None:
+        sys.exit(f"the tests fail before anything is changed: {failed}")
 
     survivors = []
     for count, mutation in enumerate(chosen, 1):
@@ -147,7 +151,7 @@ def main():
         print(f"{count:3} {caught or 'SURVIVED'}  {text}", flush=True)
         if caught is None:
             survivors.append(text)
-    build(options.preset)
+    build(options.preset, tests)
     print(f"\n{len(chosen) - len(survivors)} of {len(chosen)} caught")
     for text in survivors:
         print("survived:", text)
