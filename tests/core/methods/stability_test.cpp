@@ -23,7 +23,7 @@
 namespace ravnoves::methods {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(RAVNOVES_SANITIZED)
 constexpr bool slow = true;
 #else
 constexpr bool slow = false;
