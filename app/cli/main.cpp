@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
             const std::string word = argv[1];
             text = (word.starts_with('-') ? "unknown option '" : "unknown command '") + word + "'";
         }
-        return "ravnoves-cli: " + text + "; run with --help for what there is\n";
+        return one_line("ravnoves-cli: " + text + "; run with --help for what there is") + "\n";
     });
 
     const std::array<std::unique_ptr<Command>, 4> commands{

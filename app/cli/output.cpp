@@ -8,12 +8,17 @@
 #include <iostream>
 
 #include "case-file/input_error.h"
+#include "case-file/object_reader.h"
 #include "case-file/text_file.h"
 
 namespace ravnoves::cli {
 
+std::string one_line(const std::string& text) {
+    return printable(text, std::string::npos);
+}
+
 void complain(const std::string& file, const std::string& text) {
-    std::cerr << (file.empty() ? text : file + ": " + text) << '\n';
+    std::cerr << one_line(file.empty() ? text : file + ": " + text) << '\n';
 }
 
 int print(const std::string& text) {

@@ -11,6 +11,9 @@ inline constexpr int exit_bad_input = 2;
 
 inline constexpr const char* no_memory = "needs more memory than there is";
 
+/// The text as a terminal may show it: control characters and ends of lines as their codes.
+std::string one_line(const std::string& text);
+
 /// One line on standard error, beginning with the file where there is one.
 void complain(const std::string& file, const std::string& text);
 

@@ -33,6 +33,32 @@ std::string quote(std::string_view text) {
     return "\"" + shown + (text.size() > longest ? "…\"" : "\"");
 }
 
+/// In small letters, without signs, blanks and quotes.
+std::string word_of(std::string_view text) {
+    std::string word;
+    for (const char c : text) {
+        if (c != '"' && c != '-' && c != '+' && c != ' ') {
+            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+        }
+    }
+    return word;
+}
+
+bool is_not_a_number_word(std::string_view text) {
+    const std::string word = word_of(text);
+    return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
+}
+
+/// What stood there, for a message: of a file that may be no table only what can be a number is
+/// said. The file's name may be in a case that somebody else wrote.
+Message found(std::string_view text, bool is_table) {
+    const bool is_number =
+        text.size() < 40 && text.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos;
+    const std::string word = word_of(text);
+    const bool is_none = word == "nan" || word == "inf" || word == "infinity" || word == "#n/a";
+    return is_table || is_number || is_none ? Message(quote(text)) : Message();
+}
+
 /// Fields of a line; a blank separator stands for any run of blanks. Quotes around a field go.
 void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
@@ -75,16 +101,6 @@ bool looks_like_number(std::string_view text) {
            text.substr(0, 3) == "\xE2\x88\x92";
 }
 
-bool is_not_a_number_word(std::string_view text) {
-    std::string word;
-    for (const char c : text) {
-        if (c != '"' && c != '-' && c != '+' && c != ' ') {
-            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        }
-    }
-    return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
-}
-
 /// The separator that a line of two numbers uses.
 char find_separator(std::string_view line, std::size_t number) {
     if (line.find(';') != std::string_view::npos) {
@@ -107,7 +123,7 @@ char find_separator(std::string_view line, std::size_t number) {
                          CORE_TEXT("core",
                                    "must not separate columns by commas and use decimal commas at "
                                    "once; separate the columns by semicolons"),
-                         quote(line));
+                         found(line, false));
     }
     return ',';
 }
@@ -160,7 +176,7 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
             throw InputError(
                 line_place(number),
                 {CORE_TEXT("core", "must hold two columns, %1 and %2"), rule.first, rule.second},
-                fields.size() == 1 ? Message(quote(fields[0]))
+                fields.size() == 1 ? found(fields[0], !rows.first.empty())
                                    : Message(CORE_TEXT("core", "%1 columns"), fields.size()));
         }
         std::array<double, 2> values{};
@@ -169,7 +185,7 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
             if (!value) {
                 throw InputError(table_place(number, static_cast<int>(column) + 1),
                                  CORE_TEXT("core", "must be a finite number"),
-                                 quote(fields[column]));
+                                 found(fields[column], !rows.first.empty()));
             }
             values[column] = *value;
             rows.decimal_comma =

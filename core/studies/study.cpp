@@ -192,11 +192,11 @@ std::uint64_t Study::points() const {
 }
 
 std::string vary_place(const std::string& pointer) {
-    return "/study/vary/" + escape_segment(pointer);
+    return "/study/vary/" + printable(escape_segment(pointer));
 }
 
 std::string watch_place(const std::string& pointer) {
-    return "/study/watch/" + escape_segment(pointer);
+    return "/study/watch/" + printable(escape_segment(pointer));
 }
 
 Study read_study(const Json& json, bool half_filled) {

@@ -217,6 +217,17 @@ TEST_F(CommandLine, RefusesPipesAndDevicesAtOnce) {
     EXPECT_EQ(run("solve /dev/stdin < case.json").status, 0);
 }
 
+TEST_F(CommandLine, ShowsNamesOfFilesPrintable) {
+    write("case.json", example().dump());
+    for (const char* arguments : {"solve 'no\x1b[31m\nsuch.json'",
+                                  "study case.json --shard '\x1b[31m'", "'--x\x1b[31m\n'"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    }
+}
+
 TEST_F(CommandLine, BatchSaysThatStandardInputCannotBeRead) {
     expect_refused(run("solve --batch < ."), "ravnoves-cli: standard input cannot be read: ");
     expect_refused(run("solve --batch <&-"), "ravnoves-cli: standard input cannot be read: ");
@@ -324,7 +335,7 @@ TEST_F(CommandLine, BatchReadsNoFilesOfOtherFolders) {
     Json named = example();
     std::string cases;
     for (const std::string& name : {std::string("own.csv"), std::string("../secret.csv"),
-                                   (folder / "secret.csv").string(), std::string("link.csv")}) {
+                                    (folder / "secret.csv").string(), std::string("link.csv")}) {
         named["input"]["torque"] = {{"csv", name}};
         cases += named.dump() + "\n";
     }

@@ -72,6 +72,26 @@ TEST_F(StudyCommandLine, PrintsTheContract) {
               robust.at("nominal_best").at("value").get<double>());
 }
 
+// Keys of a study are anybody's text, and its answers go to a terminal.
+TEST_F(StudyCommandLine, ShowsPointersPrintableAndShort) {
+    for (const char* list : {"vary", "watch"}) {
+        for (const std::string& key :
+             {std::string("/a\x1b[31m\nb"), "/" + std::string(1'000'000, 'k')}) {
+            Json document = study_case();
+            document["study"][list][key] =
+                list == std::string("vary") ? Json{{"plus_minus", 1}} : Json::object();
+            write("case.json", document.dump());
+            const Outcome outcome = run("study case.json");
+            EXPECT_EQ(outcome.status, 2);
+            EXPECT_LT(outcome.err.size(), 300U);
+            EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << outcome.err;
+            EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+            EXPECT_NE(outcome.err.find(std::string("case.json: /study/") + list),
+                      std::string::npos);
+        }
+    }
+}
+
 TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
     write("case.json", study_case().dump());
     for (const char* shard : {"3/3", "1/3", "2/3"}) {

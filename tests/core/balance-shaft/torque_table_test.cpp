@@ -78,6 +78,20 @@ TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
     EXPECT_EQ(read.table, (TorqueTable{{-360, 0, 360}, {5, 7, 5}}));
 }
 
+// The name of the file may stand in a case that somebody else wrote.
+TEST(ParsedTorqueTable, NoLineOfAFileThatIsNoTableIsQuoted) {
+    const std::string two_columns = "line 3: must hold two columns, crank angle and torque";
+    EXPECT_EQ(refusal_of_text("root:x:0\ndaemon:x:1\nbin:x:2\n"), two_columns);
+    EXPECT_EQ(refusal_of_text("user\nlogin\n12:secret\n"), two_columns);
+    EXPECT_EQ(refusal_of_text("user\nlogin\nname;secret\n"),
+              "line 3, column 1: must be a finite number");
+    EXPECT_EQ(refusal_of_text("user\nlogin\n1;infantry\n"),
+              "line 3, column 2: must be a finite number");
+    // After a row that is one, what is wrong in another is said.
+    EXPECT_EQ(refusal_of_text("0;0\n180;one\n720;0\n"),
+              "line 2, column 2: must be a finite number, got \"one\"");
+}
+
 TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
     EXPECT_EQ(refusal_of_text("0;0\n180;x\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"x\"");
