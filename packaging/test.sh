@@ -118,7 +118,7 @@ lint_sources() {
 # A hundred thousand cases of each scene, with any numbers in them, by the core-only build.
 run_random_cases() {
     "$root/build/core-only/tests/fuzz/random-cases" --cases 100000 \
-        "$root/resources/examples" "$root/tests/fuzz/seeds/case"
+        "$root/resources/examples" "$root/tests/data/fuzz/case"
 }
 
 # Each test program of a preset, whole: where a process for each test would take most of the time to

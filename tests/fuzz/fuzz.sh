@@ -2,12 +2,12 @@
 # fuzz.sh [--build | --no-build] [SECONDS]: builds the fuzz targets and gives each of them so many
 # seconds (60); or only builds them, or takes them as they are. What it learns stays in
 # build/fuzz/corpus and is where the next run goes on. A fault ends it: the input that caused it lies
-# in build/fuzz/faults, and belongs among the seeds once it is mended.
+# in build/fuzz/faults, and belongs among the seeds (tests/data/fuzz) once it is mended.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../../packaging/common.sh"
 
-here=$root/tests/fuzz
+seeds_folder=$root/tests/data/fuzz
 only=
 case ${1:-} in --build | --no-build) only=$1 && shift ;; esac
 seconds=${1:-60}
@@ -22,8 +22,8 @@ for program in "$root"/build/fuzz/tests/fuzz/fuzz-*; do
     name=${program##*/fuzz-}
     corpus=$root/build/fuzz/corpus/$name
     mkdir -p "$corpus"
-    seeds=("$here/seeds/$name")
-    case $name in case | lines) seeds=("$here/seeds/case" "$root/resources/examples") ;; esac
+    seeds=("$seeds_folder/$name")
+    case $name in case | lines) seeds=("$seeds_folder/case" "$root/resources/examples") ;; esac
     say "$name, $seconds s"
     log=$root/build/fuzz/$name.log
     if ! (cd "$root/build/fuzz/faults" && "$program" -max_total_time="$seconds" -timeout=10 \
