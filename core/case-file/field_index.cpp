@@ -10,7 +10,7 @@ namespace {
 
 class Index final : public FieldWalker {
   public:
-    explicit Index(bool all) : FieldWalker(""), all_(all) {}
+    Index(bool all, std::string_view only) : FieldWalker(""), all_(all), only_(only) {}
 
     std::vector<FieldEntry> take() { return std::move(entries_); }
 
@@ -25,8 +25,10 @@ class Index final : public FieldWalker {
     bool has(std::string_view /*key*/, bool present) override { return all_ || present; }
     void number_or_word(const Field& field, std::optional<double>& si,
                         std::string_view word) override {
-        visit_optional(field, si, true);
-        entries_.back().word = word;
+        if (wants(field)) {
+            visit_optional(field, si, true);
+            entries_.back().word = word;
+        }
     }
     void numbers(const Field& field, std::vector<double>& /*values*/) override {
         add(field, FieldKind::list, {});
@@ -41,6 +43,9 @@ class Index final : public FieldWalker {
   protected:
     void visit_number(const Field& field, double& si, const double* fallback,
                       bool /*always*/) override {
+        if (!wants(field)) {
+            return;
+        }
         FieldEntry& entry = add(field, FieldKind::number, from_si(field, si));
         entry.may_be_empty = fallback != nullptr;
         entry.required = fallback == nullptr;
@@ -49,6 +54,9 @@ class Index final : public FieldWalker {
         }
     }
     void visit_optional(const Field& field, std::optional<double>& si, bool required) override {
+        if (!wants(field)) {
+            return;
+        }
         FieldEntry& entry =
             add(field, FieldKind::number, si ? FieldValue(from_si(field, *si)) : FieldValue());
         entry.may_be_empty = true;
@@ -73,18 +81,26 @@ class Index final : public FieldWalker {
         if (all_ || !field.label.empty() || !field.hint.empty()) {
             add(field, FieldKind::object, {}).required = required;
         }
-        return FieldWalker::begin_object(field, required, true);
+        return leads_on(field) && FieldWalker::begin_object(field, required, true);
     }
     bool begin_list(const Field& field, std::size_t& count) override {
         add(field, FieldKind::list, {});
         if (all_) {
             count = 1;
         }
-        return FieldWalker::begin_list(field, count);
+        return leads_on(field) && FieldWalker::begin_list(field, count);
     }
 
   private:
+    /// What is asked for may be within this object or list.
+    bool leads_on(const Field& field) const {
+        return only_.empty() || only_.starts_with(pointer_to(field.key) + "/");
+    }
+    bool wants(const Field& field) const { return only_.empty() || only_ == pointer_to(field.key); }
     FieldEntry& add(const Field& field, FieldKind kind, FieldValue value) {
+        if (!wants(field)) {
+            return passed_;
+        }
         FieldEntry entry{pointer_to(field.key), field, kind, false, std::move(value)};
         for (const Choice& choice : choices_) {
             if (choice.pointer == entry.pointer) {
@@ -106,8 +122,10 @@ class Index final : public FieldWalker {
         std::vector<std::string> keys;
     };
     bool all_;
+    std::string_view only_;
     std::vector<Choice> choices_;
     std::vector<FieldEntry> entries_;
+    FieldEntry passed_;  ///< one that is not wanted
 };
 
 class Setter final : public FieldWalker {
@@ -191,8 +209,8 @@ class Setter final : public FieldWalker {
 
 namespace detail {
 
-std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all) {
-    Index index(all);
+std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all, std::string_view only) {
+    Index index(all, only);
     visit(index, input);
     return index.take();
 }

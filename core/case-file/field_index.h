@@ -33,7 +33,7 @@ struct FieldEntry {
 
 namespace detail {
 using VisitInput = void (*)(FieldVisitor& visitor, void* input);
-std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all);
+std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all, std::string_view only);
 bool set_with(VisitInput visit, void* input, std::string_view pointer, const FieldValue& value);
 
 template <typename Input>
@@ -44,16 +44,17 @@ void visit_input(FieldVisitor& visitor, void* input) {
 
 /// The fields of an input with their present values. Objects that are absent are listed with the
 /// values that they would begin with.
+/// @param only  the pointer of the one that is wanted; empty: all
 template <typename Input>
-std::vector<FieldEntry> list_fields(const Input& input) {
-    return detail::index_with(detail::visit_input<Input>, const_cast<Input*>(&input), false);
+std::vector<FieldEntry> list_fields(const Input& input, std::string_view only = {}) {
+    return detail::index_with(detail::visit_input<Input>, const_cast<Input*>(&input), false, only);
 }
 
 /// Every field that a case of the scene may have, one element for each list: the table of the help.
 template <typename Input>
-std::vector<FieldEntry> describe_fields() {
+std::vector<FieldEntry> describe_fields(std::string_view only = {}) {
     Input input;
-    return detail::index_with(detail::visit_input<Input>, &input, true);
+    return detail::index_with(detail::visit_input<Input>, &input, true, only);
 }
 
 /// Sets one scalar by its pointer below "input"; an object that was absent comes into being, and so

@@ -102,13 +102,19 @@ class CaseModel : public SceneModel {
         }
     }
 
-    std::vector<FieldEntry> describedFields() const override { return describe_fields<Input>(); }
-    std::vector<FieldEntry> fields() const override { return list_fields(input_); }
+    std::vector<FieldEntry> describedFields(std::string_view only = {}) const override {
+        return describe_fields<Input>(only);
+    }
+    std::vector<FieldEntry> fields(std::string_view only = {}) const override {
+        return list_fields(input_, only);
+    }
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override {
-        return edit(name, [&](Input& input) {
-            RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
-        });
+        return edit(name, [&](Input& input) { setField(input, pointer, value); });
+    }
+    QString dragField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override {
+        return drag(name, [&](Input& input) { setField(input, pointer, value); });
     }
 
     void editText(const QString& title, const QString& notes) override {
@@ -170,6 +176,9 @@ class CaseModel : public SceneModel {
         setTitle(scene_.defaultTitle());
     }
 
+    static void setField(Input& input, const std::string& pointer, const FieldValue& value) {
+        RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
+    }
     /// Another case comes in; it is known to be good, but not yet here.
     virtual void aboutToLoad() {}
     /// Input and result are new, and all have heard of it.

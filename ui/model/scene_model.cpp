@@ -6,6 +6,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/default_inputs.h"
+#include "numerics/demand.h"
 #include "text/field_names.h"
 #include "text/number_text.h"
 
@@ -221,9 +222,10 @@ int SceneModel::oneOf(const QString& key, const QString& value,
     return oneOf(key, value, list);
 }
 
-QString SceneModel::editField(const std::string& /*pointer*/, const FieldValue& /*value*/,
-                              const QString& /*name*/) {
-    return {};
+FieldEntry SceneModel::describedField(std::string_view pointer) const {
+    const std::vector<FieldEntry> found = describedFields(pointer);
+    RAVNOVES_DEMAND(!found.empty(), "a form's field is in the input");
+    return found.front();
 }
 
 QString SceneModel::titleText(const QString& title) {

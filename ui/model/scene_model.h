@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case-file/case_context.h"
@@ -67,15 +68,26 @@ class SceneModel : public QObject {
     /// The input that a new document starts with.
     virtual void loadDefault() = 0;
     /// The fields of the input with their present values, for forms; all that a case may have, or
-    /// what this one has.
-    virtual std::vector<FieldEntry> describedFields() const { return {}; }
-    virtual std::vector<FieldEntry> fields() const { return {}; }
+    /// what this one has; or the one of these with a pointer.
+    virtual std::vector<FieldEntry> describedFields(std::string_view /*only*/ = {}) const {
+        return {};
+    }
+    virtual std::vector<FieldEntry> fields(std::string_view /*only*/ = {}) const { return {}; }
+    /// The description of a field that the scene has.
+    FieldEntry describedField(std::string_view pointer) const;
     /// Why an input is refused, the places by their labels.
     QString explain(const InputError& error) const;
     /// Sets one field by its pointer below "input", as one step of the history that is named after
     /// it. Returns as CaseModel::edit().
-    virtual QString editField(const std::string& pointer, const FieldValue& value,
-                              const QString& name);
+    virtual QString editField(const std::string& /*pointer*/, const FieldValue& /*value*/,
+                              const QString& /*name*/) {
+        return {};
+    }
+    /// The same at every move of a hand, as CaseModel::drag().
+    virtual QString dragField(const std::string& /*pointer*/, const FieldValue& /*value*/,
+                              const QString& /*name*/) {
+        return {};
+    }
 
     /// A setting of the page that is not in the case file (crank angle of the picture and so on).
     /// @return false where the page has no such setting

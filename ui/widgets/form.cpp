@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "case-file/whole_number.h"
-#include "numerics/demand.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -49,10 +48,7 @@ std::optional<double> numberOf(const FieldValue& value) {
 }  // namespace
 
 Form::Form(SceneModel* model, QWidget* parent)
-    : QWidget(parent),
-      model_(model),
-      column_(new QVBoxLayout(this)),
-      described_(model->describedFields()) {
+    : QWidget(parent), model_(model), column_(new QVBoxLayout(this)) {
     column_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     column_->setSpacing(Theme::gap);
     connect(model_, &SceneModel::changed, this, &Form::showAll);
@@ -64,24 +60,15 @@ FormSection* Form::section(const QString& title) {
     return current_;
 }
 
-const FieldEntry& Form::described(const char* pointer) const {
-    const auto found = std::find_if(described_.begin(), described_.end(),
-                                    [&](const FieldEntry& e) { return e.pointer == pointer; });
-    RAVNOVES_DEMAND(found != described_.end(), "a form's row is a field of the input");
-    return *found;
-}
-
 void Form::add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show) {
-    const auto entries = model_->fields();
-    const auto present = std::find_if(entries.begin(), entries.end(),
-                                      [&](const FieldEntry& e) { return e.pointer == pointer; });
-    field->setEnabled(present != entries.end());
-    show(present != entries.end() ? present->value : FieldValue());
+    const auto present = model_->fields(pointer);
+    field->setEnabled(!present.empty());
+    show(present.empty() ? FieldValue() : present.front().value);
     rows_.push_back({pointer, std::move(show), field});
 }
 
 NumberField* Form::number(const char* pointer) {
-    const FieldEntry& entry = described(pointer);
+    const FieldEntry entry = model_->describedField(pointer);
     NumberField* field = current_->addNumber(entry.field);
     field->setOptional(entry.may_be_empty);
     field->setWhole(entry.kind == FieldKind::integer);
@@ -125,7 +112,7 @@ QCheckBox* Form::box(const QString& name, const QString& label, const QString& h
 }
 
 QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) {
-    const FieldEntry& entry = described(pointer);
+    const FieldEntry entry = model_->describedField(pointer);
     auto* box = new QComboBox(current_);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
@@ -159,7 +146,7 @@ QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) 
 }
 
 QWidget* Form::flag(const char* pointer) {
-    const FieldEntry& entry = described(pointer);
+    const FieldEntry entry = model_->describedField(pointer);
     auto* box = new QCheckBox(shownText(entry.field.label), current_);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
     box->setToolTip(shownText(entry.field.hint));
@@ -179,7 +166,7 @@ QWidget* Form::flag(const char* pointer) {
 }
 
 QLineEdit* Form::text(const char* pointer) {
-    const FieldEntry& entry = described(pointer);
+    const FieldEntry entry = model_->describedField(pointer);
     auto* field = new TextField(
         [this, place = entry.pointer, name = fieldName(entry.field)](const QString& typed) {
             model_->editField(place, typed.toStdString(), name);

@@ -69,14 +69,12 @@ class Form : public QWidget {
         QWidget* field;
     };
 
-    const FieldEntry& described(const char* pointer) const;
     void add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show);
     void showAll();
 
     SceneModel* model_;
     QVBoxLayout* column_;
     FormSection* current_ = nullptr;
-    std::vector<FieldEntry> described_;
     std::vector<Row> rows_;
     std::vector<std::function<void()>> followers_;
 };

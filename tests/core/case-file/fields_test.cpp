@@ -223,6 +223,31 @@ TEST(Fields, TheTableOfTheHelpSaysWhatIsNeededAndWhatStandsIn) {
     }
 }
 
+TEST(Fields, OneIsListedAsAmongAll) {
+    const auto expect_each = [](const std::vector<FieldEntry>& all, const auto& one) {
+        for (const FieldEntry& entry : all) {
+            const std::vector<FieldEntry> found = one(entry.pointer);
+            ASSERT_EQ(found.size(), 1) << entry.pointer;
+            EXPECT_EQ(found[0].pointer, entry.pointer);
+            EXPECT_EQ(found[0].kind, entry.kind) << entry.pointer;
+            EXPECT_EQ(found[0].value, entry.value) << entry.pointer;
+            EXPECT_EQ(found[0].usual, entry.usual) << entry.pointer;
+            EXPECT_EQ(found[0].required, entry.required) << entry.pointer;
+            EXPECT_EQ(found[0].may_be_empty, entry.may_be_empty) << entry.pointer;
+            EXPECT_EQ(found[0].word, entry.word) << entry.pointer;
+            EXPECT_EQ(found[0].alternatives, entry.alternatives) << entry.pointer;
+        }
+        EXPECT_FALSE(all.empty());
+    };
+    const Sample s = sample();
+    expect_each(list_fields(s), [&](const std::string& it) { return list_fields(s, it); });
+    expect_each(describe_fields<Sample>(), describe_fields<Sample>);
+    expect_each(describe_fields<Weight>(), describe_fields<Weight>);
+    EXPECT_TRUE(list_fields(s, "/nothing").empty());
+    EXPECT_TRUE(list_fields(s, "/part/nothing").empty());
+    EXPECT_EQ(s, sample());
+}
+
 TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
     const Message message(CORE_TEXT("core", "must be from %1 to %2"), 1.5, Number{3, units::mm});
     EXPECT_EQ(message.english(), "must be from 1.5 to 3 mm");

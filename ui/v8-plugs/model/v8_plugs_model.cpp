@@ -195,7 +195,7 @@ QString V8PlugsModel::edit(const QString& name, const std::function<void(Input&)
 QString V8PlugsModel::editField(const std::string& pointer, const FieldValue& value,
                                 const QString& name) {
     return edit(name, [&](Input& input) {
-        RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
+        setField(input, pointer, value);
         if (pointer == "/balancing/front_reading_g_mm") {
             input.balancing->front_bob_weight =
                 input.balancing->front_reading ? solution().hung() : std::nullopt;
