@@ -50,16 +50,14 @@ QWidget* BalanceShaftPage::buildPlots() {
     auto* barRow = new QHBoxLayout(bar);
     barRow->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     barRow->setSpacing(Theme::margin);
-    angle_ =
-        new ValueSlider(tr("Shaft angle &α"), 0.0, 360.0, 0.1, 10.0, 2, QStringLiteral("°"), bar);
-    angle_->setHint(
-        tr("Angle from the cylinder axis to the line of centres, in the direction of "
-           "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."));
+    angle_ = new FieldSlider(
+        model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
+        {.label = tr("Shaft angle &α"),
+         .hint = tr("Angle from the cylinder axis to the line of centres, in the direction of "
+                    "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."),
+         .read = [this] { return model_->shaftAngleDeg(); },
+         .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
     angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
-    angle_->box()->setObjectName(QStringLiteral("shaft_angle_deg"));
-    angle_->setModel(model_);
-    connect(angle_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setShaftAngleDeg);
-    connect(angle_, &ValueSlider::released, model_, &BalanceShaftModel::finishDrag);
     barRow->addWidget(angle_, 1);
     auto* meansLabel = new QLabel(tr("Mea&ns"), bar);
     meansChoice_ = new QComboBox(bar);
@@ -215,7 +213,7 @@ void BalanceShaftPage::showSweep() {
 void BalanceShaftPage::showShaft() {
     const Result& result = model_->result();
     const double alpha = model_->shaftAngleDeg();
-    angle_->setValue(alpha);
+    angle_->follow();
     moments_->setCurve(s_, result.curves.crank_angle_deg, result.curves.M_s);
     moments_->setCurve(ups_, result.curves.crank_angle_deg, result.curves.M_ups);
     const auto shown = [](double moment) { return shownDigits(moment, units::N_m, 0); };

@@ -2,6 +2,7 @@
 
 #include "plot/plot_view.h"
 #include "shell/scene_page.h"
+#include "widgets/field_slider.h"
 
 class QComboBox;
 class QLabel;
@@ -18,7 +19,6 @@ class ResultTable;
 class CycleView;
 class TorqueSourceEditor;
 class TorqueTableEditor;
-class ValueSlider;
 
 /// The balance-shaft page: inputs, α slider, plots over φ and over α, picture, results.
 class BalanceShaftPage : public ScenePage {
@@ -34,7 +34,7 @@ class BalanceShaftPage : public ScenePage {
     QString resultsAsCsv() const override;
 
     // For tests and for the frame benchmark.
-    ValueSlider* angleSlider() const { return angle_; }
+    FieldSlider* angleSlider() const { return angle_; }
     PlotView* momentPlot() const { return moments_; }
     PlotView* rangePlot() const { return range_; }
     PlotView* meanPlot() const { return means_; }
@@ -59,7 +59,7 @@ class BalanceShaftPage : public ScenePage {
     TorqueSourceEditor* source_ = nullptr;
     QTabWidget* views_ = nullptr;
     CycleView* cycle_ = nullptr;
-    ValueSlider* angle_ = nullptr;
+    FieldSlider* angle_ = nullptr;
     QComboBox* meansChoice_ = nullptr;
     PlotView* moments_ = nullptr;
     PlotView* range_ = nullptr;

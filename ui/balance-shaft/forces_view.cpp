@@ -2,21 +2,16 @@
 
 #include <QGridLayout>
 
-#include "balance-shaft/fields.h"
 #include "balance-shaft/model/forces_model.h"
 #include "plot/plot_view.h"
-#include "text/message_text.h"
 #include "theme/theme.h"
+#include "widgets/field_slider.h"
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
-
-using balance_shaft::Input;
-namespace field = balance_shaft::field;
 
 ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* grid = new QGridLayout(this);
@@ -28,18 +23,9 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
 
     // Without a shaft.
     auto* crank = new Form(model_, this);
-    share_ = new ValueSlider(shownText(field::crank_share.label), field::crank_share.range.min,
-                             field::crank_share.range.max, 0.01, 0.1, 2, {}, crank);
-    share_->setModel(model_);
-    share_->setHint(shownText(field::crank_share.hint));
-    connect(share_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->drag(fieldName(field::crank_share),
-                     [value](Input& input) { input.crank_share = value; });
-    });
-    connect(share_, &ValueSlider::released, model_, &SceneModel::finishDrag);
+    share_ = new FieldSlider(model_, "/crank_share", {0.0, 1.0, 0.01, 0.1, 2}, crank);
     FormSection* balanced = crank->section(tr("Balanced on the crank alone"));
     balanced->addWide(share_);
-    crank->follow([this] { share_->setValue(model_->input().crank_share); });
     static_cast<QVBoxLayout*>(crank->layout())->addStretch();
     grid->addWidget(inPanel(crank), 0, 0);
     locus_ = new PlotView(tr("Force on the engine"), this);

@@ -26,7 +26,6 @@
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -118,15 +117,15 @@ QWidget* ShaftMapView::buildBar() {
     auto* column = new QVBoxLayout(bar);
     column->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    distance_ =
-        new ValueSlider(tr("Distance &l"), 0.0, 200.0, 0.1, 10.0, 2, unitText(units::mm.name), bar);
-    distance_->setHint(tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."));
+    distance_ = new FieldSlider(
+        model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
+        {.label = tr("Distance &l"),
+         .hint = tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."),
+         // A new range is a new layout of the page: not at every step.
+         .ends = [this] { return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm)); },
+         .write = [this](double value) { map_->setDistance(value * units::mm); }});
     distance_->slider()->setObjectName(QStringLiteral("centre_distance_slider"));
     distance_->box()->setObjectName(QStringLiteral("centre_distance_box"));
-    distance_->setModel(model_);
-    connect(distance_, &ValueSlider::valueEdited, this,
-            [this](double value) { map_->setDistance(value * units::mm); });
-    connect(distance_, &ValueSlider::released, model_, &SceneModel::finishDrag);
     column->addWidget(distance_);
 
     auto* row = new QHBoxLayout;
@@ -416,12 +415,7 @@ void ShaftMapView::showSizes() {
 
 void ShaftMapView::showPresent() {
     const double present = model_->input().centre_distance / units::mm;
-    // A new range is a new layout of the page: not at every step.
-    const double reach = std::ceil(map_->largestDistance() / units::mm);
-    if (distance_->box()->maximum() != reach) {
-        distance_->setRange(0.0, reach);
-    }
-    distance_->setValue(present);
+    distance_->follow();
     distances_->setPresentX(present);
     plot_->setAccessibleDescription(plot_->placeWords(map_->present()));
     showPresentSize();

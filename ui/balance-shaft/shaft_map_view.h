@@ -3,6 +3,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "widgets/field_slider.h"
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -15,7 +17,6 @@ class BalanceShaftModel;
 class PlotView;
 class ShaftMapModel;
 class ShaftMapPlot;
-class ValueSlider;
 
 /// Where the shaft goes: the map of its places over the front view, the criteria over the centre
 /// distance, and what they cost in size. The charts stand beside the map where there is room, else
@@ -30,7 +31,7 @@ class ShaftMapView : public QWidget {
     ShaftMapPlot* plot() const { return plot_; }
     PlotView* distancePlot() const { return distances_; }
     PlotView* sizePlot() const { return sizes_; }
-    ValueSlider* distanceSlider() const { return distance_; }
+    FieldSlider* distanceSlider() const { return distance_; }
     QComboBox* criterionChoice() const { return criterion_; }
     ValueSlider* weightSlider() const { return weight_; }
     QPushButton* bestButton() const { return best_; }
@@ -62,7 +63,7 @@ class ShaftMapView : public QWidget {
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
-    ValueSlider* distance_;
+    FieldSlider* distance_;
     QComboBox* criterion_;
     ValueSlider* weight_;
     QPushButton* best_;

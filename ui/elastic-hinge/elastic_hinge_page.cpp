@@ -17,10 +17,9 @@
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
-#include "text/message_text.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
+#include "widgets/field_slider.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
@@ -30,7 +29,6 @@
 
 namespace ravnoves {
 
-using elastic_hinge::Input;
 using elastic_hinge::Kinematics;
 using elastic_hinge::Spring;
 namespace field = elastic_hinge::field;
@@ -38,10 +36,6 @@ namespace field = elastic_hinge::field;
 namespace {
 
 constexpr int boxWidth = 122;  ///< pixels, for "20000.0 kN/m"
-
-Spring& springOf(Input& input) {
-    return input.spring ? *input.spring : input.spring.emplace();
-}
 
 }  // namespace
 
@@ -54,13 +48,11 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     whole->addWidget(new PageColumns(
         {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this));
 
-    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showInput);
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showCrank);
     connect(model_, &ElasticHingeModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
     connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
-    showInput();
     showAnswer();
     showCrank();
 }
@@ -73,62 +65,47 @@ QList<QAction*> ElasticHingePage::sceneActions() {
     return {playAction_};
 }
 
-ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const char* name, const QString& label,
-                                         const Field& field, const Unit& unit, const Scale& scale,
-                                         std::function<double*(Input&)> value) {
-    auto* slider = new ValueSlider(label, scale.min, scale.max, scale.step, scale.page,
-                                   scale.decimals, unitText(unit.name), parent);
-    slider->slider()->setObjectName(QString::fromLatin1(name) + QLatin1String("_slider"));
-    slider->box()->setObjectName(QLatin1String(name));
-    slider->setHint(shownText(field.hint));
-    slider->setModel(model_);
-    const auto write = [this, value, unit, step = fieldName(field)](double shown) {
-        const QString trouble = model_->drag(step, [&](Input& input) {
-            if (double* si = value(input)) {
-                *si = shown * unit;
-            }
-        });
-        if (!trouble.isEmpty()) {
-            showInput();  // refused: the slider goes back
-        }
-    };
-    connect(slider, &ValueSlider::valueEdited, this, write);
-    connect(slider, &ValueSlider::released, model_, &ElasticHingeModel::finishDrag);
-    parent->layout()->addWidget(slider);
-    sliders_.push_back({slider, unit, scale.min, scale.max, value});
-    return slider;
-}
-
 QWidget* ElasticHingePage::buildSliders() {
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     column->setSpacing(Theme::gap);
-    addSlider(panel, "angular_speed_rad_s", tr("&ω"), field::angular_speed, units::rad_per_s,
-              {0.0, 600.0, 1.0, 20.0, 1}, [](Input& input) { return &input.angular_speed; });
-    lambda_ = addSlider(panel, "lambda", tr("&λ"), field::lambda, units::none,
-                        {0.05, 0.99, 0.01, 0.1, 3}, [](Input& input) { return &input.lambda; });
-    addSlider(panel, "stiffness_kN_m", tr("&c"), field::stiffness, units::kN_per_m,
-              {1.0, 1e6, 0.1, 1.0, 1}, [](Input& input) { return &springOf(input).stiffness; })
-        ->setLogarithmic(50, 3);
-    radius_ = addSlider(panel, "guide_radius_at_zero_mm", tr("&ρ₀"), field::guide_radius, units::mm,
-                        {1.0, 199.0, 0.01, 1.0, 3},
-                        [](Input& input) { return &springOf(input).guide_radius_at_zero; });
-    distance_ =
-        addSlider(panel, "counterweight_distance_mm", tr("ℓ&₂"), field::counterweight_distance,
-                  units::mm, {10.0, 300.0, 1.0, 10.0, 1}, [](Input& input) {
-                      return input.rod_counterweight ? &input.rod_counterweight->distance : nullptr;
-                  });
-    addSlider(panel, "profile_error_um", tr("&error"), field::profile_error, units::micrometre,
-              {0.0, 100.0, 0.5, 5.0, 1}, [](Input& input) { return &input.profile_error; });
+    const auto lambdaEnds = [this] {
+        return std::pair(0.05, model_->input().kinematics == Kinematics::series ? 1.0 : 0.99);
+    };
+    const auto radiusEnds = [this] {
+        const double most = model_->input().spring.value_or(Spring()).free_length / units::mm;
+        return std::pair(std::min(1.0, 0.005 * most), most);
+    };
+    const auto hasCounterweight = [this] { return model_->input().rod_counterweight.has_value(); };
+    FieldSlider* sliders[]{
+        new FieldSlider(model_, "/angular_speed_rad_s", {0.0, 600.0, 1.0, 20.0, 1}, panel,
+                        {.label = tr("&ω")}),
+        new FieldSlider(model_, "/lambda", {0.05, 0.99, 0.01, 0.1, 3}, panel,
+                        {.label = tr("&λ"), .ends = lambdaEnds}),
+        new FieldSlider(
+            model_, "/spring/stiffness_N_m", {1.0, 1e6, 0.1, 1.0, 1}, panel,
+            {.label = tr("&c"), .name = QStringLiteral("stiffness_kN_m"), .unit = units::kN_per_m}),
+        new FieldSlider(model_, "/spring/guide_radius_at_zero_mm", {1.0, 199.0, 0.01, 1.0, 3},
+                        panel, {.label = tr("&ρ₀"), .ends = radiusEnds}),
+        new FieldSlider(model_, "/rod_counterweight/distance_mm", {10.0, 300.0, 1.0, 10.0, 1},
+                        panel,
+                        {.label = tr("ℓ&₂"),
+                         .name = QStringLiteral("counterweight_distance_mm"),
+                         .isMovable = hasCounterweight}),
+        new FieldSlider(model_, "/profile_error_um", {0.0, 100.0, 0.5, 5.0, 1}, panel,
+                        {.label = tr("&error")}),
+    };
+    sliders[2]->setLogarithmic(50, 3);  // the stiffness
     // One width for labels and boxes, so that the sliders stand in line.
     int labels = 0;
-    for (const Slider& each : sliders_) {
-        labels = std::max(labels, each.slider->findChild<QLabel*>()->sizeHint().width());
+    for (const FieldSlider* slider : sliders) {
+        labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
     }
-    for (const Slider& each : sliders_) {
-        each.slider->setLabelWidth(labels);
-        each.slider->box()->setFixedWidth(Theme::withText(boxWidth));
+    for (FieldSlider* slider : sliders) {
+        slider->setLabelWidth(labels);
+        slider->box()->setFixedWidth(Theme::withText(boxWidth));
+        column->addWidget(slider);
     }
     return panel;
 }
@@ -217,32 +194,6 @@ QWidget* ElasticHingePage::buildAnswer() {
     answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;
-}
-
-void ElasticHingePage::showInput() {
-    Input input = model_->input();
-    const Spring& spring = springOf(input);
-    distance_->setEnabled(input.rod_counterweight.has_value());
-    if (!input.rod_counterweight) {
-        input.rod_counterweight.emplace();  // shows where a new one would stand
-    }
-    for (const Slider& each : sliders_) {
-        double min = each.min;
-        double max = each.max;
-        if (each.slider == lambda_ && input.kinematics == Kinematics::series) {
-            max = 1.0;
-        } else if (each.slider == radius_) {
-            min = std::min(min, 0.005 * spring.free_length / units::mm);
-            max = spring.free_length / units::mm;
-        }
-        const double value = *each.value(input) / each.unit;
-        min = std::min(min, value);  // the slider widens where the case lies beyond it
-        max = std::max(max, value);
-        if (min != each.slider->box()->minimum() || max != each.slider->box()->maximum()) {
-            each.slider->setRange(min, max);
-        }
-        each.slider->setValue(value);
-    }
 }
 
 void ElasticHingePage::showAnswer() {

@@ -39,30 +39,10 @@ class ElasticHingePage : public ScenePage {
     QWidget* buildInputs();
     QWidget* buildSliders();
     QWidget* buildAnswer();
-    /// Of a slider, in its unit.
-    struct Scale {
-        double min, max, step, page;
-        int decimals;
-    };
-    struct Slider {
-        ValueSlider* slider;
-        Unit unit;
-        double min, max;
-        std::function<double*(elastic_hinge::Input&)> value;
-    };
-    /// A slider for a field; `value` is the place of its SI value, null where there is none now.
-    ValueSlider* addSlider(QWidget* parent, const char* name, const QString& label,
-                           const Field& field, const Unit& unit, const Scale& scale,
-                           std::function<double*(elastic_hinge::Input&)> value);
-    void showInput();
     void showAnswer();
     void showCrank();
 
     ElasticHingeModel* model_;
-    std::vector<Slider> sliders_;
-    ValueSlider* lambda_ = nullptr;
-    ValueSlider* radius_ = nullptr;
-    ValueSlider* distance_ = nullptr;
     QTabWidget* forms_ = nullptr;
     GuideExportForm* export_ = nullptr;
     HingePlots* plots_ = nullptr;

@@ -2,10 +2,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QPushButton>
-#include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -16,7 +14,7 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "widgets/value_slider.h"
+#include "widgets/field_slider.h"
 
 namespace ravnoves {
 
@@ -275,59 +273,39 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
     });
 }
 
-EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent)
-    : Panel(parent), model_(model) {
+EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent) : Panel(parent) {
+    using Model = InertiaMomentsModel;
+    const auto of = [model](auto member) { return std::bind_front(member, model); };
+    const auto bankEnds = [model] {
+        return model->input().layout ? std::pair(0.0, 180.0) : std::pair(0.1, 360.0);
+    };
+    bank_ = new FieldSlider(model, "/layout/bank_angle_deg", {0.0, 180.0, 0.1, 5.0, 1}, this,
+                            {.ends = bankEnds,
+                             .isMovable = of(&Model::canChangeBankAngle),
+                             .read = of(&Model::bankAngleDeg),
+                             .write = of(&Model::setBankAngleDeg)});
+    offset_ = new FieldSlider(model, "/layout/offset_mm", {-50.0, 50.0, 0.01, 1.0, 2}, this,
+                              {.ends = of(&Model::offsetLimitsMm),
+                               .isMovable = of(&Model::canChangeOffset),
+                               .read = of(&Model::offsetMm),
+                               .write = of(&Model::setOffsetMm)});
+    speed_ = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this,
+                             {.read = of(&Model::speedRpm), .write = of(&Model::setSpeedRpm)});
+    reference_ =
+        new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1}, this,
+                        {.ends = of(&Model::referenceLimitsMm),
+                         .read = of(&Model::referenceMm),
+                         .write = of(&Model::setReferenceMm)});
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     grid->setHorizontalSpacing(2 * Theme::margin);
     grid->setVerticalSpacing(Theme::gap);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
-    int cell = 0;
-    const auto add = [&](const Field& field, double min, double max, double step, double pageStep,
-                         int decimals, auto set) {
-        auto* slider = new ValueSlider(shownText(field.label), min, max, step, pageStep, decimals,
-                                       unitText(field.unit.name), this);
-        const auto name = QString::fromStdString(std::string(field.key));
-        slider->slider()->setObjectName(name + QStringLiteral("_slider"));
-        slider->box()->setObjectName(name);
-        slider->setHint(shownText(field.hint));
-        slider->setModel(model_);
-        connect(slider, &ValueSlider::valueEdited, model_, set);
-        connect(slider, &ValueSlider::released, model_, &InertiaMomentsModel::finishDrag);
-        grid->addWidget(slider, cell / 2, cell % 2);
-        ++cell;
-        return slider;
-    };
-    bank_ =
-        add(field::included_angle, 0.0, 180.0, 0.1, 5.0, 1, &InertiaMomentsModel::setBankAngleDeg);
-    offset_ =
-        add(field::layout_offset, -50.0, 50.0, 0.01, 1.0, 2, &InertiaMomentsModel::setOffsetMm);
-    speed_ = add(field::speed, 100.0, 10000.0, 10.0, 500.0, 0, &InertiaMomentsModel::setSpeedRpm);
-    reference_ = add(field::reference_position, -500.0, 500.0, 0.1, 10.0, 1,
-                     &InertiaMomentsModel::setReferenceMm);
-    connect(model_, &SceneModel::changed, this, &EngineSliders::showValues);
-    // A slider that went too far comes back.
-    connect(model_, &SceneModel::refused, this, &EngineSliders::showValues);
-    showValues();
-}
-
-void EngineSliders::showValues() {
-    const auto show = [](ValueSlider* slider, double value, double low, double high) {
-        if (!slider->slider()->isSliderDown()) {  // its range rests while it is dragged
-            slider->setRange(std::min(low, value), std::max(high, value));
-        }
-        slider->setValue(value);
-    };
-    const bool layout = model_->input().layout.has_value();
-    show(bank_, model_->bankAngleDeg(), layout ? 0.0 : 0.1, layout ? 180.0 : 360.0);
-    bank_->setEnabled(model_->canChangeBankAngle());
-    const auto [least, most] = model_->offsetLimitsMm();
-    show(offset_, model_->offsetMm(), least, most);
-    offset_->setEnabled(model_->canChangeOffset());
-    show(speed_, model_->speedRpm(), 100.0, 10000.0);
-    const auto [rear, front] = model_->referenceLimitsMm();
-    show(reference_, model_->referenceMm(), rear, front);
+    grid->addWidget(bank_, 0, 0);
+    grid->addWidget(offset_, 0, 1);
+    grid->addWidget(speed_, 1, 0);
+    grid->addWidget(reference_, 1, 1);
 }
 
 }  // namespace ravnoves

@@ -52,9 +52,6 @@ class EngineSliders : public Panel {
     ValueSlider* reference() const { return reference_; }
 
   private:
-    void showValues();
-
-    InertiaMomentsModel* model_;
     ValueSlider* bank_;
     ValueSlider* offset_;
     ValueSlider* speed_;

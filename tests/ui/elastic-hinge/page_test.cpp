@@ -165,6 +165,15 @@ TEST_F(ElasticHingePageTest, ACaseBeyondTheSlidersWidensThem) {
     model->setByKey(QStringLiteral("spring/guide_radius_at_zero_mm"), QStringLiteral("350"));
     EXPECT_EQ(find<QDoubleSpinBox>("guide_radius_at_zero_mm")->value(), 350.0);
     EXPECT_NEAR(model->input().spring->guide_radius_at_zero, 0.35, 1e-15);
+    // While a hand drags it, what it drags over stays.
+    auto* slider = find<QSlider>("angular_speed_rad_s_slider");
+    slider->setSliderDown(true);
+    slider->setSliderPosition(100);
+    EXPECT_EQ(model->input().angular_speed, 100.0);
+    EXPECT_EQ(slider->maximum(), 5000);
+    slider->setSliderDown(false);
+    EXPECT_EQ(slider->maximum(), 600);
+    EXPECT_EQ(model->input().angular_speed, 100.0);
 }
 
 TEST_F(ElasticHingePageTest, FieldsEditTheCase) {

@@ -1,0 +1,82 @@
+#include "widgets/field_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <algorithm>
+
+#include "model/scene_model.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// What is the slider's own, and for the rest what follows from the field.
+SliderOwn completed(SceneModel* model, const char* pointer, const SliderScale& scale,
+                    SliderOwn own) {
+    const Field field = model->describedField(pointer).field;
+    if (own.label.isEmpty()) {
+        own.label = shownText(field.label);
+    }
+    if (own.hint.isEmpty()) {
+        own.hint = shownText(field.hint);
+    }
+    if (own.name.isEmpty()) {
+        own.name = QString::fromStdString(std::string(field.key));
+    }
+    if (own.unit == units::none) {
+        own.unit = field.unit;
+    }
+    const double factor = own.unit.to_si / field.unit.to_si;
+    if (!own.ends) {
+        own.ends = [ends = std::pair(scale.min, scale.max)] { return ends; };
+    }
+    if (!own.read) {
+        own.read = [=] { return std::get<double>(model->fields(pointer).front().value) / factor; };
+    }
+    if (!own.write) {
+        own.write = [=, step = fieldName(field)](double value) {
+            model->dragField(pointer, value * factor, step);
+        };
+    }
+    return own;
+}
+
+}  // namespace
+
+FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderScale& scale,
+                         QWidget* parent, const SliderOwn& own)
+    : FieldSlider(completed(model, pointer, scale, own), scale, parent) {
+    slider()->setObjectName(own_.name + QStringLiteral("_slider"));
+    box()->setObjectName(own_.name);
+    setHint(own_.hint);
+    setModel(model);
+    connect(this, &ValueSlider::valueEdited, this, own_.write);
+    connect(this, &ValueSlider::released, model, &SceneModel::finishDrag);
+    connect(slider(), &QSlider::sliderReleased, this, &FieldSlider::follow);
+    connect(model, &SceneModel::changed, this, &FieldSlider::follow);
+    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+        if (!why.isEmpty() && value() != own_.read()) {
+            follow();
+        }
+    });
+    follow();
+}
+
+FieldSlider::FieldSlider(const SliderOwn& own, const SliderScale& scale, QWidget* parent)
+    : ValueSlider(own.label, scale.min, scale.max, scale.step, scale.page, scale.decimals,
+                  unitText(own.unit.name), parent),
+      own_(own) {}
+
+void FieldSlider::follow() {
+    const double value = own_.read();
+    const auto [min, max] = own_.ends();
+    setEnabled(!own_.isMovable || own_.isMovable());
+    if (!slider()->isSliderDown()) {
+        setRange(std::min(min, value), std::max(max, value));
+    }
+    setValue(value);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "numerics/units.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+/// Of a slider alone, in its unit: the ends between which a hand moves it, and its steps.
+struct SliderScale {
+    double min, max, step, page;
+    int decimals;
+};
+
+/// What a slider has of its own in place of what follows from its field, in its unit.
+struct SliderOwn {
+    QString label{};
+    QString hint{};
+    QString name{};           ///< of its box; the slider's has "_slider" behind it
+    Unit unit = units::none;  ///< none: that of the field
+    std::function<std::pair<double, double>()> ends{};  ///< where it may be moved now
+    std::function<bool()> isMovable{};
+    // Of a number that is more than the field.
+    std::function<double()> read{};
+    std::function<void(double)> write{};
+};
+
+/// A slider for a number of the input: label with mnemonic, unit, hint, object names and the name
+/// of the undo step follow from the field's description in core. It drags the model, follows it and
+/// goes back where it is refused. Where the case lies beyond its ends it widens.
+class FieldSlider : public ValueSlider {
+    Q_OBJECT
+
+  public:
+    /// @param pointer  of the field below "input"; a literal
+    FieldSlider(SceneModel* model, const char* pointer, const SliderScale& scale, QWidget* parent,
+                const SliderOwn& own = {});
+
+    /// Shows the present value. Its ends rest while it is dragged.
+    void follow();
+
+  private:
+    FieldSlider(const SliderOwn& own, const SliderScale& scale, QWidget* parent);
+
+    SliderOwn own_;
+};
+
+}  // namespace ravnoves
