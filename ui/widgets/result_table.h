@@ -76,6 +76,7 @@ class ResultTable : public WithWholeRows<QTableWidget> {
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    static int plainRowHeight();  ///< without what stands below the numbers
 
   protected:
     void paintEvent(QPaintEvent* event) override;
