@@ -1,13 +1,11 @@
 #include "studies/tolerance_bands.h"
 
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QPointer>
 #include <QTabWidget>
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
-#include <limits>
 #include <mutex>
 
 #include "case-file/case_file.h"
@@ -15,10 +13,10 @@
 #include "case-file/json.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
-#include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "studies/band_run.h"
 #include "studies/law.h"
 #include "studies/model/band_samples.h"
 #include "studies/model/result_words.h"
@@ -33,9 +31,6 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// 95 % point of the normal distribution.
-constexpr double point95 = 1.6448536269514722;
 constexpr int handRestsMs = 250;
 constexpr int lookAgainMs = 20;
 
@@ -63,37 +58,10 @@ std::vector<std::pair<QPointer<Part>, QPointer<Part>>> seen(const ScenePage& pag
     return pairs;
 }
 
-/// A result with both sides of a standard deviation, as far as there are.
-double moved(double nominal, double plus, double minus, double period) {
-    const auto apart = [&](double from, double to) {
-        return period > 0.0 ? std::remainder(to - from, period) : to - from;
-    };
-    if (std::isfinite(plus) && std::isfinite(minus)) {
-        return 0.5 * apart(minus, plus);
-    }
-    return std::isfinite(plus) ? apart(nominal, plus) : apart(minus, nominal);
-}
-
 bool isEmpty(const PlotView& plot) {
     const auto& curves = plot.data().curves;
     return std::all_of(curves.begin(), curves.end(),
                        [](const PlotCurve& curve) { return curve.x.empty(); });
-}
-
-/// What the entry of the bands in a plot's legend says; where slopes fail it is marked.
-void sayOfBands(PlotView& plot, bool isMarked, const QString& tip) {
-    auto* entry = plot.findChild<LegendItem*>(QStringLiteral("spread"), Qt::FindDirectChildrenOnly);
-    if (entry == nullptr) {
-        return;
-    }
-    entry->setToolTip(tip);
-    const QString mark = QStringLiteral(" ⚠");
-    QString text = entry->text();
-    if (text.endsWith(mark) != isMarked) {
-        isMarked ? void(text += mark) : text.chop(mark.size());
-        entry->setText(text);
-        plot.setCurveStyle(0, plot.data().curve(0).style);  // it takes another room
-    }
 }
 
 /// Numbers that the worker waits for.
@@ -125,298 +93,6 @@ class AwaitedNumbers {
 };
 
 }  // namespace
-
-/// One input after the other.
-struct ToleranceBands::Run {
-    /// Numbers that stand together.
-    struct Stretch {
-        std::size_t from = 0;
-        std::size_t count = 0;
-    };
-
-    Json input;
-    studies::Study study;
-    std::vector<BandTask::Source> sources;
-    std::vector<std::pair<QPointer<PlotView>, QPointer<PlotView>>> plots;  ///< page's and twin's
-    std::vector<std::pair<QPointer<ResultTable>, QPointer<ResultTable>>> tables;
-    /// Plots of what the twin computes in the background.
-    std::vector<std::pair<QPointer<PlotView>, QPointer<PlotView>>> slow;
-    QList<QWidget*> shown;  ///< the plots and tables of the twin
-
-    std::vector<std::vector<std::vector<double>>> x;  ///< by plot and curve
-    std::vector<std::vector<Stretch>> curves;         ///< likewise
-    std::vector<Stretch> cells;                       ///< by table, row by row
-    std::vector<double> periods;                      ///< of numbers that are angles; else 0
-    std::vector<double> nominal;
-    std::vector<double> variance;
-    std::vector<double> shift;  ///< of the mean
-
-    bool isLaidOut = false;
-    bool waits = false;     ///< for what the twin computes in the background
-    bool isLoaded = false;  ///< it computes
-    QElapsedTimer clock;
-    std::size_t next = 0;  ///< solution: up and down for each source
-    std::optional<std::vector<double>> plus;
-
-    bool isWhole() const {
-        return std::all_of(plots.begin(), plots.end(),
-                           [](const auto& each) { return each.first && each.second; }) &&
-               std::all_of(tables.begin(), tables.end(),
-                           [](const auto& each) { return each.first && each.second; });
-    }
-    bool isDone() const { return isLaidOut && next == 2 * sources.size(); }
-    std::size_t source() const { return next / 2; }
-    bool isUp() const { return next % 2 == 0; }
-
-    /// Of the twin as it stands. @param found  its numbers, as many as the nominal ones
-    std::vector<double> numbers() const {
-        std::vector<double> found;
-        found.reserve(nominal.size());
-        for (std::size_t p = 0; p < plots.size(); ++p) {
-            const PlotData& data = plots[p].second->data();
-            for (std::size_t c = 0; c < curves[p].size(); ++c) {
-                const std::vector<double> values = c < data.curves.size()
-                                                       ? at(x[p][c], data, data.curves[c])
-                                                       : std::vector<double>();
-                append(found, values, curves[p][c].count);
-            }
-        }
-        for (std::size_t t = 0; t < tables.size(); ++t) {
-            append(found, cellsOf(*tables[t].second), cells[t].count);
-        }
-        return found;
-    }
-    /// Other numbers than there were: of other rows, or a curve that does not go on there.
-    static void append(std::vector<double>& all, const std::vector<double>& values,
-                       std::size_t count) {
-        if (values.size() == count) {
-            all.insert(all.end(), values.begin(), values.end());
-        } else {
-            all.resize(all.size() + count, none);
-        }
-    }
-    static std::vector<double> cellsOf(const ResultTable& table) {
-        std::vector<double> found;
-        for (int row = 0; row < table.rowCount(); ++row) {
-            for (int column = 0; column < table.columnCount(); ++column) {
-                const ResultNumber* number = table.numberAt(row, column);
-                found.push_back(number != nullptr ? number->value : none);
-            }
-        }
-        return found;
-    }
-    /// A curve's values at places that may be those of another.
-    static std::vector<double> at(const std::vector<double>& places, const PlotData& data,
-                                  const PlotCurve& curve) {
-        if (curve.x == places) {
-            return curve.y;
-        }
-        std::vector<double> values;
-        const bool goesOn = curve.isLine() && curve.ascending;
-        for (std::size_t i = 0; goesOn && i < places.size(); ++i) {
-            values.push_back(data.valueAt(curve, places[i]).value_or(none));
-        }
-        return values;
-    }
-    /// The twin shows what is nominal.
-    void layOut() {
-        std::size_t size = 0;
-        for (const auto& [plot, twin] : plots) {
-            auto& places = x.emplace_back();
-            auto& stretches = curves.emplace_back();
-            for (const PlotCurve& curve : twin->data().curves) {
-                places.push_back(curve.x);
-                stretches.push_back({size, curve.x.size()});
-                size += curve.x.size();
-            }
-        }
-        periods.assign(size, 0.0);
-        for (const auto& [table, twin] : tables) {
-            cells.push_back({size, cellsOf(*twin).size()});
-            size += cells.back().count;
-            for (int row = 0; row < twin->rowCount(); ++row) {
-                for (int column = 0; column < twin->columnCount(); ++column) {
-                    const ResultNumber* number = twin->numberAt(row, column);
-                    const bool isDirection =
-                        number != nullptr && number->kind == ResultNumber::Kind::Direction;
-                    periods.push_back(isDirection ? 360.0 : 0.0);
-                }
-            }
-        }
-        nominal = numbers();
-        variance.resize(nominal.size());
-        shift.resize(nominal.size());
-        for (BandTask::Source& each : sources) {
-            each.slopes.resize(nominal.size());
-        }
-        isLaidOut = true;
-    }
-    /// One side of a source, or nothing where it is refused there.
-    void take(std::optional<std::vector<double>> found) {
-        if (isUp()) {
-            plus = std::move(found);
-        } else {
-            add(plus, found, sources[source()]);
-        }
-        ++next;
-    }
-    void add(const std::optional<std::vector<double>>& up,
-             const std::optional<std::vector<double>>& down, BandTask::Source& from) {
-        const bool isCentred = from.law.mean == input.at(from.place).get<double>();
-        for (std::size_t i = 0; i < nominal.size(); ++i) {
-            const double above = up ? (*up)[i] : none;
-            const double under = down ? (*down)[i] : none;
-            const double by = moved(nominal[i], above, under, periods[i]);
-            if (!std::isfinite(by)) {
-                continue;
-            }
-            variance[i] += by * by;
-            from.slopes[i] = static_cast<float>(by);
-            if (!isCentred && std::isfinite(above) && std::isfinite(under)) {
-                shift[i] += 0.5 * (above + under) - nominal[i];
-            }
-        }
-    }
-    /// Curves first, then the cells that hold a number.
-    std::vector<BandTask::Group> groups() const {
-        std::vector<BandTask::Group> all;
-        const auto add = [&](std::size_t from, std::size_t count, const QString& name) {
-            all.push_back({from, count, QStringLiteral("“%1”").arg(name).toStdString()});
-        };
-        for (std::size_t p = 0; p < plots.size(); ++p) {
-            for (std::size_t c = 0; c < curves[p].size(); ++c) {
-                const QString name = plots[p].second->curveName(static_cast<int>(c));
-                add(curves[p][c].from, curves[p][c].count,
-                    name.isEmpty() ? plots[p].second->title() : name);
-            }
-        }
-        for (std::size_t t = 0; t < tables.size(); ++t) {
-            const ResultTable& table = *tables[t].first;
-            const auto columns = static_cast<std::size_t>(tables[t].second->columnCount());
-            for (std::size_t i = 0; i < cells[t].count; ++i) {
-                if (!std::isfinite(nominal[cells[t].from + i])) {
-                    continue;
-                }
-                const int row = static_cast<int>(i / columns);
-                const int column = static_cast<int>(i % columns);
-                const QTableWidgetItem* name = table.item(row, 0);
-                const QTableWidgetItem* heading = table.horizontalHeaderItem(column);
-                QString text = name != nullptr ? name->text() : QString();
-                if (columns > 2 && heading != nullptr) {
-                    text += QStringLiteral(", ") + heading->text();
-                }
-                add(cells[t].from + i, 1, text);
-            }
-        }
-        return all;
-    }
-
-    /// Bands and ± of the page.
-    struct Shown {
-        std::vector<double> below;
-        std::vector<double> above;
-        std::vector<std::pair<BandTask::Group, QString>> fails;
-        QString howCurves;
-        QString howNumbers;
-        bool isStale = false;
-    };
-    Shown slopes() const {
-        Shown found;
-        for (std::size_t i = 0; i < nominal.size(); ++i) {
-            const double half = point95 * std::sqrt(variance[i]);
-            found.below.push_back(half - shift[i]);
-            found.above.push_back(half + shift[i]);
-        }
-        found.howCurves = ToleranceBands::tr(
-            "Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and "
-            "5 % above it where the results go straight with the inputs");
-        found.howNumbers = ToleranceBands::tr(
-            "What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 "
-            "% where it goes straight with the inputs");
-        return found;
-    }
-    void show(const Shown& shown) const {
-        std::map<std::size_t, QString> fails;
-        for (const auto& [group, why] : shown.fails) {
-            fails.emplace(group.from, why);
-        }
-        for (std::size_t p = 0; p < plots.size(); ++p) {
-            showPlot(p, shown, fails);
-        }
-        for (std::size_t t = 0; t < tables.size(); ++t) {
-            showTable(t, shown, fails);
-        }
-    }
-
-  private:
-    static constexpr double rounding = 1e-11;
-
-    void showPlot(std::size_t p, const Shown& shown,
-                  const std::map<std::size_t, QString>& fails) const {
-        PlotView& plot = *plots[p].first;
-        if (std::any_of(slow.begin(), slow.end(),
-                        [&](const auto& each) { return each.first == &plot; })) {
-            return;
-        }
-        plot.setSpreadStale(shown.isStale);
-        QStringList why;
-        const std::size_t count =
-            std::min(curves[p].size(), static_cast<std::size_t>(plot.curveCount()));
-        for (std::size_t c = 0; c < count; ++c) {
-            const auto [from, size] = curves[p][c];
-            const auto part = [&](const std::vector<double>& all) {
-                return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(from),
-                                           all.begin() + static_cast<std::ptrdiff_t>(from + size));
-            };
-            double most = 0.0;
-            double largest = 0.0;
-            for (std::size_t i = from; i < from + size; ++i) {
-                most = std::max(most, std::abs(nominal[i]));
-                largest = std::max(largest, 0.5 * (shown.below[i] + shown.above[i]));
-            }
-            const PlotCurve& curve = plots[p].second->data().curves[c];
-            // A line that goes up and down, or to and fro, has no width along y.
-            const bool isOverX =
-                curve.ascending && !curve.x.empty() && curve.x.back() > curve.x.front();
-            const bool hasBand = largest > rounding * most && (isOverX || !curve.isLine());
-            plot.setSpread(static_cast<int>(c), hasBand ? part(shown.below) : std::vector<double>(),
-                           hasBand ? part(shown.above) : std::vector<double>());
-            if (const auto found = fails.find(from); hasBand && found != fails.end()) {
-                why << found->second;
-            }
-        }
-        sayOfBands(plot, !why.isEmpty(),
-                   (QStringList{shown.howCurves} + why).join(QLatin1Char('\n')));
-    }
-
-    void showTable(std::size_t t, const Shown& shown,
-                   const std::map<std::size_t, QString>& fails) const {
-        ResultTable& table = *tables[t].first;
-        const int columns = tables[t].second->columnCount();
-        const auto [from, count] = cells[t];
-        std::vector<ResultTable::Spread> spreads;
-        double size = 0.0;
-        for (std::size_t i = from; i < from + count; ++i) {
-            size = std::isfinite(nominal[i]) ? std::max(size, std::abs(nominal[i])) : size;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t at = from + i;
-            const int row = static_cast<int>(i) / columns;
-            const double half = 0.5 * (shown.below[at] + shown.above[at]);
-            const QTableWidgetItem* name = table.item(row, 0);
-            // What is left of two that cancel is rounding, too.
-            constexpr double cancelled = 1e-14;
-            if (name != nullptr && half > rounding * std::abs(nominal[at]) &&
-                half > cancelled * size) {
-                const auto why = fails.find(at);
-                spreads.push_back({row, static_cast<int>(i) % columns, name->text(),
-                                   shown.below[at], shown.above[at],
-                                   why != fails.end() ? why->second : QString()});
-            }
-        }
-        table.setSpreads(std::move(spreads), shown.howNumbers);
-    }
-};
 
 ToleranceBands::ToleranceBands(ScenePage* page)
     : QObject(page), page_(page), job_(new BackgroundJob(this)) {
@@ -608,9 +284,9 @@ void ToleranceBands::step() {
     }
 }
 
-std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
+std::unique_ptr<BandRun> ToleranceBands::begin() {
     SceneModel& model = *page_->model();
-    auto run = std::make_unique<Run>();
+    auto run = std::make_unique<BandRun>();
     try {
         run->study = studies::read_study(Json::parse(model.study()), true);
         run->input = model.caseFile().input;
@@ -671,7 +347,7 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
     return run;
 }
 
-bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
+bool ToleranceBands::load(const BandRun& run, std::size_t input, double by) {
     SceneModel& model = *twin_->model();
     try {
         Json changed = run.input;
@@ -686,7 +362,7 @@ bool ToleranceBands::load(const Run& run, std::size_t input, double by) {
     return true;
 }
 
-void ToleranceBands::fill(const Run& run) {
+void ToleranceBands::fill(const BandRun& run) {
     twin_->model()->takeView(*page_->model());
     fillUnseen(*twin_, run.shown);
 }
@@ -699,7 +375,7 @@ void ToleranceBands::cancelTwin() {
 
 void ToleranceBands::finishSlopes() {
     isClear_ = false;
-    Run::Shown shown = run_->slopes();
+    BandRun::Shown shown = run_->slopes();
     shown.isStale = isOther_;
     run_->show(shown);
 }
@@ -756,7 +432,7 @@ void ToleranceBands::endSamples() {
         run_.reset();
         return;
     }
-    auto slow = std::make_unique<Run>();
+    auto slow = std::make_unique<BandRun>();
     slow->input = run_->input;
     slow->study = run_->study;
     slow->sources = run_->sources;
@@ -786,7 +462,7 @@ void ToleranceBands::showSamples(int run, const BandAnswer& answer) {
     if (answer.below.empty() && answer.fails.empty()) {
         return;  // slopes hold
     }
-    Run::Shown shown = run_->slopes();
+    BandRun::Shown shown = run_->slopes();
     if (!answer.below.empty()) {
         for (std::size_t i = 0; i < run_->nominal.size(); ++i) {
             if (std::isfinite(answer.below[i])) {

@@ -12,6 +12,7 @@ namespace ravnoves {
 class BackgroundJob;
 class ScenePage;
 struct BandAnswer;
+struct BandRun;
 
 /// What the tolerances of a page's case do to what it shows: a band of 5…95 % about each curve, a ±
 /// beside each number of its tables.
@@ -49,18 +50,15 @@ class ToleranceBands : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    struct Parts;
-    struct Run;
-
     /// @param isOther  what is shown is another, not only more or less of it
     void outdate(bool isOther);
     /// Input and tolerances are not those that were there when it was asked before.
     bool isAnother();
     void step();
-    std::unique_ptr<Run> begin();
+    std::unique_ptr<BandRun> begin();
     /// Shows the second page another input. @return false where it is refused
-    bool load(const Run& run, std::size_t input, double by);
-    void fill(const Run& run);
+    bool load(const BandRun& run, std::size_t input, double by);
+    void fill(const BandRun& run);
     /// What the twin computes in the background is not needed now.
     void cancelTwin();
     void finishSlopes();
@@ -76,7 +74,7 @@ class ToleranceBands : public QObject {
     ScenePage* page_;
     BackgroundJob* job_;
     std::unique_ptr<ScenePage> twin_;
-    std::unique_ptr<Run> run_;
+    std::unique_ptr<BandRun> run_;
     QTimer later_;
     QTimer rest_;
     std::string seen_;
