@@ -13523,10 +13523,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>амплитуда</translation>
     </message>
     <message>
-        <source>angle</source>
-        <translation>угол</translation>
-    </message>
-    <message>
         <source>angular speed ω</source>
         <translation>угловая скорость ω</translation>
     </message>
@@ -13585,10 +13581,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>constant</source>
         <translation>постоянная</translation>
-    </message>
-    <message>
-        <source>correction</source>
-        <translation>корректировка</translation>
     </message>
     <message>
         <source>cosine</source>
@@ -13655,10 +13647,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>стенка цилиндра</translation>
     </message>
     <message>
-        <source>cylinders</source>
-        <translation>цилиндры</translation>
-    </message>
-    <message>
         <source>dead centre</source>
         <translation>мёртвая точка</translation>
     </message>
@@ -13673,10 +13661,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>m r² ω² entered</source>
         <translation>введённое m r² ω²</translation>
-    </message>
-    <message>
-        <source>envelope</source>
-        <translation>габарит</translation>
     </message>
     <message>
         <source>exact</source>
@@ -13701,10 +13685,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>m r² ω² fitted</source>
         <translation>подобранное m r² ω²</translation>
-    </message>
-    <message>
-        <source>flywheel</source>
-        <translation>маховик</translation>
     </message>
     <message>
         <source>force</source>
@@ -13907,10 +13887,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>новый вал, нынешние стальные пробки</translation>
     </message>
     <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
         <source>nominal bob weight</source>
         <translation>номинальный груз</translation>
     </message>
@@ -13933,10 +13909,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>error of phase</source>
         <translation>ошибка фазы</translation>
-    </message>
-    <message>
-        <source>piston</source>
-        <translation>поршень</translation>
     </message>
     <message>
         <source>play</source>
@@ -13991,10 +13963,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>возвратно-поступательное</translation>
     </message>
     <message>
-        <source>reciprocating mass</source>
-        <translation>поступательная масса</translation>
-    </message>
-    <message>
         <source>lightening of a plug</source>
         <translation>облегчение пробки</translation>
     </message>
@@ -14045,10 +14013,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>RMS</source>
         <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>rod</source>
-        <translation>шатун</translation>
     </message>
     <message>
         <source>rod, big end</source>
@@ -14155,16 +14119,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>теория</translation>
     </message>
     <message>
-        <source>torque</source>
-        <translation>крутящий момент</translation>
-    </message>
-    <message>
         <source>two-term</source>
         <translation>двучленно</translation>
-    </message>
-    <message>
-        <source>unbalance</source>
-        <translation>дисбаланс</translation>
     </message>
     <message>
         <source>unbalanced mass</source>

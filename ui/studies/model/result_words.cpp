@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "text/key_words.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -17,7 +18,8 @@ struct ResultWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ResultWords)
 
   public:
-    /// Keys of results as a person says them; an empty one is left out.
+    /// Keys of results as a person says them, where they are no keys of inputs that say the same;
+    /// an empty one is left out.
     static constexpr std::pair<const char*, const char*> all[]{
         {"metrics", ""},
         {"M_s", QT_TR_NOOP("Mₛ")},
@@ -31,7 +33,6 @@ struct ResultWords {
         {"along_cylinder", QT_TR_NOOP("along the cylinder")},
         {"amplification", QT_TR_NOOP("amplification of errors")},
         {"amplitude", QT_TR_NOOP("amplitude")},
-        {"angle", QT_TR_NOOP("angle")},
         {"angular_speed", QT_TR_NOOP("angular speed ω")},
         {"at_crank_angle", QT_TR_NOOP("at φ")},
         {"backward", QT_TR_NOOP("backward")},
@@ -47,7 +48,6 @@ struct ResultWords {
         {"clearances", QT_TR_NOOP("clearance")},
         {"compressed", QT_TR_NOOP("spring compressed")},
         {"constant", QT_TR_NOOP("constant")},
-        {"correction", QT_TR_NOOP("correction")},
         {"cos", QT_TR_NOOP("cosine")},
         {"counterweight_force", QT_TR_NOOP("force of the counterweights")},
         {"counterweight_force_lag", QT_TR_NOOP("lag of the counterweights' force")},
@@ -64,19 +64,16 @@ struct ResultWords {
         {"cylinder_bottom", QT_TR_NOOP("bottom of the cylinder")},
         {"cylinder_top", QT_TR_NOOP("top of the cylinder")},
         {"cylinder_wall", QT_TR_NOOP("wall of the cylinder")},
-        {"cylinders", QT_TR_NOOP("cylinders")},
         {"dead_centre", QT_TR_NOOP("dead centre")},
         {"difference", QT_TR_NOOP("difference of the two-term formulas")},
         {"energy", QT_TR_NOOP("energy")},
         {"entered_m_r2_w2", QT_TR_NOOP("m r² ω² entered")},
-        {"envelope", QT_TR_NOOP("envelope")},
         {"exact", QT_TR_NOOP("exact")},
         {"excess_work", QT_TR_NOOP("excess work")},
         {"firing_cycle", QT_TR_NOOP("cycle of the firing")},
         {"first_order", QT_TR_NOOP("first order")},
         {"fitted_lambda", QT_TR_NOOP("λ fitted")},
         {"fitted_m_r2_w2", QT_TR_NOOP("m r² ω² fitted")},
-        {"flywheel", QT_TR_NOOP("flywheel")},
         {"force", QT_TR_NOOP("force")},
         {"force_angle", QT_TR_NOOP("angle of the force")},
         {"force_factor", QT_TR_NOOP("factor of the force")},
@@ -128,7 +125,6 @@ struct ResultWords {
         {"new-steel-machined", QT_TR_NOOP("new crankshaft, its own plugs")},
         {"new-steel-to-aluminium", QT_TR_NOOP("new crankshaft, aluminium plugs")},
         {"new-steel-to-steel", QT_TR_NOOP("new crankshaft, today's steel plugs")},
-        {"nominal", QT_TR_NOOP("nominal")},
         {"nominal_bobweight", QT_TR_NOOP("nominal bob weight")},
         {"optimum", QT_TR_NOOP("best α")},
         {"optimum_buildable", QT_TR_NOOP("best α that can be built")},
@@ -136,7 +132,6 @@ struct ResultWords {
         {"permissible_rotor", QT_TR_NOOP("permissible for a rotor")},
         {"phase", QT_TR_NOOP("phase")},
         {"phase_error", QT_TR_NOOP("error of phase")},
-        {"piston", QT_TR_NOOP("piston")},
         {"play", QT_TR_NOOP("play")},
         {"play_force", QT_TR_NOOP("force by the play")},
         {"play_range_high", QT_TR_NOOP("largest range by the play")},
@@ -151,7 +146,6 @@ struct ResultWords {
         {"reaction_torque", QT_TR_NOOP("reaction torque")},
         {"read_with_bobweight", QT_TR_NOOP("bob weight at the readings")},
         {"reciprocating", QT_TR_NOOP("reciprocating")},
-        {"reciprocating_mass", QT_TR_NOOP("reciprocating mass")},
         {"reduction", QT_TR_NOOP("lightening of a plug")},
         {"reduction_factor", QT_TR_NOOP("times less")},
         {"relative_torque", QT_TR_NOOP("relative torque")},
@@ -165,7 +159,6 @@ struct ResultWords {
         {"residual_rms", QT_TR_NOOP("RMS left")},
         {"residual_unbalance", QT_TR_NOOP("unbalance left")},
         {"rms", QT_TR_NOOP("RMS")},
-        {"rod", QT_TR_NOOP("rod")},
         {"rod_big_end", QT_TR_NOOP("rod, big end")},
         {"rod_hinge_guide", QT_TR_NOOP("guide of the rod hinge")},
         {"rod_hinge_moment_integral", QT_TR_NOOP("integral of the rod hinge's moment")},
@@ -193,10 +186,8 @@ struct ResultWords {
         {"sum", QT_TR_NOOP("sum")},
         {"tdc_angle", QT_TR_NOOP("φ at TDC")},
         {"theory", QT_TR_NOOP("theory")},
-        {"torque", QT_TR_NOOP("torque")},
         {"total", QT_TR_NOOP("sum")},
         {"two_term", QT_TR_NOOP("two-term")},
-        {"unbalance", QT_TR_NOOP("unbalance")},
         {"unbalanced_mass", QT_TR_NOOP("unbalanced mass")},
         {"upright", QT_TR_NOOP("along the crank")},
         {"vertical", QT_TR_NOOP("vertical")},
@@ -236,8 +227,8 @@ QString wordOf(const QString& key) {
     }
     // M_x stays; other keys are words.
     const bool isSymbol = key.size() > 1 && key.at(1) == QLatin1Char('_');
-    QString name = QString(key).replace(QStringLiteral("~1"), QStringLiteral("/"));
-    return isSymbol ? name : name.replace(QLatin1Char('_'), QLatin1Char(' '));
+    const QString name = QString(key).replace(QStringLiteral("~1"), QStringLiteral("/"));
+    return isSymbol ? name : keyInWords(name.toStdString());
 }
 
 }  // namespace
