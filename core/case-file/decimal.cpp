@@ -1,9 +1,9 @@
 #include "case-file/decimal.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <string>
 
 namespace ravnoves {
 
@@ -35,6 +35,18 @@ std::optional<double> parse_decimal(std::string_view text) {
         return std::nullopt;
     }
     return value;
+}
+
+std::string fixed_decimals(double value, int decimals) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    std::string text(buffer.data(), end);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) {
+        text.erase(0, 1);
+    }
+    return text;
 }
 
 }  // namespace ravnoves

@@ -1,8 +1,6 @@
 #include "case-file/message.h"
 
-#include <array>
-#include <charconv>
-
+#include "case-file/decimal.h"
 #include "case-file/object_reader.h"
 #include "case-file/range.h"
 #include "case-file/said_messages.h"
@@ -13,24 +11,11 @@ namespace {
 
 thread_local SaidMessages* listener = nullptr;
 
-/// Without "-0".
-std::string fixed(double value, int decimals) {
-    std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::fixed, decimals)
-                         .ptr;
-    std::string text(buffer.data(), end);
-    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) {
-        text.erase(0, 1);
-    }
-    return text;
-}
-
 struct EnglishWriter {
     std::string operator()(const std::string& word) const { return word; }
     std::string operator()(const Message& message) const { return message.english(); }
     std::string operator()(const Number& number) const {
-        std::string text = number.digits < 0    ? fixed(number.value, -number.digits)
+        std::string text = number.digits < 0    ? fixed_decimals(number.value, -number.digits)
                            : number.digits == 0 ? format_number(number.value)
                                                 : format_number(number.value, number.digits);
         if (!number.unit.name.empty() && !number.unit_follows) {

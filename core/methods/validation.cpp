@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "bibliography/bibliography.h"
+#include "case-file/decimal.h"
 #include "case-file/range.h"
 #include "methods/plain_text.h"
 #include "methods/validation/rows.h"
@@ -37,18 +37,6 @@ const VerdictWords& words_of(Verdict verdict) {
     return words[static_cast<std::size_t>(verdict)];
 }
 
-/// With a fixed number of decimals; what rounds to nothing has no sign.
-std::string fixed(double value, int decimals) {
-    std::array<char, 64> text{};
-    const double tiny = 0.5 * std::pow(10.0, -decimals);
-    const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals,
-                                     std::abs(value) < tiny ? 0.0 : value);
-    std::string result(text.data(), static_cast<std::size_t>(std::max(length, 0)));
-    // The C locale in force may have a decimal comma.
-    std::replace(result.begin(), result.end(), ',', '.');
-    return result;
-}
-
 bool is_in_minutes(const ValidationRow& row) {
     return row.printed_text.find("′") != std::string::npos;
 }
@@ -62,7 +50,8 @@ std::string in_minutes(double angle) {
         whole += 1.0;
         minutes -= 60.0;
     }
-    return (angle < 0.0 ? "-" : "") + fixed(whole, 0) + "°" + fixed(minutes, 1) + "′";
+    return (angle < 0.0 ? "-" : "") + fixed_decimals(whole, 0) + "°" + fixed_decimals(minutes, 1) +
+           "′";
 }
 
 /// The place of a reason in the list, from 1; added where it is new.
@@ -107,7 +96,7 @@ std::string ValidationRow::ours_text() const {
         return in_minutes(*ours);
     }
     const int decimals = static_cast<int>(std::lround(-std::log10(last_digit)));
-    return fixed(*ours, std::max(decimals, 0) + 1);
+    return fixed_decimals(*ours, std::max(decimals, 0) + 1);
 }
 
 std::string ValidationRow::difference_text() const {
@@ -119,12 +108,13 @@ std::string ValidationRow::difference_text() const {
     constexpr double most = 10.0;
     if (std::abs(*difference) >= most) {
         const int decimals = static_cast<int>(std::lround(-std::log10(last_digit)));
-        const std::string text = fixed(*ours - printed, std::max(decimals, 0));
+        const std::string text = fixed_decimals(*ours - printed, std::max(decimals, 0));
         return (*ours > printed ? "+" : "") + text + (unit.empty() ? "" : " " + unit);
     }
     constexpr double rounding = 1e-12;
     const double percent = std::abs(*difference) < rounding ? 0.0 : 100.0 * *difference;
-    return (std::abs(percent) >= 10.0 ? fixed(percent, 0) : format_number(percent, 2)) + " %";
+    return (std::abs(percent) >= 10.0 ? fixed_decimals(percent, 0) : format_number(percent, 2)) +
+           " %";
 }
 
 std::size_t ValidationReport::count(Verdict verdict) const {
