@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 namespace ravnoves {
 
 class BackgroundJob;
+class SceneModel;
 class ScenePage;
 struct BandAnswer;
 struct BandRun;
