@@ -2,6 +2,7 @@
 #include <QCommandLineParser>
 #include <QScreen>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/screenshot.h"
+#include "shell/settings_place.h"
 #include "text/error_text.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -123,9 +125,12 @@ int main(int argc, char** argv) {
     parser.process(app);  // --help and --version
 
     const QTemporaryDir noSettings;
-    if (isSilent) {
-        // Nothing of the user's settings may change the picture.
+    const QString noFile = ravnoves::noFileForSettings();
+    if (isSilent || !noFile.isEmpty()) {
+        // Nothing of the user's settings may change the picture; and no pipe is waited for.
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, noSettings.path());
+    }
+    if (isSilent) {
         ravnoves::Journal::setKept(false);
     }
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
@@ -217,6 +222,9 @@ int main(int argc, char** argv) {
         // The first window, with its frame and title, fits the screen.
         const QSize room = window.screen()->availableSize() - QSize(16, 48);
         window.resize(window.size().boundedTo(room));
+    }
+    if (!noFile.isEmpty()) {
+        window.statusBar()->showMessage(ravnoves::noFileForSettingsText(noFile), 10'000);
     }
     window.show();
     if (report) {

@@ -1142,6 +1142,13 @@
     </message>
 </context>
 <context>
+    <name>Settings</name>
+    <message>
+        <source>The settings are not kept: %1 is not a file</source>
+        <translation>Настройки не сохраняются: %1 — не файл</translation>
+    </message>
+</context>
+<context>
     <name>V8</name>
     <message>
         <source>thread</source>
