@@ -18,6 +18,7 @@
 #include "text/error_text.h"
 #include "text/language.h"
 #include "text/preferences.h"
+#include "theme/one_painter.h"
 #include "theme/theme.h"
 #include "workshop/model/journal.h"
 
@@ -81,10 +82,7 @@ int main(int argc, char** argv) {
         }
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    // Qt would share the painting of small shapes among threads, which takes longer than painting.
-    if (qEnvironmentVariableIsEmpty("QT_NO_GUI_THREADPOOL")) {
-        qputenv("QT_NO_GUI_THREADPOOL", "1");
-    }
+    ravnoves::paintInOneThread();
     QApplication app(argc, argv);
     QApplication::setApplicationName(u"Ravnoves"_s);
     QApplication::setOrganizationName(u"Ravnoves"_s);

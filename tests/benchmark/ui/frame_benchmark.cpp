@@ -46,6 +46,7 @@
 #include "numerics/constants.h"
 #include "plot/plot_view.h"
 #include "text/language.h"
+#include "theme/one_painter.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 
@@ -372,7 +373,7 @@ int main(int argc, char** argv) {
     // The rival is painted as Qt does it by itself, the pages as the program has it.
     const bool isRival = argc > 1 && std::string_view(argv[argc - 1]) == "--rival";
     if (!isRival) {
-        qputenv("QT_NO_GUI_THREADPOOL", "1");
+        paintInOneThread();
     }
     WatchedApplication app(argc, argv);
     installLanguage(QStringLiteral("en"));
