@@ -10,6 +10,7 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
 #include "plot/model/disc.h"
+#include "plot/model/stroke.h"
 #include "plot/model/thin_polyline.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -140,12 +141,12 @@ double HingeMechanismView::reliefFactor() const {
     return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
 }
 
-QPainterPath HingeMechanismView::track(const drawing::Frame& map, double phi, double factor,
-                                       bool second) const {
+std::vector<QPolygonF> HingeMechanismView::track(const drawing::Frame& map, double phi,
+                                                 double factor, bool second) const {
     const Guide& guide = model_->result().crank_guide;
-    QPainterPath path;
+    std::vector<QPolygonF> stretches;
     if (!guide.shape) {
-        return path;
+        return stretches;
     }
     const double start = guide.shape->spring().start_radius(guide.branch);
     const double roller = shownRoller(model_->input().roller_radius, start);
@@ -155,7 +156,7 @@ QPainterPath HingeMechanismView::track(const drawing::Frame& map, double phi, do
     std::vector<QPointF> stretch;
     const auto add = [&] {
         if (!stretch.empty()) {
-            path.addPolygon(thinPolyline(stretch));
+            stretches.push_back(thinPolyline(stretch));
             stretch.clear();
         }
     };
@@ -169,7 +170,7 @@ QPainterPath HingeMechanismView::track(const drawing::Frame& map, double phi, do
         stretch.push_back(map.at(radius * std::cos(angle), radius * std::sin(angle)));
     }
     add();
-    return path;
+    return stretches;
 }
 
 void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
@@ -179,7 +180,9 @@ void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map
     const double r = result.design->mechanism().crank_radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
-    painter.drawPath(ghost()->track(map, phi, reliefFactor(), false));
+    for (const QPolygonF& stretch : ghost()->track(map, phi, reliefFactor(), false)) {
+        painter.drawPolyline(stretch);
+    }
     painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
     painter.drawRect(QRectF(map.at(pose.slider.x - 0.36 * r, 0.26 * r),
                             map.at(pose.slider.x + 0.36 * r, -0.26 * r)));
@@ -241,7 +244,9 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(shade, second || !guide.feasible ? 1.4 : 2.6,
                                 guide.feasible ? Qt::SolidLine : Qt::DotLine));
-            painter.drawPath(track(map, phi, factor, second));
+            for (const QPolygonF& stretch : track(map, phi, factor, second)) {
+                paintLine(painter, stretch);
+            }
         }
 
         const GuidePoint here = guide.shape->at(guide.branch, phi);

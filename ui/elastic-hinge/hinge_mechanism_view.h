@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QPainterPath>
+#include <QPolygonF>
+#include <vector>
 
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -40,7 +41,8 @@ class HingeMechanismView : public MechanismPicture {
     double reliefFactor() const;
     /// The guide that one end of the spring rolls on, the other end's with `second`; its relief
     /// enlarged by `factor`. Empty where there is none.
-    QPainterPath track(const drawing::Frame& map, double phi, double factor, bool second) const;
+    std::vector<QPolygonF> track(const drawing::Frame& map, double phi, double factor,
+                                 bool second) const;
     /// Guide, crank, rod, slider and counterweight of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
     const HingeMechanismView* ghost() const {

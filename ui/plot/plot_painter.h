@@ -5,8 +5,10 @@
 #include <QPen>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
+#include "plot/model/line_brush.h"
 #include "plot/model/plot_data.h"
 
 class QChart;
@@ -61,7 +63,8 @@ class PlotPainter {
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
     /// The same onto a picture of the screen, RGB32; lines by LineBrush.
-    void paintCurves(QImage& picture) const;
+    /// @return where; nothing where that is not known
+    std::optional<InkedRows> paintCurves(QImage& picture) const;
     /// Lines, present value, marks, readout.
     void paintOverlay(QPainter& painter) const;
 

@@ -56,11 +56,12 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     paintPoints(painter);
 }
 
-void PlotPainter::paintCurves(QImage& picture) const {
+std::optional<InkedRows> PlotPainter::paintCurves(QImage& picture) const {
     const auto any = [this](auto&& is) {
         return std::any_of(data_.curves.begin(), data_.curves.end(), is);
     };
-    if (any([this](const PlotCurve& curve) { return data_.showsSpread(curve); })) {
+    const bool hasShades = any([this](const PlotCurve& curve) { return data_.showsSpread(curve); });
+    if (hasShades) {
         QPainter painter(&picture);
         paintShades(painter);
     }
@@ -81,13 +82,15 @@ void PlotPainter::paintCurves(QImage& picture) const {
             }
         }
     }
-    if (any([this](const PlotCurve& curve) {
-            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
-                                   shrunkTo(curve).has_value());
-        })) {
+    const bool hasPoints = any([](const PlotCurve& curve) {
+        return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
+                               shrunkTo(curve).has_value());
+    });
+    if (hasPoints) {
         QPainter painter(&picture);
         paintPoints(painter);
     }
+    return hasShades || hasPoints ? std::nullopt : std::optional(brush.inked());
 }
 
 void PlotPainter::paintShades(QPainter& painter) const {

@@ -505,10 +505,10 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
             painter_->paintAxes(axes);
             paintGround(axes);
             axesStale_ = false;
+            inked_.reset();
         }
-        std::memcpy(picture_.bits(), axesPicture_.constBits(),
-                    static_cast<std::size_t>(picture_.sizeInBytes()));
-        painter_->paintCurves(picture_);
+        clearCurves();
+        inked_ = painter_->paintCurves(picture_);
         pictureStale_ = false;
     }
     painter.drawImage(0, 0, picture_);
@@ -518,6 +518,24 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void PlotView::clearCurves() {
+    if (!inked_) {
+        std::memcpy(picture_.bits(), axesPicture_.constBits(),
+                    static_cast<std::size_t>(picture_.sizeInBytes()));
+        return;
+    }
+    constexpr std::size_t pixel = 4;  // bytes
+    int row = inked_->corner.y();
+    for (const auto& [from, to] : inked_->parts) {
+        if (from < to) {
+            const std::size_t before = static_cast<std::size_t>(inked_->corner.x() + from) * pixel;
+            std::memcpy(picture_.scanLine(row) + before, axesPicture_.constScanLine(row) + before,
+                        static_cast<std::size_t>(to - from) * pixel);
+        }
+        ++row;
     }
 }
 

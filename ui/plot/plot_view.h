@@ -2,7 +2,9 @@
 
 #include <QImage>
 #include <QWidget>
+#include <optional>
 
+#include "plot/model/line_brush.h"
 #include "plot/model/plot_data.h"
 
 namespace ravnoves {
@@ -210,6 +212,8 @@ class PlotView : public QWidget {
     void chartChanged();
     void layoutHeader();
     void layoutChart();
+    /// Brings the axes back where curves were.
+    void clearCurves();
     void drawChart(QPainter& painter);
     void showTheme();
     void zoom(double factorX, double factorY, const QPointF& about);
@@ -233,8 +237,9 @@ class PlotView : public QWidget {
     bool picking_ = false;
     std::optional<QPointF> panFrom_;
 
-    QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move
-    QImage picture_;      ///< these with the curves
+    QImage axesPicture_;              ///< title, grid and axes, which rest while the curves move
+    QImage picture_;                  ///< these with the curves
+    std::optional<InkedRows> inked_;  ///< where the curves in it are; unknown: anywhere
     bool axesStale_ = true;
     bool pictureStale_ = true;
 };

@@ -2,6 +2,7 @@
 
 #include <QPen>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -12,21 +13,48 @@ namespace {
 
 constexpr double tiny = 1e-9;
 
-/// A mixture of two colours without alpha, `share` of 255 parts of the first.
+/// A mixture of two premultiplied colours, `share` of 255 parts of the first.
 std::uint32_t mixed(std::uint32_t colour, std::uint32_t ground, std::uint32_t share) {
-    constexpr std::uint32_t outer = 0xff00ff;
-    constexpr std::uint32_t middle = 0x00ff00;
+    constexpr std::uint32_t pair = 0xff00ff;
     const std::uint32_t rest = 255 - share;
-    std::uint32_t redBlue = (colour & outer) * share + (ground & outer) * rest;
-    redBlue = ((redBlue + ((redBlue >> 8) & outer) + 0x800080) >> 8) & outer;
-    std::uint32_t green = ((colour & middle) >> 8) * share + ((ground & middle) >> 8) * rest;
-    green = (green + (green >> 8) + 0x80) & middle;
-    return 0xff000000U | redBlue | green;
+    const auto ofPair = [&](std::uint32_t one, std::uint32_t other) {
+        const std::uint32_t sum = one * share + other * rest;
+        return ((sum + ((sum >> 8) & pair) + 0x800080) >> 8) & pair;
+    };
+    return ofPair(colour & pair, ground & pair) | ofPair((colour >> 8) & pair, (ground >> 8) & pair)
+                                                      << 8;
 }
 
 int clamped(double value, int least, int most) {
     return static_cast<int>(
         std::clamp(value, static_cast<double>(least), static_cast<double>(most)));
+}
+
+/// How far a line that reaches so far to its sides reaches past an end.
+/// @param next  where it goes on from there; null: the end is flat
+double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, double reach) {
+    if (next == nullptr) {
+        return 0.5;
+    }
+    // Into the wedge between both, no farther than they turn.
+    const QPointF way = *next - end;
+    const double length = std::sqrt(QPointF::dotProduct(way, way));
+    const bool goesOn = length > tiny && QPointF::dotProduct(way, along) > 0.0;
+    const double turn = std::abs(way.x() * along.y() - way.y() * along.x()) / length;
+    return goesOn && turn < 1.0 ? reach * turn : reach;
+}
+
+/// The least whole number that is no less, within bounds of which the lower is no less than 0.
+int clampedUp(double value, int least, int most) {
+    const int whole = clamped(value, least, most);
+    return whole + (whole < most && whole < value ? 1 : 0);
+}
+
+/// Whether 32 pixels have nothing on them.
+bool isClear(const std::uint8_t* cover) {
+    std::array<std::uint64_t, 4> parts{};
+    std::memcpy(parts.data(), cover, sizeof parts);
+    return (parts[0] | parts[1] | parts[2] | parts[3]) == 0;
 }
 
 }  // namespace
@@ -35,7 +63,8 @@ LineBrush::LineBrush(QImage& picture, const QRect& clip)
     : picture_(picture),
       clip_(clip & picture.rect()),
       cover_(static_cast<std::size_t>(std::max(0, clip_.width()) * std::max(0, clip_.height()))),
-      touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
+      touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}),
+      inked_(touched_) {}
 
 void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
                      double width, Qt::PenStyle style) {
@@ -147,66 +176,98 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
     }
     const double ux = way.x() / length;
     const double uy = way.y() / length;
-    const int first = clamped(std::min(from.y(), to.y()) - reach, 0, clip_.height());
-    const int beyond = clamped(std::max(from.y(), to.y()) + reach + 1.0, 0, clip_.height());
+    const double beforeStart = pastEnd(from, before, {-ux, -uy}, reach);
+    const double beyondEnd = pastEnd(to, after, {ux, uy}, reach);
+    const double upper = std::min(from.y() - beforeStart * uy, to.y() + beyondEnd * uy);
+    const double lower = std::max(from.y() - beforeStart * uy, to.y() + beyondEnd * uy);
+    const double sideways = reach * std::abs(ux);
+    const int first = clampedUp(upper - sideways - 0.5, 0, clip_.height());
+    const int beyond = clamped(lower + sideways + 0.5, 0, clip_.height());
+    const bool isSlanted = std::abs(uy) > tiny;
+    const bool isUpright = std::abs(ux) <= tiny;
+    const double perUx = isUpright ? 0.0 : 1.0 / ux;
+    const double perUy = isSlanted ? 1.0 / uy : 0.0;
+    const double sideRoom = std::abs(reach * perUy);
+    const double start = std::min(-beforeStart * perUx, (length + beyondEnd) * perUx);
+    const double end = std::max(-beforeStart * perUx, (length + beyondEnd) * perUx);
+    // Nearer to an end than this, the end tells.
+    const double innerStart = before != nullptr ? 0.0 : 0.5;
+    const double innerEnd = length - (after != nullptr ? 0.0 : 0.5);
+    const bool hasInner = innerEnd > innerStart;
+    const double inner = std::min(innerStart * perUx, innerEnd * perUx);
+    const double outer = std::max(innerStart * perUx, innerEnd * perUx);
     for (int row = first; row < beyond; ++row) {
         // Pixels within reach of the line's two sides and two ends, from its beginning.
         const double y = row + 0.5 - from.y();
         double low = -1e9;
         double high = 1e9;
-        if (std::abs(uy) > tiny) {
-            low = (y * ux - reach) / uy;
-            high = (y * ux + reach) / uy;
-            if (low > high) {
-                std::swap(low, high);
-            }
+        if (isSlanted) {
+            low = y * ux * perUy - sideRoom;
+            high = y * ux * perUy + sideRoom;
         } else if (std::abs(y * ux) > reach) {
             continue;
         }
-        if (std::abs(ux) > tiny) {
-            double start = (-reach - y * uy) / ux;
-            double end = (length + reach - y * uy) / ux;
-            if (start > end) {
-                std::swap(start, end);
-            }
-            low = std::max(low, start);
-            high = std::min(high, end);
-        } else if (y * uy < -reach || y * uy > length + reach) {
+        const double shift = y * uy * perUx;
+        if (!isUpright) {
+            low = std::max(low, start - shift);
+            high = std::min(high, end - shift);
+        } else if (y * uy < -beforeStart || y * uy > length + beyondEnd) {
             continue;
         }
-        const int left = clamped(low + from.x() - 0.5, 0, clip_.width());
-        const int right = clamped(high + from.x() + 1.5, 0, clip_.width());
+        const double zero = from.x() - 0.5;  // column of its beginning
+        const int left = clampedUp(low + zero - tiny, 0, clip_.width());
+        const int right = clamped(high + zero + tiny + 1.0, 0, clip_.width());
         if (left >= right) {
             continue;
         }
         auto& touched = touched_[static_cast<std::size_t>(row)];
         touched = {std::min(touched.first, left), std::max(touched.second, right)};
         std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
-        for (int column = left; column < right; ++column) {
-            const double x = column + 0.5 - from.x();
-            const double along = x * ux + y * uy;
-            double away = std::abs(y * ux - x * uy);
-            double part = 1.0;
-            const double over = std::max(-along, along - length);
-            if (over > -0.5) {
-                const bool atStart = along < 0.5 * length;
-                const QPointF* const next = atStart ? before : after;
-                if (next == nullptr) {
-                    part = std::clamp(0.5 - over, 0.0, 1.0);
-                } else if (over > 0.0) {
-                    // Round in the wedge between both; beyond it is the neighbour's.
-                    const QPointF& joint = atStart ? from : to;
-                    const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
-                    if (QPointF::dotProduct(there, *next - joint) > 0.0) {
-                        continue;
+        const auto markEnds = [&](int begin, int stop) {
+            for (int column = begin; column < stop; ++column) {
+                const double x = column - zero;
+                const double at = x * ux + y * uy;
+                double away = std::abs(y * ux - x * uy);
+                double part = 1.0;
+                const double over = std::max(-at, at - length);
+                if (over > -0.5) {
+                    const bool atStart = at < 0.5 * length;
+                    const QPointF* const next = atStart ? before : after;
+                    if (next == nullptr) {
+                        part = std::clamp(0.5 - over, 0.0, 1.0);
+                    } else if (over > 0.0) {
+                        // Round in the wedge between both; beyond it is the neighbour's.
+                        const QPointF& joint = atStart ? from : to;
+                        const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
+                        if (QPointF::dotProduct(there, *next - joint) > 0.0) {
+                            continue;
+                        }
+                        away = std::sqrt(away * away + over * over);
                     }
-                    away = std::sqrt(away * away + over * over);
                 }
+                const double covered = part * std::clamp(reach - away, 0.0, 1.0);
+                cover[column] =
+                    std::max(cover[column], static_cast<std::uint8_t>(covered * 255.0 + 0.5));
             }
-            const double covered = part * std::clamp(reach - away, 0.0, 1.0);
+        };
+        // Between the ends the distance from the line is all.
+        int begin = right;
+        int stop = right;
+        if (hasInner && !isUpright) {
+            begin = clampedUp(inner - shift + zero, left, right);
+            stop = clamped(outer - shift + zero + 1.0, begin, right);
+        } else if (hasInner && y * uy > innerStart && y * uy < innerEnd) {
+            begin = left;
+        }
+        markEnds(left, begin);
+        const double across = y * ux + zero * uy;
+        for (int column = begin; column < stop; ++column) {
+            const double away = std::abs(across - column * uy);
+            const double covered = std::min(std::max(reach - away, 0.0), 1.0);
             cover[column] =
                 std::max(cover[column], static_cast<std::uint8_t>(covered * 255.0 + 0.5));
         }
+        markEnds(stop, right);
     }
 }
 
@@ -215,6 +276,11 @@ void LineBrush::ink(const QColor& colour) {
     const auto alpha = static_cast<std::uint32_t>(colour.alpha());
     for (int row = 0; row < clip_.height(); ++row) {
         auto& touched = touched_[static_cast<std::size_t>(row)];
+        if (touched.first >= touched.second) {
+            continue;
+        }
+        auto& inked = inked_[static_cast<std::size_t>(row)];
+        inked = {std::min(inked.first, touched.first), std::max(inked.second, touched.second)};
         std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
         auto* pixels =
             reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) + clip_.left();
@@ -222,6 +288,11 @@ void LineBrush::ink(const QColor& colour) {
         while (column < touched.second) {
             std::uint64_t eight = 0;
             if (column + 8 <= touched.second) {
+                constexpr int most = 32;
+                if (column + most <= touched.second && isClear(cover + column)) {
+                    column += most;
+                    continue;
+                }
                 std::memcpy(&eight, cover + column, sizeof eight);
                 if (eight == 0) {
                     column += 8;

@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QImage>
 #include <QList>
+#include <QPoint>
 #include <QPolygonF>
 #include <QRect>
 #include <cstdint>
@@ -11,13 +12,19 @@
 
 namespace ravnoves {
 
+/// What was drawn on of a picture.
+struct InkedRows {
+    QPoint corner;                           ///< where the first row begins
+    std::vector<std::pair<int, int>> parts;  ///< of each row: from, to beyond the last; may be none
+};
+
 /// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
 /// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
 /// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
 /// itself it is no darker.
 class LineBrush {
   public:
-    /// @param picture  RGB32, written to until the brush is gone
+    /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is gone
     /// @param clip  pixels of the picture that may change
     LineBrush(QImage& picture, const QRect& clip);
 
@@ -29,6 +36,8 @@ class LineBrush {
     /// @param dashes  pixels of the picture: dash, gap, …; none: a solid line
     void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
               const QList<qreal>& dashes);
+
+    InkedRows inked() const { return {clip_.topLeft(), inked_}; }
 
   private:
     void markDashes(const QPolygonF& line, const QList<qreal>& pattern);
@@ -47,6 +56,7 @@ class LineBrush {
     std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
+    std::vector<std::pair<int, int>> inked_;  ///< the same, of all lines so far
 };
 
 }  // namespace ravnoves
