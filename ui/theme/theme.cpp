@@ -393,11 +393,20 @@ int Theme::withText(int pixels) {
 }
 
 QFont Theme::font(int pixelSize, bool bold) {
+    // The same object again, as a new one would have to find its letters anew. Never destroyed:
+    // what the letters are made of is gone before.
+    static auto& made = *new QHash<int, QFont>;
+    const int size = withText(pixelSize);
+    const int key = 2 * size + (bold ? 1 : 0);
+    const auto known = made.constFind(key);
+    if (known != made.constEnd()) {
+        return *known;
+    }
     QFont font(bundledFamily());
-    font.setPixelSize(withText(pixelSize));
+    font.setPixelSize(size);
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting);
-    return font;
+    return *made.insert(key, font);
 }
 
 QColor Theme::window() const {
