@@ -22,6 +22,12 @@ namespace {
 constexpr int usualPadding = 9;
 constexpr int leastPadding = 7;
 
+/// Whether two texts have the same signs, but for digits, which are of one width.
+bool areAsWide(const QString& one, const QString& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](QChar a, QChar b) { return a == b || (a.isDigit() && b.isDigit()); });
+}
+
 }  // namespace
 
 ResultTable::ResultTable(QWidget* parent)
@@ -105,16 +111,15 @@ namespace {
 /// The width of heading and texts of a column, as far as one asks.
 int widestText(const QTableWidget& table, int column, int enough) {
     constexpr int padding = 12;
-    const QFontMetrics cells(table.font());
+    const QFont cells = table.font();
     const QHeaderView& header = *table.horizontalHeader();
     const QTableWidgetItem* heading =
         header.isHidden() ? nullptr : table.horizontalHeaderItem(column);
-    int width = heading == nullptr
-                    ? 0
-                    : QFontMetrics(header.font()).horizontalAdvance(heading->text()) + padding;
+    int width =
+        heading == nullptr ? 0 : qRound(textWidth(header.font(), heading->text())) + padding;
     for (int row = 0; row < table.rowCount() && width < enough; ++row) {
         if (const QTableWidgetItem* cell = table.item(row, column)) {
-            width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
+            width = std::max(width, qRound(textWidth(cells, cell->text())) + padding);
         }
     }
     return std::min(width, enough);
@@ -197,7 +202,24 @@ void ResultTable::setSmall(bool isSmall) {
     fitted_ = false;
 }
 
+ResultTable::Layout ResultTable::laidOut() const {
+    Layout layout{viewport()->size(),
+                  maximumViewportSize(),
+                  verticalHeader()->length(),
+                  horizontalHeader()->hiddenSectionCount(),
+                  header_->isHidden(),
+                  wraps_,
+                  small_,
+                  isOver_,
+                  {}};
+    for (int column = 0; column < columnCount(); ++column) {
+        layout.widths << columnWidth(column);
+    }
+    return layout;
+}
+
 void ResultTable::fitColumns() {
+    const Layout before = laidOut();
     wrapHeadings();
     const QList<std::pair<int, int>> needed = neededWidths();
     int sum = 0;
@@ -219,6 +241,8 @@ void ResultTable::fitColumns() {
     fitted_ = true;
     fitStretched();
     header_->fitLines();
+    const Layout now = laidOut();
+    rests_ = now == before ? std::optional(now) : std::nullopt;
 }
 
 void ResultTable::stretchColumn(int column) {
@@ -284,7 +308,8 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 
 void ResultTable::setRows(const ResultRows& rows) {
     rows_ = rows;
-    if (rowCount() != rows.size()) {
+    bool isSameShape = rowCount() == rows.size();
+    if (!isSameShape) {
         setRowCount(static_cast<int>(rows.size()));
         updateGeometry();
     }
@@ -297,7 +322,9 @@ void ResultTable::setRows(const ResultRows& rows) {
                 cell->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) |
                                        Qt::AlignVCenter);
                 setItem(row, column, cell);
-            } else if (cell->text() != text) {
+                isSameShape = false;
+            } else if (const QString was = cell->text(); was != text) {
+                isSameShape = isSameShape && areAsWide(was, text);
                 cell->setText(text);
             }
         }
@@ -308,7 +335,7 @@ void ResultTable::setRows(const ResultRows& rows) {
     }
     if (reference_ != nullptr || !spreads_.empty()) {
         showDifferences();
-    } else {
+    } else if (!isSameShape || rests_ != laidOut()) {
         fitColumns();
     }
     if (referenceOf_ != nullptr) {

@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <QTableWidget>
 #include <QVector>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -124,6 +125,22 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     bool isOver_ = false;  ///< wider than its room
     int shownRows_ = 0;    ///< 0: all
     bool fitted_ = false;
+    /// What a fit of the columns looks at, beside the texts.
+    struct Layout {
+        QSize room;
+        QSize whole;
+        int height = 0;
+        int hidden = 0;
+        bool hasNoHeadings = false;
+        bool wraps = false;
+        bool isSmall = false;
+        bool isOver = false;
+        QList<int> widths;
+
+        bool operator==(const Layout&) const = default;
+    };
+    Layout laidOut() const;
+    std::optional<Layout> rests_;  ///< at which the last fit changed nothing
     ResultColumns headings_;
     ResultRows rows_;
     int columns_ = 0;  ///< without those of the differences
