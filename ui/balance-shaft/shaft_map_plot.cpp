@@ -10,6 +10,7 @@
 #include "balance-shaft/shaft_map_signs.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
+#include "plot/model/disc.h"
 #include "plot/picture_file.h"
 #include "plot/plot_painter.h"
 #include "text/number_text.h"
@@ -674,7 +675,7 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         const auto was = other->present();
         painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
         drawDashedCircle(painter, crank, was.centre_distance() * k);
-        painter.drawEllipse(pixelOf(was), handleRadius, handleRadius);
+        paintDisc(painter, pixelOf(was), handleRadius);
     }
     painter.setPen(QPen(theme.accent(), 1.4));
     drawDashedCircle(painter, crank, present.centre_distance() * k);
@@ -683,10 +684,10 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
     const double swing = sizes.shaft_swing_radius * k;
     painter.setPen(QPen(colour, 1.2));
     painter.setBrush(faint(colour, 0.1));
-    painter.drawEllipse(axis, swing, swing);
+    paintDisc(painter, axis, swing);
     painter.setPen(QPen(theme.panel(), 1.6));
     painter.setBrush(colour);
-    painter.drawEllipse(axis, handleRadius, handleRadius);
+    paintDisc(painter, axis, handleRadius);
     if (!dragging_) {
         return;
     }
