@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "text/csv_format.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 #include "widgets/wrapped_header.h"
 
