@@ -121,6 +121,13 @@ if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMak
     fault "core/CMakeLists.txt asks for Qt"
 fi
 
+# clang-tidy reads the sources as they are, before anything is built.
+for file in $(sources ui app); do
+    case " ${quoted[$file]:-}" in
+        *.moc\ *) fault "$file includes what moc makes of it: a class with Q_OBJECT stands in a header" ;;
+    esac
+done
+
 if [ "${1:-}" != core-only ]; then
     check_layer ui ui core
     check_layer app/desktop app/desktop ui core

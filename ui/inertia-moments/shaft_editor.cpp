@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -25,7 +26,7 @@ using inertia_moments::Shaft;
 namespace field = inertia_moments::field;
 
 class ShaftRow : public QWidget {
-    Q_OBJECT
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftRow)
 
   public:
     ShaftRow(InertiaMomentsModel* model, int index, QWidget* parent)
@@ -201,5 +202,3 @@ void ShaftEditor::refresh() {
 }
 
 }  // namespace ravnoves
-
-#include "shaft_editor.moc"
