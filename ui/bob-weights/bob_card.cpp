@@ -187,8 +187,8 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
 
 }  // namespace
 
-BobCard::BobCard(Input input, Words words)
-    : JobCard(std::move(words)), input_(std::move(input)), solution_(solve(input_)) {}
+BobCard::BobCard(Input input, Result solution, Words words)
+    : JobCard(std::move(words)), input_(std::move(input)), solution_(std::move(solution)) {}
 
 QString BobCard::title() const {
     return words().translate("BobWeights", "Job card: bob weights and correction") +

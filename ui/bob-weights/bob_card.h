@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bob-weights/solver.h"
+#include "bob-weights/input.h"
+#include "bob-weights/result.h"
 #include "workshop/job_card.h"
 
 namespace ravnoves {
@@ -9,7 +10,8 @@ namespace ravnoves {
 /// and what remains, room for the machine's last readings and for signatures.
 class BobCard : public JobCard {
   public:
-    BobCard(bob_weights::Input input, Words words);
+    /// @param solution  what the page shows of the input: the card withholds what it withholds
+    BobCard(bob_weights::Input input, bob_weights::Result solution, Words words);
 
   protected:
     void draw(CardPage& page) const override;

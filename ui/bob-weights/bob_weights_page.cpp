@@ -34,7 +34,8 @@ JobDesk* BobWeightsPage::desk() const {
 }
 
 std::unique_ptr<JobCard> BobWeightsPage::card() {
-    return std::make_unique<BobCard>(model_->input(), model_->desk()->cardWords());
+    return std::make_unique<BobCard>(model_->input(), model_->wholeSolution(),
+                                     model_->desk()->cardWords());
 }
 
 QString BobWeightsPage::engineNumber() const {

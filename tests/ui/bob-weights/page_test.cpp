@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -22,6 +23,7 @@
 #include <QTimer>
 
 #include "bob-weights/bob_card.h"
+#include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/json.h"
 #include "events.h"
@@ -150,7 +152,7 @@ class BobPageTest : public ::testing::Test {
     }
     /// What the job card prints.
     QString card(const QStringList& refused = {}) {
-        BobCard made(model->input(), Words(u"en"_s));
+        BobCard made(model->input(), model->wholeSolution(), Words(u"en"_s));
         made.setRefused(refused);
         test::Painted painted;
         test::Recorder recorder({2100, 2970}, painted);
@@ -206,7 +208,7 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     model->edit(u"rods"_s, [](Input& input) { input.engine.rods_per_pin = 1; });
     type("cylinders", u"5"_s);
     EXPECT_EQ(model->input().engine.cylinders, 5);
-    EXPECT_EQ(model->contradiction(), QString());
+    EXPECT_EQ(bob_text::contradiction(Words(), model->input()), QString());
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
@@ -403,7 +405,14 @@ TEST_F(BobPageTest, TheWindowDoesNotWaitForThePlacing) {
     }
     // The answer of the latest edit, and that of no other.
     type("mass_piston_3", u"592.5"_s);
+    // A card that is asked for meanwhile has it.
+    EXPECT_TRUE(model->isSearching());
+    EXPECT_FALSE(model->solution().placing);
+    const Result printed = model->wholeSolution();
     EXPECT_NE(label("weigh_in_summary"), before);
+    ASSERT_TRUE(printed.placing && model->solution().placing);
+    EXPECT_EQ(printed.placing->pistons, model->solution().placing->pistons);
+    EXPECT_EQ(printed.placing->rods, model->solution().placing->rods);
     const Json said = model->resultJson().at("weigh_in").at("assignment");
     EXPECT_EQ(
         workshop::matched_json(*model->solution().placing, {}, {}).at("pistons_from_cylinder"),
@@ -664,6 +673,28 @@ TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
     type("reciprocating_percent", u"10"_s);
     type("overbalance_percent", u"-20"_s);
     EXPECT_FALSE(model->solution().bob_weight);
+}
+
+TEST_F(BobPageTest, TheCardWithholdsWhatThePageWithholds) {
+    typeShopCard();
+    EXPECT_TRUE(card().contains(u"Bob weight 1505.2 g"_s)) << qPrintable(card());
+    type("reciprocating_percent", u"10"_s);
+    type("overbalance_percent", u"-20"_s);
+    ASSERT_FALSE(model->solution().bob_weight);
+    EXPECT_TRUE(label("headline").contains(u"must leave a factor of 0 or more"_s))
+        << qPrintable(label("headline"));
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(label("headline"))) << qPrintable(printed);
+    static const QRegularExpression weight(u"Bob weight \\d"_s);
+    EXPECT_FALSE(printed.contains(weight)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"still needs"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"On each of"_s)) << qPrintable(printed);
+    // An engine that cannot be.
+    Json odd = model->inputJson();
+    odd["engine"]["cylinders"] = 7;
+    model->loadInput(odd, {});
+    ASSERT_TRUE(label("headline").contains(u"must be even"_s));
+    EXPECT_TRUE(card().contains(label("headline"))) << qPrintable(card());
 }
 
 TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {

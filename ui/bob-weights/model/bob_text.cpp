@@ -1,10 +1,13 @@
 #include "bob-weights/model/bob_text.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
+#include "case-file/field_index.h"
+#include "case-file/input_error.h"
 #include "text/capital.h"
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/scale_settings.h"
@@ -67,10 +70,32 @@ QString engineName(const Words& words, const Engine& engine) {
     return {};
 }
 
+QString contradiction(const Words& words, const Input& input) {
+    if (!missing_for_bob_weight(input).empty()) {
+        return {};
+    }
+    try {
+        check_bob_weight(input);
+    } catch (const InputError& error) {
+        constexpr std::string_view root = "/input";
+        const auto found = describe_fields<Input>(error.where().substr(root.size()));
+        const QString rule =
+            words.message(error.found_message().empty()
+                              ? error.allowed_message()
+                              : Message(CORE_TEXT("core", "%1, got %2"), error.allowed_message(),
+                                        error.found_message()));
+        return found.empty() ? rule : words.name(found.front().field) + QStringLiteral(": ") + rule;
+    }
+    return {};
+}
+
 QString headline(const Words& words, const Input& input, const Result& result) {
     if (result.bob_weight) {
         return words.translate("BobWeights", "Bob weight %1")
             .arg(words.number(*result.bob_weight, units::gram, 1));
+    }
+    if (QString why = contradiction(words, input); !why.isEmpty()) {
+        return why;
     }
     QStringList missing;
     for (const Field* field : missing_for_bob_weight(input)) {

@@ -12,7 +12,9 @@ namespace ravnoves::bob_text {
 
 /// "V-8, 90°", "4 in line", "Boxer, 6".
 QString engineName(const Words& words, const bob_weights::Engine& engine);
-/// "Bob weight 1505.2 g", or what is missing.
+/// Why engine and factor give no answer; empty where they do, or where something is missing.
+QString contradiction(const Words& words, const bob_weights::Input& input);
+/// "Bob weight 1505.2 g", or what contradicts itself, or what is missing.
 QString headline(const Words& words, const bob_weights::Input& input,
                  const bob_weights::Result& result);
 QString hang(const Words& words, const bob_weights::Engine& engine);

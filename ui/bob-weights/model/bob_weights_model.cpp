@@ -112,6 +112,10 @@ Result BobWeightsScene::solve(const Input& input) const {
 
 template class CaseModel<BobWeightsScene>;
 
+Result BobWeightsModel::wholeSolution() const {
+    return isSearching() ? BobWeightsScene{.dated = false}.solve(input()) : solution();
+}
+
 BobWeightsModel::BobWeightsModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent),
       placing_(new PlacingSearch(this)),

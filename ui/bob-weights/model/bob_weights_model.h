@@ -47,8 +47,8 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const bob_weights::Result& solution() const { return solved(); }
-    /// Why engine and factor give no answer; empty where they do, or where something is missing.
-    QString contradiction() const;
+    /// The same with the best placing, though it may still be looked for.
+    bob_weights::Result wholeSolution() const;
 
     QString edit(const QString& name, const std::function<void(bob_weights::Input&)>& mutate,
                  const QString& title = {});
@@ -103,7 +103,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString drillsText() const;
 
     // -------------------------------------------------------------------- what the page shows
-    QString headline() const;  ///< the bob weight; what is missing where it is not known
+    QString headline() const;  ///< the bob weight; why where it is not known
     QString hangText() const;  ///< on what it is hung
     QString factorText() const;
     QString reasonText() const;

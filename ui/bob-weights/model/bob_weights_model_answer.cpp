@@ -13,18 +13,6 @@ namespace ravnoves {
 
 using namespace bob_weights;
 
-QString BobWeightsModel::contradiction() const {
-    if (!missing_for_bob_weight(input()).empty()) {
-        return {};
-    }
-    try {
-        check_bob_weight(input());
-    } catch (const InputError& error) {
-        return shownError(error);
-    }
-    return {};
-}
-
 QString BobWeightsModel::shownError(const InputError& error) const {
     const QStringList place =
         QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
@@ -82,9 +70,6 @@ QString BobWeightsModel::missingText(const std::string& where) const {
 }
 
 QString BobWeightsModel::headline() const {
-    if (const QString why = contradiction(); !why.isEmpty()) {
-        return why;
-    }
     return bob_text::headline(Words(), input(), solution());
 }
 
