@@ -179,8 +179,11 @@ double CardPainter::options(double y) {
     for (const OptionId id : all_options) {
         const auto& option = solution_.option(id);
         if (!option) {
-            table.add({{v8_text::optionName(words_, id), missing, missing, missing, missing,
-                        missing, words_.translate("JobCard", "no such plug")}});
+            table.add(
+                {{v8_text::optionName(words_, id), missing, missing, missing, missing, missing,
+                  solution_.plugs && solution_.unbalanced_mass
+                      ? words_.translate("JobCard", "no such plug")
+                      : missing}});
             continue;
         }
         const bool fitted =

@@ -131,10 +131,8 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
         troubles.removeAll(said);
     }
     QString rest;
-    if (warning.isEmpty() && solution_.plugs) {
-        const auto chosen = v8_text::chosenOption(solution_);
-        rest = v8_text::shiftText(words_, input_, solution_,
-                                  chosen ? *chosen : *solution_.option(OptionId::steel_machined));
+    if (warning.isEmpty()) {
+        rest = v8_text::shiftText(words_, input_, solution_);
     }
     return {(doubts + troubles).join(QLatin1Char(' ')), rest};
 }

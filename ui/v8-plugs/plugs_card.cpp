@@ -4,8 +4,8 @@
 
 namespace ravnoves {
 
-PlugsCard::PlugsCard(v8_plugs::Input input, Words words)
-    : JobCard(std::move(words)), input_(std::move(input)), solution_(v8_plugs::solve(input_)) {}
+PlugsCard::PlugsCard(v8_plugs::Input input, v8_plugs::Result solution, Words words)
+    : JobCard(std::move(words)), input_(std::move(input)), solution_(std::move(solution)) {}
 
 void PlugsCard::draw(CardPage& page) const {
     CardPainter(page, input_, solution_, words()).paint();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "v8-plugs/input.h"
-#include "v8-plugs/solver.h"
+#include "v8-plugs/result.h"
 #include "workshop/job_card.h"
 
 namespace ravnoves {
@@ -10,7 +10,8 @@ namespace ravnoves {
 /// by line, the machine's limits and room for its readings and for signatures.
 class PlugsCard : public JobCard {
   public:
-    PlugsCard(v8_plugs::Input input, Words words);
+    /// @param solution  what the page shows of the input: the card withholds what it withholds
+    PlugsCard(v8_plugs::Input input, v8_plugs::Result solution, Words words);
 
   protected:
     void draw(CardPage& page) const override;

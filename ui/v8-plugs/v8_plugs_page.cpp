@@ -46,7 +46,8 @@ JobDesk* V8PlugsPage::desk() const {
 }
 
 std::unique_ptr<JobCard> V8PlugsPage::card() {
-    return std::make_unique<PlugsCard>(model_->input(), model_->desk()->cardWords());
+    return std::make_unique<PlugsCard>(model_->input(), model_->wholeSolution(),
+                                       model_->desk()->cardWords());
 }
 
 QString V8PlugsPage::engineNumber() const {

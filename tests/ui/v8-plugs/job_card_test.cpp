@@ -17,6 +17,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "scenes/scenes.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 
 namespace ravnoves {
 namespace {
@@ -45,11 +46,16 @@ class JobCardTest : public ::testing::Test {
             .at("result");
     }
 
+    /// The card of a case, as the page makes it.
+    static PlugsCard card(const Json& input, const QString& language) {
+        const Input read = v8_plugs::read_input(input, Completeness::as_is);
+        return {read, V8PlugsScene{.dated = false}.solve(read), Words(language)};
+    }
+
     /// The text of the card's PDF, in rows as they are printed.
     QStringList cardText(const Json& input, const QString& language) {
         const QString pdf = path(u"card.pdf"_s);
-        const PlugsCard card(v8_plugs::read_input(input, Completeness::as_is), Words(language));
-        EXPECT_EQ(card.writePdf(pdf), QString());
+        EXPECT_EQ(card(input, language).writePdf(pdf), QString());
         const QByteArray text =
             run(QStringLiteral(PDFTOTEXT), {u"-layout"_s, u"-enc"_s, u"UTF-8"_s, pdf, u"-"_s});
         // A form feed ends each page.
@@ -441,9 +447,7 @@ TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
 }
 
 TEST_F(JobCardTest, AFileThatCannotBeWrittenIsSaid) {
-    const PlugsCard card(v8_plugs::read_input(workshopInput(), Completeness::as_is),
-                         Words(u"en"_s));
-    const QString trouble = card.writePdf(path(u"nowhere/card.pdf"_s));
+    const QString trouble = card(workshopInput(), u"en"_s).writePdf(path(u"nowhere/card.pdf"_s));
     EXPECT_TRUE(trouble.contains(u"nowhere/card.pdf"_s));
 }
 

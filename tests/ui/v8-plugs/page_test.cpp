@@ -949,7 +949,7 @@ TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
         PlugsCard::setPage(printer);
         printer.setPageSize(QPageSize(paper.size));
         printer.setPageOrientation(paper.side);
-        ASSERT_TRUE(PlugsCard(model->input(), Words()).print(printer));
+        ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), Words()).print(printer));
         // Words that lie beyond the paper would be left out by a crop to it.
         QProcess reader;
         reader.start(QStringLiteral(PDFTOTEXT), {u"-bbox"_s, file, u"-"_s});
@@ -1149,7 +1149,7 @@ TEST_F(V8PageTest, ShopStandsOnTheCard) {
     reader.start(QStringLiteral(PDFTOTEXT), {file, u"-"_s});
     ASSERT_TRUE(reader.waitForFinished());
     EXPECT_TRUE(QString::fromUtf8(reader.readAllStandardOutput()).contains(u"Smith & Sons"_s));
-    PlugsCard card(model->input(), Words());
+    PlugsCard card(model->input(), model->wholeSolution(), Words());
     card.setShop(Shop::kept());
     QImage paper(2100, 2970, QImage::Format_RGB32);
     QPainter painter(&paper);
@@ -1393,12 +1393,40 @@ TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
     printer.setOutputFormat(QPrinter::PdfFormat);
     printer.setOutputFileName(printed);
     PlugsCard::setPage(printer);
-    ASSERT_TRUE(PlugsCard(model->input(), model->desk()->cardWords()).print(printer));
+    ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), model->desk()->cardWords())
+                    .print(printer));
     EXPECT_TRUE(textOf(exported).contains(u"card"_s));
     EXPECT_EQ(textOf(exported), textOf(printed));
     model->desk()->setCardLanguage(u"ru"_s);
     ASSERT_EQ(page.writeCard(exported), QString());
     EXPECT_TRUE(textOf(exported).contains(u"Номер двигателя"_s));
+}
+
+TEST_F(V8PageTest, TheCardWithholdsWhatThePageWithholds) {
+    ASSERT_FALSE(model->input().changes_known());
+    ASSERT_FALSE(model->solution().advice);
+    model->desk()->setCardLanguage(u"en"_s);
+    const QString file = QDir(folder.path()).filePath(u"unknown.pdf"_s);
+    const auto card = [&] {
+        EXPECT_EQ(page.writeCard(file), QString());
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    };
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(u"The data are not complete; nothing can be advised."_s))
+        << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(u"Not known without: changes of mass (sheet 1)"_s))
+        << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"Excess on each crankpin"_s)) << qPrintable(printed);
+    // Whether a plug does is not known either; the engine has it.
+    EXPECT_FALSE(printed.contains(u"works"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"no such plug"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"Neglected by the method"_s)) << qPrintable(printed);
+    type("rod_big_end", u"0"_s);
+    ASSERT_TRUE(model->solution().advice);
+    EXPECT_TRUE(card().contains(u"Excess on each crankpin"_s));
 }
 
 TEST_F(V8PageTest, PreviewShowsTheCardOnOnePage) {

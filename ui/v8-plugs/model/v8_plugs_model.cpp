@@ -124,6 +124,10 @@ Result V8PlugsScene::solve(const Input& input) const {
 
 template class CaseModel<V8PlugsScene>;
 
+Result V8PlugsModel::wholeSolution() const {
+    return isSearching() ? V8PlugsScene{.dated = false}.solve(input()) : solution();
+}
+
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent),
       placing_(new PlacingSearch(this)),

@@ -49,6 +49,8 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const v8_plugs::Result& solution() const { return solved(); }
+    /// The same with the best placing, though it may still be looked for.
+    v8_plugs::Result wholeSolution() const;
 
     QString edit(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate,
                  const QString& title = {});

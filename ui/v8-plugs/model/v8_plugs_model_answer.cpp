@@ -53,9 +53,7 @@ QStringList V8PlugsModel::troubles() const {
 }
 
 QString V8PlugsModel::shiftText() const {
-    const auto chosen = v8_text::chosenOption(solution());
-    const auto option = chosen ? chosen : solution().option(OptionId::steel_machined);
-    return option ? v8_text::shiftText(words_, input(), solution(), *option) : QString();
+    return v8_text::shiftText(words_, input(), solution());
 }
 
 QString V8PlugsModel::checkText() const {

@@ -301,6 +301,12 @@ QString shiftText(const Words& words, const Input& input, const Result& solution
     return text;
 }
 
+QString shiftText(const Words& words, const Input& input, const Result& solution) {
+    const auto chosen = chosenOption(solution);
+    const auto option = chosen ? chosen : solution.option(OptionId::steel_machined);
+    return option ? shiftText(words, input, solution, *option) : QString();
+}
+
 std::optional<Option> chosenOption(const Result& solution) {
     return solution.advice ? solution.advice->option : std::nullopt;
 }

@@ -51,6 +51,10 @@ bool methodAlone(const v8_plugs::Result& solution, v8_plugs::OptionId option);
 /// paper's range, and the bore's own where one is planned.
 QString shiftText(const Words& words, const v8_plugs::Input& input,
                   const v8_plugs::Result& solution, const v8_plugs::Option& option);
+/// The same of the option that the answer is about, else of boring today's plugs; empty while no
+/// option is known.
+QString shiftText(const Words& words, const v8_plugs::Input& input,
+                  const v8_plugs::Result& solution);
 /// The option that the answer is about: the recommended one, else the one that leaves least;
 /// nothing where nothing is needed or known.
 std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Result& solution);
