@@ -9170,10 +9170,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Где %1?</translation>
     </message>
     <message>
-        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Несохранённые изменения</translation>
     </message>
@@ -9811,6 +9807,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Drawing, SVG</source>
         <translation>Векторный рисунок, SVG</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
     </message>
 </context>
 <context>
@@ -10709,10 +10709,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Грузы</translation>
     </message>
     <message>
-        <source>Rotating masses and counterweights</source>
-        <translation>Вращающиеся массы и противовесы</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Остаток</translation>
     </message>
@@ -11414,10 +11410,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Jobs brought back: %1; already in the journal: %2.</source>
         <translation>Возвращено работ: %1; уже есть в журнале: %2.</translation>
-    </message>
-    <message>
-        <source>Jobs that could not be read: %1.</source>
-        <translation>Не удалось прочитать работ: %1.</translation>
     </message>
     <message>
         <source>The sheet is empty: nothing is saved.</source>
@@ -15149,10 +15141,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::SheetForm</name>
     <message>
-        <source>Not up to date, for these entries are refused: %1</source>
-        <translation>Не по листу, отвергнуты значения: %1</translation>
-    </message>
-    <message>
         <source>Readings &amp;hold</source>
         <translation>Показания &amp;верны</translation>
     </message>
@@ -15429,14 +15417,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The criterion with the shaft over that without it at the same speed: blue is less, orange is more, paled cannot be built. Along the thick line, 1.0, the shaft changes nothing. Click to set α and, with a computed torque, the speed.</source>
         <translation>Критерий с валом к критерию без вала при той же частоте: синее — меньше, оранжевое — больше, бледное нельзя построить. На толстой линии 1,0 вал ничего не меняет. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
-    </message>
-    <message>
-        <source>Rebuild torque</source>
-        <translation>Пересобрать</translation>
-    </message>
-    <message>
-        <source>Take the fitted inertia torque out of the table and put that of the masses and speed entered in.</source>
-        <translation>Вычесть из таблицы подобранный инерционный момент и прибавить момент введённых масс при введённой частоте.</translation>
     </message>
 </context>
 <context>
@@ -15883,10 +15863,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Чтение давления</translation>
     </message>
     <message>
-        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
-    </message>
-    <message>
         <source>Gas exchange and compression</source>
         <translation>Газообмен и сжатие</translation>
     </message>
@@ -15940,10 +15916,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Import torque table</source>
         <translation>Чтение таблицы момента</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
     </message>
     <message>
         <source>Export CSV file…</source>

@@ -13,6 +13,7 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/speed_map_plot.h"
+#include "balance-shaft/torque_source_editor.h"
 #include "model/background_job.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -104,12 +105,8 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     goLeastBad_->setAccessibleName(tr("Go to the α that is least bad over the band"));
     goLeastBad_->setToolTip(goLeastBad_->accessibleName());
     row->addWidget(goLeastBad_);
-    rebuild_ = new QPushButton(tr("Rebuild torque"), panel);
-    rebuild_->setObjectName(QStringLiteral("rebuild_torque_here"));
-    rebuild_->setToolTip(
-        tr("Take the fitted inertia torque out of the table and put that of the masses and speed "
-           "entered in."));
-    connect(rebuild_, &QPushButton::clicked, model_, &BalanceShaftModel::rebuildTorque);
+    rebuild_ =
+        TorqueSourceEditor::rebuildButton(model_, QStringLiteral("rebuild_torque_here"), panel);
     row->addWidget(rebuild_);
     column->addWidget(panel);
     column->addStretch();

@@ -132,21 +132,26 @@ QWidget* TorqueSourceEditor::buildCheck() {
     speed->setToolTip(
         tr("Set the speed at which the masses entered have the inertia torque that "
            "is in the table."));
-    auto* rebuild = new QPushButton(tr("Rebuild torque"), remedies_);
-    rebuild->setObjectName(QStringLiteral("rebuild_torque"));
-    rebuild->setToolTip(
-        tr("Take the fitted inertia torque out of the table and put that of the "
-           "masses and speed entered in."));
     row->addWidget(speed);
-    row->addWidget(rebuild);
+    row->addWidget(rebuildButton(model_, QStringLiteral("rebuild_torque"), remedies_));
     column->addWidget(remedies_);
     connect(speed, &QPushButton::clicked, this, [this] {
         model_->edit(tr("Use the torque's speed"), [this](Input& input) {
             input = balance_shaft::with_matching_speed(input, model_->result().inertia_check);
         });
     });
-    connect(rebuild, &QPushButton::clicked, model_, &BalanceShaftModel::rebuildTorque);
     return check_;
+}
+
+QPushButton* TorqueSourceEditor::rebuildButton(BalanceShaftModel* model, const QString& name,
+                                               QWidget* parent) {
+    auto* rebuild = new QPushButton(tr("Rebuild torque"), parent);
+    rebuild->setObjectName(name);
+    rebuild->setToolTip(
+        tr("Take the fitted inertia torque out of the table and put that of the masses and speed "
+           "entered in."));
+    connect(rebuild, &QPushButton::clicked, model, &BalanceShaftModel::rebuildTorque);
+    return rebuild;
 }
 
 void TorqueSourceEditor::showCheck() {
@@ -188,8 +193,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     cylinder->addWide(captionLabel(tr("The rod length is on the Inputs tab."), form));
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
-        const QString path = askOpenPath(this, tr("Read pressure trace"), {},
-                                         tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
+        const QString path = askOpenPath(this, tr("Read pressure trace"), {}, tablesFilter());
         if (path.isEmpty()) {
             return;
         }

@@ -8,6 +8,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace ravnoves {
@@ -30,6 +31,9 @@ class TorqueSourceEditor : public QWidget {
     /// Reads a pressure trace.
     /// @return an empty string, or what is wrong, with the file's name
     QString importTrace(const QString& path);
+    /// Puts the inertia torque of masses and speed in the place of the table's.
+    static QPushButton* rebuildButton(BalanceShaftModel* model, const QString& name,
+                                      QWidget* parent);
 
   private:
     QWidget* buildPressure();

@@ -56,8 +56,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
 }
 
 void TorqueTableEditor::importWithDialog() {
-    const QString path = askOpenPath(this, tr("Import torque table"), {},
-                                     tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
+    const QString path = askOpenPath(this, tr("Import torque table"), {}, tablesFilter());
     const QString trouble = path.isEmpty() ? QString() : importFile(path);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Import torque table"), trouble);

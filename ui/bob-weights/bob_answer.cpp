@@ -116,7 +116,7 @@ QWidget* BobAnswer::buildCorrection() {
 }
 
 void BobAnswer::setRefused(const QStringList& refused) {
-    sayOrHide(refused_, SheetForm::refusedNote(refused));
+    sayOrHide(refused_, refusedNote(Words(), refused));
     showAnswer();
 }
 

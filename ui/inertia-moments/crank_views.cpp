@@ -39,7 +39,7 @@ void connectTo(InertiaMomentsModel* model, ComparedFigure* widget) {
 
 CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
     : ComparedFigure(parent), model_(model) {
-    setAccessibleName(tr("Rotating masses and counterweights"));
+    setAccessibleName(name());
     makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     setToolTip(
         tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "

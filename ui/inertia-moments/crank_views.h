@@ -15,6 +15,8 @@ class CounterweightView : public ComparedFigure {
 
   public:
     explicit CounterweightView(InertiaMomentsModel* model, QWidget* parent = nullptr);
+    /// What it shows, as the table of the same is called.
+    static QString name() { return tr("Rotating masses and counterweights"); }
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
 

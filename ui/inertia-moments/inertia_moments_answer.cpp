@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "inertia-moments/crank_views.h"
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "theme/theme.h"
@@ -46,7 +47,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
              &Model::rotatingResults);
     addTable(tr("Shafts"), tr("Balance shafts"), &Model::shaftResults);
-    addTable(tr("Weights"), tr("Rotating masses and counterweights"), &Model::weightResults);
+    addTable(tr("Weights"), CounterweightView::name(), &Model::weightResults);
     addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);

@@ -396,7 +396,7 @@ QString Documents::locate(const QString& name, const QString& folder, const QStr
     box.exec();
     return box.clickedButton() == locate
                ? askOpenPath(this, tr("Where is %1?").arg(QFileInfo(name).fileName()), folder,
-                             tr("Tables (*.csv *.txt *.tsv);;All files (*)"))
+                             tablesFilter())
                : QString();
 }
 

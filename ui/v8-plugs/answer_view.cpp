@@ -148,7 +148,7 @@ void AnswerView::showAnswer() {
 }
 
 void AnswerView::setRefused(const QStringList& refused) {
-    say(refused_, SheetForm::refusedNote(refused));
+    say(refused_, refusedNote(Words(), refused));
     showAdvice();
 }
 

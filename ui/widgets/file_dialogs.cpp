@@ -125,6 +125,11 @@ QString askOpenPath(QWidget* parent, const QString& title, const QString& folder
                                filters);
 }
 
+QString tablesFilter() {
+    return words(
+        QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Tables (*.csv *.txt *.tsv);;All files (*)"));
+}
+
 FileFormat csvFormat() {
     return {QStringLiteral("csv"), words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Table, CSV"))};
 }

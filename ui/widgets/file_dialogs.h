@@ -42,6 +42,9 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
 QString askOpenPath(QWidget* parent, const QString& title, const QString& folder,
                     const QString& filters);
 
+/// What tables of numbers are read from, as filters of askOpenPath().
+QString tablesFilter();
+
 // Formats that more than one page writes.
 FileFormat csvFormat();
 FileFormat dxfFormat();

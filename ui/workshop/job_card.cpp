@@ -55,16 +55,9 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
     drawShop(sheet, shop_);
     draw(sheet);
     constexpr double bottom = 290.0;
-    sheet.text(CardPage::left, bottom, CardPage::full, refusedText(refused_), 8, Qt::AlignLeft,
-               true, CardPage::amber);
+    sheet.text(CardPage::left, bottom, CardPage::full, refusedNote(words_, refused_), 8,
+               Qt::AlignLeft, true, CardPage::amber);
     painter.restore();
-}
-
-QString JobCard::refusedText(const QStringList& refused) const {
-    return refused.isEmpty()
-               ? QString()
-               : words_.translate("JobCard", "Not up to date, for these entries are refused: %1")
-                     .arg(refused.join(QStringLiteral("; ")));
 }
 
 void JobCard::setPage(QPagedPaintDevice& device) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "workshop/model/verdict.h"
 #include "workshop/model/words.h"
 
 class QPagedPaintDevice;
@@ -60,11 +61,9 @@ class JobCard {
     virtual QString title() const = 0;
 
     /// Empty where nothing is refused that the answer depends on.
-    QString refusedText() const { return refusedText(refusedOfResult_); }
+    QString refusedText() const { return refusedNote(words_, refusedOfResult_); }
 
   private:
-    QString refusedText(const QStringList& refused) const;
-
     Words words_;
     Shop shop_;
     QStringList refused_;

@@ -44,12 +44,6 @@ NumberField* SheetForm::large(NumberField* field) {
     return ordered(field);
 }
 
-QString SheetForm::refusedNote(const QStringList& refused) {
-    return refused.isEmpty() ? QString()
-                             : tr("Not up to date, for these entries are refused: %1")
-                                   .arg(refused.join(QStringLiteral("; ")));
-}
-
 QLabel* SheetForm::wrapped(QWidget* parent, int pixelSize, bool bold) {
     auto* label = new QLabel(parent);
     label->setWordWrap(true);

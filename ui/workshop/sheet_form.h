@@ -27,8 +27,6 @@ class SheetForm : public Form {
     /// Its readings are of another bob weight: its tab is amber, and so are their fields.
     bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
 
-    /// What the answer says of entries that are refused; empty where none is.
-    static QString refusedNote(const QStringList& refused);
     /// A wrapping label whose text can be copied.
     static QLabel* wrapped(QWidget* parent, int pixelSize, bool bold = false);
 

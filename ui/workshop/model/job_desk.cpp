@@ -202,12 +202,9 @@ QString JobDesk::restoreJournal(const QString& file) {
         return journal_->lastError();
     }
     Q_EMIT journalOpened();  // engines may have come with it
-    QString said =
-        tr("Jobs brought back: %1; already in the journal: %2.").arg(done->added).arg(done->known);
-    if (done->missing > 0) {
-        said += QLatin1Char(' ') + tr("Jobs that could not be read: %1.").arg(done->missing);
-    }
-    return said;
+    return Journal::withUnread(
+        tr("Jobs brought back: %1; already in the journal: %2.").arg(done->added).arg(done->known),
+        *done);
 }
 
 QString JobDesk::numbersOf(const JournalJob& job) {

@@ -153,6 +153,8 @@ class Journal : public QObject {
     /// Adds the jobs and engines of a backup, or of a file that was set aside, that are not in the
     /// journal. Nothing where it is no journal: lastError().
     std::optional<JournalRestored> restore(const QString& file);
+    /// What came, and behind it how many jobs could not be read, where there are such.
+    static QString withUnread(const QString& came, const JournalRestored& done);
 
     /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
     /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of

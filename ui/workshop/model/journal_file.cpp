@@ -505,10 +505,13 @@ JournalRestored Journal::addFrom(const QString& file) {
 /// @return how many jobs came over and how many did not, in words
 QString Journal::takeOver(const QString& damaged) {
     const JournalRestored done = addFrom(damaged);
-    const QString taken = tr("Jobs taken over from it: %1.").arg(done.added);
-    return done.missing == 0 ? taken
-                             : taken + QLatin1Char(' ') +
-                                   tr("Jobs that could not be read: %1.").arg(done.missing);
+    return withUnread(tr("Jobs taken over from it: %1.").arg(done.added), done);
+}
+
+QString Journal::withUnread(const QString& came, const JournalRestored& done) {
+    return done.missing == 0
+               ? came
+               : came + QLatin1Char(' ') + tr("Jobs that could not be read: %1.").arg(done.missing);
 }
 
 bool Journal::backUp(const QString& file) {

@@ -65,4 +65,11 @@ QString verdictText(const Words& words, const QString& verdict) {
                                         : QString();
 }
 
+QString refusedNote(const Words& words, const QStringList& refused) {
+    return refused.isEmpty()
+               ? QString()
+               : words.translate("JobCard", "Not up to date, for these entries are refused: %1")
+                     .arg(refused.join(QStringLiteral("; ")));
+}
+
 }  // namespace ravnoves

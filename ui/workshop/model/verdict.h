@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <optional>
 #include <string>
 
@@ -41,7 +42,11 @@ QString otherText(const Words& words, const Read& read, double bobWeightNow) {
                             : QString();
 }
 
-/// The same as page, card and journal say it: "fails → passes" is measured → after correction.
+/// That what is said is of the values before entries that a form refuses; empty without such.
+QString refusedNote(const Words& words, const QStringList& refused);
+
+/// A verdict's word as page, card and journal say it: "fails → passes" is measured → after
+/// correction.
 QString verdictText(const Words& words, const QString& verdict);
 
 }  // namespace ravnoves
