@@ -74,7 +74,7 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
 
 /// So many decimals that the number shows its value, six at most beyond its first digits.
 int decimalsOf(double value) {
-    const QString text = QString::number(value, 'g', 10);
+    const QString text = formNumber(value, QLocale::c());
     const qsizetype point = text.indexOf(QLatin1Char('.'));
     return point < 0 || text.contains(QLatin1Char('e')) ? 0
                                                         : static_cast<int>(text.size() - point) - 1;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 
+#include "numerics/units.h"
 #include "report/report.h"
 #include "theme/theme.h"
 
@@ -19,7 +20,7 @@ using namespace report;
 namespace {
 
 // A4, in pixels of 1/96 inch, as the figures are.
-constexpr double perMillimetre = 96.0 / 25.4;
+constexpr double perMillimetre = 96.0 / (units::inch.to_si / units::mm);
 constexpr double pageWidth = 210.0 * perMillimetre;
 constexpr double pageHeight = 297.0 * perMillimetre;
 constexpr double left = 20.0 * perMillimetre;

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/units.h"
+
 namespace ravnoves {
 
 namespace {
-constexpr double millimetresPerPoint = 25.4 / 72.0;
+constexpr double millimetresPerPoint = units::inch.to_si / units::mm / 72.0;
 }  // namespace
 
 const QColor CardPage::ink(0x11, 0x11, 0x11);

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "numerics/units.h"
 #include "text/write_file.h"
 #include "workshop/card_page.h"
 
@@ -74,7 +75,7 @@ bool JobCard::print(QPagedPaintDevice& device) const {
     }
     // The paper in device pixels. A printer that keeps margins of its own and was not set to the
     // full page begins inside it.
-    const double perMillimetre = device.logicalDpiX() / 25.4;
+    const double perMillimetre = device.logicalDpiX() / (units::inch.to_si / units::mm);
     const QPageLayout layout = device.pageLayout();
     const QRectF paper = layout.fullRect(QPageLayout::Millimeter);
     const QMarginsF margins = layout.mode() == QPageLayout::FullPageMode

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case-file/decimal.h"
 #include "text/csv_format.h"
 #include "text/write_file.h"
 #include "workshop/model/journal.h"
@@ -34,9 +35,9 @@ class CsvWriter {
 
     /// With the decimals of the job card.
     QString number(const std::optional<double>& value, int decimals) const {
-        return value
-                   ? QString::number(*value, 'f', decimals).replace(QLatin1Char('.'), format_.point)
-                   : QString();
+        return value ? QString::fromStdString(fixed_decimals(*value, decimals))
+                           .replace(QLatin1Char('.'), format_.point)
+                     : QString();
     }
 
     QString line(const QStringList& fields) const {
