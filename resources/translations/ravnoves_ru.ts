@@ -11011,22 +11011,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Равномерное чередование</translation>
     </message>
     <message>
-        <source>Bank angle</source>
-        <translation>Угол развала</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Дезаксаж</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>Centre of mass</source>
-        <translation>Центр масс</translation>
-    </message>
-    <message>
         <source>Add shaft</source>
         <translation>Добавление вала</translation>
     </message>

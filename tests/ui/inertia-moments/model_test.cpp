@@ -14,6 +14,7 @@
 #include "inertia-moments/model/engine_curves.h"
 #include "model/input_differences.h"
 #include "scenes/scenes.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 namespace {
@@ -151,6 +152,23 @@ TEST(InertiaMomentsModel, ADragIsOneStepOfTheHistory) {
     model.history()->undo();
     EXPECT_NEAR(model.bankAngleDeg(), 15.0, 1e-9);
     EXPECT_EQ(model.layoutName(), QStringLiteral("vw-vr5"));
+}
+
+TEST(InertiaMomentsModel, AStepOfASliderIsNamedAsItsField) {
+    InertiaMomentsModel model;
+    const auto step = [&model](const auto& move) {
+        move();
+        model.finishDrag();
+        return model.history()->undoText();
+    };
+    const auto typed = [&](const std::string& pointer) {
+        return fieldName(model.fields(pointer).front().field);
+    };
+    EXPECT_EQ(step([&] { model.setBankAngleDeg(20.5); }), typed("/layout/bank_angle_deg"));
+    EXPECT_EQ(step([&] { model.setOffsetMm(8.0); }), typed("/layout/offset_mm"));
+    EXPECT_EQ(step([&] { model.setSpeedRpm(3000.0); }), typed("/speed_rpm"));
+    EXPECT_EQ(step([&] { model.setReferenceMm(12.3); }), typed("/reference_position_mm"));
+    EXPECT_EQ(model.history()->undoText(), QStringLiteral("Centre of mass z"));
 }
 
 TEST(InertiaMomentsModel, ATableScalesItsBanksAndOffsets) {

@@ -364,7 +364,7 @@ void InertiaMomentsModel::setBankAngleDeg(double angle) {
     if (!std::isfinite(angle) || !canChangeBankAngle()) {
         return;
     }
-    drag(tr("Bank angle"), [&](Input& input) {
+    drag(fieldName(field::included_angle), [&](Input& input) {
         if (input.layout) {
             input.layout->bank_angle = std::clamp(angle, 0.0, 180.0) * degree;
             return;
@@ -408,7 +408,7 @@ void InertiaMomentsModel::setOffsetMm(double offset) {
     if (!std::isfinite(offset) || !canChangeOffset()) {
         return;
     }
-    drag(tr("Offset"), [&](Input& input) {
+    drag(fieldName(field::layout_offset), [&](Input& input) {
         if (input.layout) {
             input.layout->offset = offset * units::mm;
             return;
@@ -426,7 +426,7 @@ double InertiaMomentsModel::speedRpm() const {
 }
 
 void InertiaMomentsModel::setSpeedRpm(double speed) {
-    drag(tr("Speed"), [&](Input& input) { input.angular_speed = speed * rpm; });
+    drag(fieldName(field::speed), [&](Input& input) { input.angular_speed = speed * rpm; });
 }
 
 double InertiaMomentsModel::referenceMm() const {
@@ -434,7 +434,7 @@ double InertiaMomentsModel::referenceMm() const {
 }
 
 void InertiaMomentsModel::setReferenceMm(double position) {
-    drag(tr("Centre of mass"),
+    drag(fieldName(field::reference_position),
          [&](Input& input) { input.reference_position = position * units::mm; });
 }
 
