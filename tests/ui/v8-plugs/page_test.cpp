@@ -1107,8 +1107,11 @@ TEST_F(V8PageTest, WindowLivesWhileAnotherProgramHoldsTheJournal) {
             if (++ticks == 5) {
                 asked = page.askToSave().value();  // the window is to close
             }
-            if (ticks >= 40 && status.count() == 2) {
+            // The journal may say besides that it waits to be opened; without either word the
+            // other program ends before the window gives up and asks.
+            if ((ticks >= 40 && status.count() >= 2) || ticks >= 400) {
                 query.exec(u"ROLLBACK"_s);
+                clock.stop();
             }
         });
         clock.start(20);
@@ -1117,11 +1120,15 @@ TEST_F(V8PageTest, WindowLivesWhileAnotherProgramHoldsTheJournal) {
         EXPECT_FALSE(asked);
     }
     QSqlDatabase::removeDatabase(u"other"_s);
-    ASSERT_EQ(status.count(), 3);
-    const auto said = [&](int at) { return status.at(at).at(0).toString(); };
-    EXPECT_TRUE((said(0) + said(1)).contains(u"Another program"_s));
-    EXPECT_TRUE((said(0) + said(1)).contains(u"still being saved"_s));
-    EXPECT_TRUE(said(2).contains(u"saved in the journal"_s));
+    QStringList said;
+    for (const QList<QVariant>& each : status) {
+        said << each.at(0).toString();
+    }
+    ASSERT_GE(said.size(), 3) << said.join(u'\n').toStdString();
+    EXPECT_TRUE(said.last().contains(u"saved in the journal"_s)) << said.last().toStdString();
+    const QString before = said.join(u'\n');
+    EXPECT_TRUE(before.contains(u"Another program is writing"_s));
+    EXPECT_TRUE(before.contains(u"still being saved"_s));
     EXPECT_GT(model->desk()->jobId(), 0);
 }
 
