@@ -26,6 +26,7 @@
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "events.h"
 #include "model/case_document.h"
 #include "painted.h"
@@ -695,6 +696,19 @@ TEST_F(BobPageTest, TheCardWithholdsWhatThePageWithholds) {
     model->loadInput(odd, {});
     ASSERT_TRUE(label("headline").contains(u"must be even"_s));
     EXPECT_TRUE(card().contains(label("headline"))) << qPrintable(card());
+}
+
+TEST_F(BobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
+    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    model->loadInput(example.at("input"), {});
+    type("reciprocating_percent", u"10"_s);
+    EXPECT_TRUE(label("troubles").contains(u"another bob weight"_s))
+        << qPrintable(label("troubles"));
+    type("overbalance_percent", u"-20"_s);
+    ASSERT_FALSE(model->solution().bob_weight);
+    EXPECT_FALSE(label("troubles").contains(u"another bob weight"_s))
+        << qPrintable(label("troubles"));
+    EXPECT_FALSE(card().contains(u"another bob weight"_s)) << qPrintable(card());
 }
 
 TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {

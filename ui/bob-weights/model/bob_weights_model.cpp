@@ -106,6 +106,9 @@ Result BobWeightsScene::solve(const Input& input) const {
         result.first_order.reset();
         result.crankpins.clear();
         result.correction.reset();
+        for (auto& run : result.runs) {
+            run.read_with.reset();  // there is no weight that it could be compared with
+        }
     }
     return result;
 }
