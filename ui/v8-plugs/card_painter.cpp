@@ -99,7 +99,7 @@ double CardPainter::answer(double y) {
         fact = words_.translate("JobCard", "Not known without: %1.")
                    .arg(v8_text::missingNames(words_, input_, false));
     }
-    QStringList wrong{warning, v8_text::unequalCrankpins(words_, input_, solution_),
+    QStringList wrong{refused_, warning, v8_text::unequalCrankpins(words_, input_, solution_),
                       v8_text::otherReadings(words_, solution_)};
     wrong.removeAll(QString());
     return cardAnswer(sheet_,

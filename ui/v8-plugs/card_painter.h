@@ -15,8 +15,8 @@ namespace ravnoves {
 class CardPainter {
   public:
     CardPainter(CardPage& sheet, const v8_plugs::Input& input, const v8_plugs::Result& solution,
-                const Words& words)
-        : sheet_(sheet), input_(input), solution_(solution), words_(words) {}
+                const Words& words, const QString& refused)
+        : sheet_(sheet), input_(input), solution_(solution), words_(words), refused_(refused) {}
 
     void paint();
 
@@ -53,6 +53,7 @@ class CardPainter {
     const v8_plugs::Input& input_;
     const v8_plugs::Result& solution_;
     const Words& words_;
+    const QString refused_;  ///< that the answer is of values before refused entries; may be empty
     bool lacksTakeOff_ = false;  ///< there is no room for what to take off
 };
 

@@ -55,8 +55,11 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
     CardPage sheet(painter, page);
     drawShop(sheet, shop_);
     draw(sheet);
-    constexpr double bottom = 290.0;
-    sheet.text(CardPage::left, bottom, CardPage::full, refusedNote(words_, refused_), 8,
+    // Those that the answer depends on stand beside it.
+    QStringList others = refused_;
+    others.removeIf([this](const QString& each) { return refusedOfResult_.contains(each); });
+    constexpr double bottom = 292.5;  // below the line of the method
+    sheet.text(CardPage::left, bottom, CardPage::full, refusedNote(words_, others), 8,
                Qt::AlignLeft, true, CardPage::amber);
     painter.restore();
 }
