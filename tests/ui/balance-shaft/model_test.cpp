@@ -27,6 +27,22 @@ TEST(BalanceShaftModel, ShowsWhatTheCommandLinePrints) {
     EXPECT_EQ(model.resultJson(), solve_case(file, {}).at("result"));
 }
 
+TEST(BalanceShaftModel, AShaftBeyondTheCircleMovesAsFarAsItsSliderGoes) {
+    BalanceShaftModel model;
+    for (const auto& [given, moved] : {std::pair(380.0, 375.0), std::pair(-20.0, -10.0)}) {
+        Json input = model.inputJson();
+        input["shaft_angle_deg"] = given;
+        model.loadInput(input, {});
+        model.setShaftAngleDeg(moved);
+        EXPECT_DOUBLE_EQ(model.shaftAngleDeg(), moved);
+        model.setShaftAngleDeg(given);
+        EXPECT_DOUBLE_EQ(model.shaftAngleDeg(), moved) << "no farther than it was";
+    }
+    model.setShaftAngleDeg(100.0);
+    model.setShaftAngleDeg(-5.0);
+    EXPECT_EQ(model.shaftAngleDeg(), 0.0);
+}
+
 TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     BalanceShaftModel model;
     QSignalSpy moved(&model, &BalanceShaftModel::shaftMoved);

@@ -258,7 +258,9 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
     if (!std::isfinite(angle)) {
         return;
     }
-    const double radians = std::clamp(angle, 0.0, 360.0) * degree;
+    // A case may have the shaft elsewhere: up to there its slider goes.
+    const double now = shaftAngleDeg();
+    const double radians = std::clamp(angle, std::min(0.0, now), std::max(360.0, now)) * degree;
     if (radians == input().shaft_angle) {
         return;
     }

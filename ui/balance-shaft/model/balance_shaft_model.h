@@ -87,7 +87,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString setLoad(std::optional<double> balance_shaft::GasCycle::*given, double value,
                     bool isDrag = false);
 
-    double shaftAngleDeg() const;  ///< α, 0…360
+    double shaftAngleDeg() const;  ///< α
     void setShaftAngleDeg(double angle);
 
     /// Two- or four-stroke. A torque table that holds the same turn twice is halved or doubled with
