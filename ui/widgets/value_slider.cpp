@@ -248,9 +248,11 @@ void ValueSlider::setValue(double value) {
 }
 
 void ValueSlider::edit(double value) {
-    // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
+    // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001); those of a
+    // logarithm may be smaller than what the box shows.
     const double decimals = std::pow(10.0, box_->decimals());
-    value = factor_ == 1.0 ? std::round(value * decimals) / decimals : rounded_to(value, 12);
+    value = factor_ == 1.0 && stepsPerDecade_ == 0 ? std::round(value * decimals) / decimals
+                                                   : rounded_to(value, 12);
     refuse({});
     if (value == value_) {
         return;

@@ -170,7 +170,8 @@ class ValueSliderTest : public ::testing::Test {
 
 TEST(NumberText, AUnitThatIsTypedIsConverted) {
     const auto typed = [](const char16_t* text, const char16_t* unit) {
-        return readTypedNumber(QString::fromUtf16(text), QString::fromUtf16(unit)).value.value_or(0.0);
+        return readTypedNumber(QString::fromUtf16(text), QString::fromUtf16(unit))
+            .value.value_or(0.0);
     };
     EXPECT_NEAR(typed(u"300 rad/s", u"min⁻¹"), 300.0 * 30.0 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(typed(u"1 rad", u"°"), 180.0 / std::numbers::pi, 1e-12);
@@ -277,6 +278,19 @@ TEST(WheelGuard, TheWheelChangesOnlyWhereTheUserWent) {
     turn();
     EXPECT_EQ(choice->currentIndex(), 1);
     EXPECT_EQ(box->value(), 1.0);
+}
+
+// The box shows a tenth of the unit at least; a soft spring has less.
+TEST(LogarithmicSlider, GoesUpFromLessThanItsBoxShows) {
+    ValueSlider slider(QStringLiteral("&c"), 0.02, 1e6, 0.1, 1.0, 1, QStringLiteral("kN/m"));
+    slider.setLogarithmic(50, 3);
+    slider.setValue(0.02);
+    QSignalSpy edited(&slider, &ValueSlider::valueEdited);
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    ASSERT_EQ(edited.size(), 1);
+    EXPECT_DOUBLE_EQ(slider.value(), 0.0209);
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    EXPECT_DOUBLE_EQ(slider.value(), 0.0219);
 }
 
 TEST(LogarithmicSlider, GoesByDecades) {
