@@ -53,6 +53,8 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderSca
     setHint(own_.hint);
     setModel(model);
     connect(this, &ValueSlider::valueEdited, this, own_.write);
+    // A drag is a step of its own: what keys moved before it is another.
+    connect(this, &ValueSlider::pressed, model, &SceneModel::finishDrag);
     connect(this, &ValueSlider::released, model, &SceneModel::finishDrag);
     connect(slider(), &QSlider::sliderReleased, this, &FieldSlider::follow);
     connect(model, &SceneModel::changed, this, &FieldSlider::follow);

@@ -97,6 +97,23 @@ class ElasticHingePageTest : public ::testing::Test {
     ElasticHingeModel* model = nullptr;
 };
 
+TEST_F(ElasticHingePageTest, KeysBeforeADragAreAStepOfTheirOwn) {
+    auto* slider = find<QSlider>("lambda_slider");
+    const double before = model->input().lambda;
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    const double byKeys = model->input().lambda;
+    ASSERT_GT(byKeys, before);
+    slider->setSliderDown(true);
+    slider->setSliderPosition(slider->maximum() / 2);
+    slider->setSliderDown(false);
+    ASSERT_NE(model->input().lambda, byKeys);
+    model->history()->undo();
+    EXPECT_DOUBLE_EQ(model->input().lambda, byKeys);
+    model->history()->undo();
+    EXPECT_DOUBLE_EQ(model->input().lambda, before) << "both keys are one step";
+}
+
 TEST_F(ElasticHingePageTest, SliderDragMovesEverythingLive) {
     auto* slider = find<QSlider>("angular_speed_rad_s_slider");
     const QString before = page.resultsAsText();
