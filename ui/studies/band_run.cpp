@@ -232,7 +232,8 @@ void BandRun::showPlot(std::size_t p, const Shown& shown,
     const std::size_t count =
         std::min(curves[p].size(), static_cast<std::size_t>(plot.curveCount()));
     for (std::size_t c = 0; c < count; ++c) {
-        const auto [from, size] = curves[p][c];
+        const std::size_t from = curves[p][c].from;
+        const std::size_t size = curves[p][c].count;
         const auto part = [&](const std::vector<double>& all) {
             return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(from),
                                        all.begin() + static_cast<std::ptrdiff_t>(from + size));
