@@ -107,12 +107,9 @@ build_and_test() {
     stage "$preset: tests" run_tests "$preset" || return 0
 }
 
-# Goes on after a file that has faults, so that one run names them all.
-run_tidy() { (cd "$root" && cmake --build --preset tidy -j "$(build_jobs)" -- -k 0); }
-
 lint_sources() {
     stage "lint: configure" configure tidy || return 0
-    stage "lint: clang-tidy" run_tidy || return 0
+    stage "lint: clang-tidy" build tidy || return 0
 }
 
 # A hundred thousand cases of each scene, with any numbers in them, by the core-only build.
