@@ -4,6 +4,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "command.h"
@@ -39,8 +40,9 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         asked_for().check();
     } catch (const CLI::ParseError& error) {
-        const int status = app.exit(error);
-        return status == 0 ? exit_done : exit_bad_input;
+        std::ostringstream asked;  // the help or the version
+        const int status = app.exit(error, asked);
+        return status == 0 ? print(asked.str()) : exit_bad_input;
     }
 
     Command& command = asked_for();

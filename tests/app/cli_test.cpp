@@ -261,6 +261,9 @@ TEST_F(CommandLine, RefusesAPlaceThatCannotBeWritten) {
     const Outcome full = run("solve case.json > /dev/full");
     EXPECT_EQ(full.status, 2);
     EXPECT_EQ(lines_of(full.err).size(), 1U) << full.err;
+    const std::string unwritten = "ravnoves-cli: standard output cannot be written";
+    expect_refused(run("--help > /dev/full"), unwritten);
+    expect_refused(run("solve --help > /dev/full"), unwritten);
     // Nothing half-written stays behind.
     for (const auto& entry : fs::directory_iterator(folder)) {
         EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
