@@ -48,6 +48,7 @@ void visit_masses(FieldVisitor& visitor, Input& input) {
     if (which != 1 || visitor.creates_objects()) {
         visitor.object_of(field::reciprocating_masses, true, true, [&] {
             std::vector<std::string> names;
+            names.reserve(masses.size());
             for (const NamedMass& part : masses) {
                 names.push_back(part.name);
             }

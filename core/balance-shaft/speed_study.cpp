@@ -544,7 +544,7 @@ std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place_buildable(
     return least_bad_place(criterion, measure, [&](const std::vector<SpeedPlane>& planes) {
         PlaceQuestion question = question_of(planes, criterion);
         question.start = start;
-        const auto found = search_places(*places_, question);
+        auto found = search_places(*places_, question);
         if (found) {
             start = found->place;
         }

@@ -383,9 +383,9 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     };
 
     const double sample_angle = two_pi / std::max(setup.samples_per_turn, 4);
-    const auto take_samples = [&](Cell& cell, double end, double parts) {
+    const auto take_samples = [&](Cell& cell, double end, int parts) {
         cell.samples.clear();
-        for (double part = 1.0; part <= parts; ++part) {
+        for (int part = 1; part <= parts; ++part) {
             const double x = part == parts ? end : -1.0 + (end + 1.0) * part / parts;
             const double angle = cell.angle(x);
             const Place place = system.at(angle);
@@ -399,7 +399,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         constexpr double most = 1000.0;
         const double parts = std::clamp(
             std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle), fewest, most);
-        take_samples(cell, end, parts);
+        take_samples(cell, end, static_cast<int>(parts));
         double error = 0.0;
         double fastest = 0.0;
         for (std::size_t i = 1; i < cell.samples.size(); ++i) {
@@ -415,7 +415,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         const double allowed = 0.25 * std::max(setup.tolerance, 1e-8) * fastest;
         if (error > allowed) {
             const double finer = std::min(1.1 * std::pow(error / allowed, 0.2), 4.0);
-            take_samples(cell, end, std::min(std::ceil(finer * parts), most));
+            take_samples(cell, end, static_cast<int>(std::min(std::ceil(finer * parts), most)));
         }
     };
     constexpr std::size_t most_samples = 20'000'000;

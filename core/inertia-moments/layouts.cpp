@@ -277,6 +277,7 @@ std::vector<int> dead_centre_order(const Engine& engine) {
     std::vector<int> order(engine.cylinders.size());
     std::iota(order.begin(), order.end(), 1);
     std::vector<double> tops;
+    tops.reserve(order.size());
     for (const int number : order) {
         tops.push_back(top_dead_centre(engine, number));
     }

@@ -111,6 +111,7 @@ std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
         kinds.try_emplace(each.cylinders.size(), &each);
     }
     std::vector<const Throw*> found;
+    found.reserve(kinds.size());
     for (const auto& kind : kinds) {
         found.push_back(kind.second);
     }

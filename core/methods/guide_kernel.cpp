@@ -313,6 +313,7 @@ std::optional<bool> proved_to_exist(const GuideCase& guide, double smallest, int
     const Enclosure omega(guide.input.angular_speed);
     std::vector<std::pair<double, double>> open;
     constexpr int first = 32;
+    open.reserve(first);
     for (int i = 0; i < first; ++i) {
         open.emplace_back(two_pi * i / first, two_pi * (i + 1) / first);
     }

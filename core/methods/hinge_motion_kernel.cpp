@@ -86,7 +86,7 @@ class EnergySpeed {
 Real50 time_between(const EnergySpeed<Real50>& speed, const Real50& from, const Real50& to) {
     const auto slowness = [&](const Real50& phi) { return Real50(1 / speed(phi)); };
     namespace quadrature = boost::math::quadrature;
-    const Real50 fine = quadrature::gauss<Real50, 30>::integrate(slowness, from, to);
+    Real50 fine = quadrature::gauss<Real50, 30>::integrate(slowness, from, to);
     const Real50 coarse = quadrature::gauss<Real50, 20>::integrate(slowness, from, to);
     const Real50 enough = Real50("1e-32") * abs(Real50(to - from)) / speed(to);
     if (!(abs(Real50(fine - coarse)) > enough) || abs(Real50(to - from)) < Real50("1e-4")) {
@@ -373,8 +373,8 @@ Advance dop853(const MotionCase& motion, const Acceleration& f, double tolerance
             slice = motion.seconds_of_turn()](double seconds, TurnState& x) mutable -> Message {
         // Turn by turn, to be asked between them whether to go on.
         const double slices = std::ceil(seconds / slice - 1e-9);
-        for (double i = 0.0; i < slices; ++i) {
-            check_now_and_then(static_cast<long>(i));
+        for (long i = 0; static_cast<double>(i) < slices; ++i) {
+            check_now_and_then(i);
             if (!method.advance(f, seconds / slices, x)) {
                 return lost();
             }

@@ -152,7 +152,7 @@ std::vector<double> root_polynomial(double longest, int terms) {
     const auto n = static_cast<std::size_t>(terms);
     std::vector<Real50> place(n);
     std::vector<Real50> difference(n);
-    const Real50 pi = boost::math::constants::pi<Real50>();
+    const Real50& pi = boost::math::constants::pi<Real50>();
     for (std::size_t j = 0; j < n; ++j) {
         const Real50 angle = pi * (Real50(j) + Real50(0.5)) / Real50(n);
         place[j] = Real50(longest) * (1 - cos(angle)) / 2;

@@ -265,10 +265,10 @@ std::vector<double> quarters(const AngleTable& table, const std::vector<double>&
 
 /// Tries angles until the best is found. @return false where the work was stopped
 bool search_angles(AngleTable& table) {
-    constexpr double first_step = 5.0;
+    constexpr int first_step_deg = 5;
     std::vector<double> next = table.ends();
-    for (double angle = 0.0; angle < turn_deg; angle += first_step) {
-        if (table.is_buildable(angle)) {
+    for (int step = 0; step < 360 / first_step_deg; ++step) {
+        if (const double angle = step * first_step_deg; table.is_buildable(angle)) {
             next.push_back(angle);
         }
     }

@@ -333,7 +333,8 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
     const double least = std::max(std::abs(middle), 1e-6) * 0x1p-44;
     const double width = std::max(span * fineness, least);
     plan.width = std::ldexp(1.0, std::ilogb(width));
-    plan.low = (std::floor(middle / plan.width) - static_cast<double>(bin_count / 2)) * plan.width;
+    plan.low =
+        (std::floor(middle / plan.width) - 0.5 * static_cast<double>(bin_count)) * plan.width;
     return plan;
 }
 

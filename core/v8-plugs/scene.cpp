@@ -254,7 +254,7 @@ Json write_result(const Input& input, const Result& result) {
 }
 
 Input read_input(const Json& json, Completeness completeness) {
-    const Input input = read_fields<Input>(json, completeness);
+    Input input = read_fields<Input>(json, completeness);
     if (completeness == Completeness::required) {
         check_input(input);
     } else {
