@@ -7,8 +7,8 @@ usage: tests/mutations/mutate.py [--count N] [--seed N] [--preset NAME] [--list]
 
 import argparse
 import collections
+import hashlib
 import pathlib
-import random
 import re
 import subprocess
 import sys
@@ -24,11 +24,17 @@ TESTS = sorted({path.parent.name for path in (ROOT / "tests" / "core").glob("*/*
 # What is not a formula: reading, writing, words, drawings.
 PASSED_OVER = re.compile(r"scene|fields|presets|formulas|study_file|torque_table|drawing|sha256")
 # Neither words nor the counting of work is one.
-NO_FORMULA = re.compile(r'"|std::string|throw |\bwork_|\bcost\(')
+NO_FORMULA = re.compile(r'"|std::string|throw |\bwork_|\bcost\(|\.reserve\(')
 # Changes that no answer shows: what they touch only saves work. By the line as it is.
 OF_WORK = {
     "abs(slope_left) + abs(slope_right) > curvature * h": "a search that is passed over finds nothing",
     "most - least - search_.enough": "steers a search whose finds are judged for themselves",
+    "(to - from) / (8 * workers.size())": "how many samples a worker takes at a time",
+    "seconds > 2.0 * wanted": "how many samples go between two saves",
+    "static_cast<long>(search_.dimensions) + 4 * exchanges + 8": "counts the work of an exchange",
+    "turn_of(result.angle + pi)": "half a turn is the same place either way round",
+    "one + std::remainder(other[w] - one": "a difference is squared; its size has a test of its own",
+    "std::hypot(p.x - a.x, p.y - a.y)": "no guide that can be drawn has a chord of no length",
 }
 CHANGES = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
            ("std::sin(", "std::cos("), ("std::cos(", "std::sin(")]
@@ -50,13 +56,13 @@ def candidates(folder):
 
 
 def choose(count, seed):
-    """As many of each folder, each time of another line."""
-    chance = random.Random(seed)
-    queues = []
-    for folder in FOLDERS:
-        found = list(candidates(folder))
-        chance.shuffle(found)
-        queues.append(collections.deque(found))
+    """As many of each folder, each time of another line; which ones, only the lines themselves say, so
+    that a change elsewhere leaves the choice as it was."""
+    def lot(candidate):
+        path, number, start, old, _ = candidate
+        line = path.read_text().splitlines()[number].strip()
+        return hashlib.sha256(f"{seed} {path.name} {line} {start} {old}".encode()).digest()
+    queues = [collections.deque(sorted(candidates(folder), key=lot)) for folder in FOLDERS]
     chosen, lines = [], set()
     while len(chosen) < count and any(queues):
         for queue in queues:

@@ -11,6 +11,7 @@
 #include "studies/law.h"
 #include "studies/sampler.h"
 #include "studies/sha256.h"
+#include "studies/tally.h"
 
 namespace ravnoves::studies {
 namespace {
@@ -141,6 +142,20 @@ TEST(Sha256, GivesThePublishedDigests) {
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(sha256(std::string(1'000'000, 'a')),
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Tally, TakesAPairOfAnglesByTheShorterWay) {
+    const auto pairs = [](double period, double one, double two) {
+        Tally tally({{.low = -256.0, .width = 0.0078125, .centre = 0.0, .period = period}}, 1);
+        tally.add_pair(0, std::span(&one, 1), std::span(&two, 1));
+        return tally.write().at("values").at(0).at("pairs").dump();
+    };
+    const std::string two_degrees = pairs(0.0, -1.0, 1.0);
+    EXPECT_EQ(two_degrees, "[65536]");  // (2/2⁻⁷)²
+    EXPECT_EQ(pairs(360.0, 359.0, 1.0), two_degrees);
+    EXPECT_EQ(pairs(360.0, 1.0, 359.0), two_degrees);
+    EXPECT_EQ(pairs(360.0, 179.0, -179.0), two_degrees);
+    EXPECT_NE(pairs(0.0, 179.0, -179.0), two_degrees);
 }
 
 }  // namespace

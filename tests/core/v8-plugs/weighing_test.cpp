@@ -92,5 +92,15 @@ TEST(Weighing, NamesTheCoarsestScaleThatIsEnough) {
     }
 }
 
+// A scale's step that is just enough is named as it is, not the next finer one.
+TEST(Weighing, NamesAStepThatIsJustEnough) {
+    for (const double grams : {0.02, 0.05, 0.1, 0.2, 0.5, 2.0, 5.0}) {
+        Input input = job(Process::repair);
+        const Weighing found = *weighing(input, grams * gram);
+        input.tolerance = 3.0 * found.unbalance;
+        EXPECT_NEAR(weighing(input, gram)->coarsest / gram, grams, 1e-9 * grams);
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves::v8_plugs
