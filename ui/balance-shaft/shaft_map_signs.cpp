@@ -112,11 +112,13 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius) {
     }
     const auto count = static_cast<int>(turn / period);
     constexpr int most = 2000;  // the rest is far outside
-    const double step = two_pi / std::min(count, most);
+    const int drawn = std::min(count, most);
+    const double step = two_pi / drawn;
     const double half = 0.5 * step * dash / period;
     QList<QLineF> dashes;
-    dashes.reserve(std::min(count, most));
-    for (double at = 0.0; at < two_pi - 0.5 * step; at += step) {
+    dashes.reserve(drawn);
+    for (int i = 0; i < drawn; ++i) {
+        const double at = i * step;
         const auto point = [&](double angle) {
             return middle + radius * QPointF(std::cos(angle), std::sin(angle));
         };
@@ -128,8 +130,9 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius) {
 void drawHatch(QPainter& painter, const QRectF& box) {
     constexpr double apart = 7.0;
     painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
-    const double first = std::floor((box.left() - box.bottom()) / apart) * apart;
-    for (double c = first; c < box.right() - box.top(); c += apart) {
+    const auto first = static_cast<int>(std::floor((box.left() - box.bottom()) / apart));
+    for (int i = first; i * apart < box.right() - box.top(); ++i) {
+        const double c = i * apart;
         painter.drawLine(QPointF(box.top() + c, box.top()),
                          QPointF(box.bottom() + c, box.bottom()));
     }

@@ -38,6 +38,7 @@ using Measure = double ShaftMap::Criteria::*;
 
 std::vector<double> valuesOf(const std::vector<ShaftMap::Place>& places, Measure measure) {
     std::vector<double> values;
+    values.reserve(places.size());
     for (const ShaftMap::Place& place : places) {
         values.push_back(place.criteria.*measure);
     }
@@ -48,6 +49,7 @@ std::vector<double> valuesOf(const std::vector<ShaftMap::Place>& places, Measure
 std::vector<double> valuesOf(const std::vector<std::optional<ShaftMap::Place>>& places,
                              Measure measure) {
     std::vector<double> values;
+    values.reserve(places.size());
     for (const auto& place : places) {
         values.push_back(place ? place->criteria.*measure
                                : std::numeric_limits<double>::quiet_NaN());

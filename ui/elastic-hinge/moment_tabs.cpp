@@ -24,6 +24,7 @@ class MechanismFamily {
     void show(const std::vector<double>& phi, const std::vector<FamilyMember>& members,
               const std::function<QString(double)>& name) const {
         std::vector<PlotView::Member> shown;
+        shown.reserve(members.size());
         for (const FamilyMember& member : members) {
             shown.push_back({name(member.parameter), member.curves.*values_});
         }

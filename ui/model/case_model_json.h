@@ -255,6 +255,7 @@ void CaseModel<Scene>::takeAwaited(Solved&& solved) {
                 }
                 const bool isLast = i + 1 == chain.size();
                 if (isLast) {
+                    // NOLINTNEXTLINE(bugprone-use-after-move): once, for the last
                     prepared_ = std::move(solved);
                 } else {
                     isApplied_ = true;  // the history alone has it

@@ -350,7 +350,7 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     if (!isReportName(path)) {
         return ReportWords::tr("%1: a report ends in .pdf or .html").arg(path);
     }
-    const QString source = sourceTrouble(path);
+    QString source = sourceTrouble(path);
     if (!source.isEmpty()) {
         return source;
     }

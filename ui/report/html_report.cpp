@@ -75,7 +75,7 @@ struct HtmlWriter {
     void operator()(const Paragraph& paragraph) {
         static const QStringList names{QString(), QStringLiteral("muted"), QStringLiteral("good"),
                                        QStringLiteral("warning"), QStringLiteral("error")};
-        const QString name = names[static_cast<int>(paragraph.kind)];
+        const QString& name = names[static_cast<int>(paragraph.kind)];
         html += (name.isEmpty() ? QStringLiteral("<p>")
                                 : QStringLiteral("<p class=\"%1\">").arg(name)) +
                 paragraph.html + QStringLiteral("</p>\n");

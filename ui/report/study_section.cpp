@@ -46,7 +46,7 @@ QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
     const auto percent = [](const std::optional<double>& share) {
         return fixedDecimals(100.0 * share.value_or(0.0), 2, QLocale());
     };
-    const QString limits =
+    QString limits =
         watched.min && watched.max
             ? numberOrDash(watched.min) + QStringLiteral(" … ") + numberOrDash(watched.max)
         : watched.min ? QStringLiteral("≥ ") + numberOrDash(watched.min)

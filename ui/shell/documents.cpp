@@ -376,7 +376,7 @@ QString Documents::open(const QString& path, bool locates) {
             Q_EMIT status(changes.join(QLatin1Char(' ')));
             return {};
         } catch (const InputError& error) {
-            const QString trouble = path + QStringLiteral(": ") + errorText(error);
+            QString trouble = path + QStringLiteral(": ") + errorText(error);
             const auto isMoving =
                 locates ? relocate(file, error, missing, tr("Open case"), trouble) : std::nullopt;
             if (!isMoving) {
@@ -581,7 +581,7 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
                                                 : DocumentDialogs::Answer::Stay;
     };
     dialogs.choosePath = [this, &document](const QString& suggestion) {
-        const QString path = askSavePath(window(), tr("Save case"), suggestion,
+        QString path = askSavePath(window(), tr("Save case"), suggestion,
                                          {{QStringLiteral("case.json"), tr("Ravnoves case")}});
         const OpenDocument* other = path.isEmpty() ? nullptr : withFile(path);
         if (other != nullptr && other != &document) {

@@ -214,7 +214,7 @@ ScenePage* MainWindow::page(const QString& name) {
 }
 
 QString MainWindow::openCase(const QString& path) {
-    const QString trouble = documents_->open(path);
+    QString trouble = documents_->open(path);
     if (trouble.isEmpty()) {
         leaveStart();
     }
@@ -231,7 +231,7 @@ bool MainWindow::newCase(const QString& scene) {
 }
 
 QString MainWindow::newCase(const CaseFile& file, const CaseContext& context) {
-    const QString trouble = documents_->begin(file, context);
+    QString trouble = documents_->begin(file, context);
     if (trouble.isEmpty()) {
         leaveStart();
         currentPage()->resetZoom();

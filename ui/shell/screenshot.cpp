@@ -76,7 +76,7 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     if (!path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
         return QStringLiteral("--screenshot: must end in .png, got %1").arg(path);
     }
-    const QString source = sourceTrouble(path);
+    QString source = sourceTrouble(path);
     if (!source.isEmpty()) {
         return source;
     }

@@ -47,8 +47,9 @@ void FieldPlot::setField(Field field) {
     levels_.clear();
     if (high_ > low_) {
         step_ = niceStep(high_ - low_, wantedLevels);
-        for (double level = std::ceil(low_ / step_) * step_; level < high_; level += step_) {
-            levels_.push_back(level);
+        const double first = std::ceil(low_ / step_);
+        for (int i = 0; i <= 4 * wantedLevels && (first + i) * step_ < high_; ++i) {
+            levels_.push_back((first + i) * step_);
         }
     }
     showImage();
@@ -64,7 +65,8 @@ void FieldPlot::showImage() {
     QImage image(columns, rows, QImage::Format_ARGB32);
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            const double value = field_.values[static_cast<std::size_t>(row * columns + column)];
+            const double value = field_.values[static_cast<std::size_t>(row) * field_.x.size() +
+                                               static_cast<std::size_t>(column)];
             const double part = high_ > low_ ? (value - low_) / (high_ - low_) : 0.0;
             image.setPixelColor(column, rows - 1 - row,
                                 std::isfinite(value) ? depthColour(part) : QColor(Qt::transparent));

@@ -251,7 +251,7 @@ void ToleranceBands::step() {
                 run_->layOut();
                 // What takes longer than anyone waits is left.
                 constexpr qint64 mostMs = 60'000;
-                const auto solutions = static_cast<qint64>(2 * run_->sources.size());
+                const auto solutions = 2 * static_cast<qint64>(run_->sources.size());
                 if (run_->clock.elapsed() * solutions > mostMs) {
                     run_.reset();
                     return;

@@ -269,7 +269,7 @@ QString FieldNames::errorText(const InputError& error) const {
                  QString::fromStdString(std::get<std::string>(rule.arguments().front()));
         allowed = messageText(std::get<Message>(rule.arguments().back()), {.word = word});
     }
-    const QString text = place.isEmpty() ? allowed : place + QStringLiteral(": ") + allowed;
+    QString text = place.isEmpty() ? allowed : place + QStringLiteral(": ") + allowed;
     const Message& found = error.found_message();
     if (found.empty()) {
         return text;

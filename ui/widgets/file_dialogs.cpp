@@ -85,7 +85,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
             return {};
         }
         shown = typed;
-        const QString path =
+        QString path =
             completedPath(typed, formats, std::max<qsizetype>(filters.indexOf(filter), 0));
         if (path.isEmpty()) {
             QMessageBox::warning(

@@ -112,7 +112,7 @@ namespace {
 /// The width of heading and texts of a column, as far as one asks.
 int widestText(const QTableWidget& table, int column, int enough) {
     constexpr int padding = 12;
-    const QFont cells = table.font();
+    const QFont& cells = table.font();
     const QHeaderView& header = *table.horizontalHeader();
     const QTableWidgetItem* heading =
         header.isHidden() ? nullptr : table.horizontalHeaderItem(column);

@@ -198,7 +198,9 @@ bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
     const int step = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
     const QModelIndex next = cell.siblingAtRow(cell.row() + step);
     if (step != 0 && next.isValid() && next.row() < rows_) {
-        cells_[static_cast<std::size_t>(next.column() * rows_ + next.row())]->setFocus(
+        cells_[static_cast<std::size_t>(next.column()) * static_cast<std::size_t>(rows_) +
+               static_cast<std::size_t>(next.row())]
+            ->setFocus(
             Qt::TabFocusReason);
     }
     return step != 0;

@@ -65,7 +65,7 @@ void SheetForm::text(const char* pointer, int longest) {
     enlarge(field);
 }
 
-void SheetForm::checked(const Field& description, CheckedText text) {
+void SheetForm::checked(const Field& description, const CheckedText& text) {
     auto* field = ordered(new CheckedField(
         [text](const QString& typed) {
             return text.normal(typed).isEmpty() ? text.refusal(typed) : QString();

@@ -57,7 +57,7 @@ class SheetForm : public Form {
         bool isOfResult = true;  ///< EntryField::isOfResult()
     };
     /// Its row; what is wrong with it stands below the field.
-    void checked(const Field& description, CheckedText text);
+    void checked(const Field& description, const CheckedText& text);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A button, seen while `isAsked`, that says that readings hold for the bob weight of now.

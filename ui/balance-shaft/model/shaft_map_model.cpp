@@ -79,8 +79,9 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     const auto crossing = [&](std::size_t from, std::size_t to) {
         const auto at = [&](std::size_t element, double part) {
             const bool upwards = to - from > 1;
+            const std::size_t row = element / obstacleColumns;
             return place(static_cast<double>(element % obstacleColumns) + (upwards ? 0.0 : part),
-                         static_cast<double>(element / obstacleColumns) + (upwards ? part : 0.0));
+                         static_cast<double>(row) + (upwards ? part : 0.0));
         };
         double low = 0.0;
         double high = 1.0;
@@ -431,13 +432,14 @@ std::vector<double> ShaftMapModel::chooseLevels() const {
     constexpr int mostSteps = 6;
     std::vector<double> above;
     const double first = std::max(step, 1e-3 * *most);
-    for (double power = std::pow(10.0, std::floor(std::log10(std::max(first, smallest))));
-         power < *most; power *= 10.0) {
+    double power = std::pow(10.0, std::floor(std::log10(std::max(first, smallest))));
+    while (power < *most) {
         for (const double factor : {1.0, 2.0, 5.0}) {
             if (factor * power >= 0.999 * first && factor * power < *most) {
                 above.push_back(factor * power);
             }
         }
+        power *= 10.0;
     }
     const auto kept = std::min<std::ptrdiff_t>(mostSteps, std::ssize(above));
     found.insert(found.end(), above.end() - kept, above.end());

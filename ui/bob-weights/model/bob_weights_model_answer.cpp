@@ -19,7 +19,7 @@ QString BobWeightsModel::shownError(const InputError& error) const {
     const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
     if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
         // What is missing of a run.
-        const QString key = place.last();
+        const QString& key = place.last();
         const Field& field =
             key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
         const auto run = isEarlier ? place.value(3).toULongLong() : newestRun();

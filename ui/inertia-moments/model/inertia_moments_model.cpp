@@ -134,6 +134,7 @@ QString InertiaMomentsModel::layoutName() const {
     if (!input().layout) {
         static const auto radials = [] {
             std::vector<Input> list;
+            list.reserve(std::size(inertia_moments::radial_counts));
             for (const int count : inertia_moments::radial_counts) {
                 list.push_back(inertia_moments::preset_radial(count));
             }
@@ -319,7 +320,7 @@ bool InertiaMomentsModel::hasSharedPins() const {
 
 QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
     const auto rods = inertia_moments::rods_per_throw(result().engine.throws);
-    const QString trouble = edit(fieldName(field::rotating_mass), [&](Input& input) {
+    QString trouble = edit(fieldName(field::rotating_mass), [&](Input& input) {
         if (input.rotating_mass_of_throw != ofThrow) {
             const auto count = static_cast<double>(rods.value_or(1));
             const double mass = ofThrow ? input.rotating_mass * count : input.rotating_mass / count;

@@ -88,8 +88,8 @@ class Chains {
                    std::isfinite(rise) && rise != 0.0) {
             part = (level_ - grid_.values[from]) / rise;
         }
-        const QPointF start(static_cast<double>(from % grid_.columns),
-                            static_cast<double>(from / grid_.columns));
+        const std::size_t row = from / grid_.columns;
+        const QPointF start(static_cast<double>(from % grid_.columns), static_cast<double>(row));
         return start + (upwards ? QPointF(0.0, part) : QPointF(part, 0.0));
     }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/model/pixel.h"
+
 namespace ravnoves {
 
 namespace {
@@ -28,10 +30,10 @@ QRgb over(const Ink& line, double lineCover, const Ink& ground, double groundCov
     const double top = line.alpha * lineCover;
     const double under = ground.alpha * groundCover * (1.0 - top);
     const auto part = [&](double a, double b) {
-        return static_cast<int>(255.0 * (a * top + b * under) + 0.5);
+        return pixelStep(a * top + b * under);
     };
     return qRgba(part(line.red, ground.red), part(line.green, ground.green),
-                 part(line.blue, ground.blue), static_cast<int>(255.0 * (top + under) + 0.5));
+                 part(line.blue, ground.blue), pixelStep(top + under));
 }
 
 bool canMeasure(const QPainter& painter, double radius) {

@@ -78,9 +78,12 @@ void LabelPlaces::addShape(const QRectF& shape) {
         return;
     }
     const QRectF inside = shape.intersected(area_);
-    for (double y = inside.top(); y < inside.bottom() + cell; y += cell) {
-        for (double x = inside.left(); x < inside.right() + cell; x += cell) {
-            take({std::min(x, inside.right()), std::min(y, inside.bottom())});
+    const auto columns = static_cast<int>(std::ceil(inside.width() / cell));
+    const auto rows = static_cast<int>(std::ceil(inside.height() / cell));
+    for (int row = 0; row <= rows; ++row) {
+        for (int column = 0; column <= columns; ++column) {
+            take({std::min(inside.left() + column * cell, inside.right()),
+                  std::min(inside.top() + row * cell, inside.bottom())});
         }
     }
 }

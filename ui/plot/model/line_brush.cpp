@@ -7,6 +7,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "plot/model/pixel.h"
+
 namespace ravnoves {
 
 namespace {
@@ -247,7 +249,7 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
                 }
                 const double covered = part * std::clamp(reach - away, 0.0, 1.0);
                 cover[column] =
-                    std::max(cover[column], static_cast<std::uint8_t>(covered * 255.0 + 0.5));
+                    std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
             }
         };
         // Between the ends the distance from the line is all.
@@ -265,7 +267,7 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
             const double away = std::abs(across - column * uy);
             const double covered = std::min(std::max(reach - away, 0.0), 1.0);
             cover[column] =
-                std::max(cover[column], static_cast<std::uint8_t>(covered * 255.0 + 0.5));
+                std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
         }
         markEnds(stop, right);
     }

@@ -126,12 +126,12 @@ std::vector<double> PlotScale::ticks(double pixels, double pixelsPerTick) const 
         return ownTicks(pixels, pixelsPerTick);
     }
     constexpr double rounding = 1e-9;
-    constexpr double many = 200.0;
+    constexpr int many = 200;
     const double first = std::ceil(number(low) / step - rounding);
     const double last = std::floor(number(high) / step + rounding);
     std::vector<double> ticks;
-    for (double tick = first; tick <= std::min(last, first + many); tick += 1.0) {
-        ticks.push_back(tick * step / spec.factor);
+    for (int i = 0; i <= many && first + i <= last; ++i) {
+        ticks.push_back((first + i) * step / spec.factor);
     }
     return ticks;
 }

@@ -130,9 +130,9 @@ QString whyText(const Message& why, const QString& scene) {
     if (why.verbatim().empty()) {
         return messageText(why);
     }
-    const QString english = QString::fromStdString(why.verbatim());
+    QString english = QString::fromStdString(why.verbatim());
     for (const QByteArray& context : {QByteArray("core"), scene.toUtf8(), QByteArray("studies")}) {
-        const QString text =
+        QString text =
             QCoreApplication::translate(context.constData(), why.verbatim().c_str());
         if (text != english) {
             return text;
