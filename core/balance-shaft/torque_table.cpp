@@ -285,10 +285,10 @@ std::optional<Unit> pressure_unit(std::string_view header) {
         return units::pascal;
     }
     if (has_word("mbar") || header.find("мбар") != std::string_view::npos) {
-        return mbar;
+        return units::mbar;
     }
     if (has_word("psi")) {
-        return psi;
+        return units::psi;
     }
     if (has_word("bar") || header.find("бар") != std::string_view::npos) {
         return units::bar;
@@ -314,13 +314,13 @@ std::optional<Unit> torque_unit(std::string_view header) {
                     names, [&](std::string_view name) { return word.ends_with(name); });
             };
             if (ends({"knm", "кНм"})) {
-                return kN_m;
+                return units::kN_m;
             }
             if (ends({"lbfft", "lbft", "ftlbf", "ftlb", "ftlbs"})) {
-                return lbf_ft;
+                return units::lbf_ft;
             }
             if (ends({"lbfin", "lbin", "inlbf", "inlb", "inlbs"})) {
-                return lbf_in;
+                return units::lbf_in;
             }
             word.clear();
         }

@@ -27,11 +27,6 @@ inline constexpr std::size_t largest_torque_table = 1'000'000;  ///< rows
 inline constexpr double largest_torque = 1e12;                  ///< N·m
 
 inline constexpr double largest_pressure = 1e10;  ///< Pa
-inline constexpr Unit psi{"psi", 6894.757293168361};
-inline constexpr Unit mbar{"mbar", 100.0};
-inline constexpr Unit kN_m{CORE_TEXT("core", "kN·m").english, 1e3};
-inline constexpr Unit lbf_in{"lbf·in", units::pound_force.to_si * units::inch.to_si};
-inline constexpr Unit lbf_ft{"lbf·ft", 12.0 * lbf_in.to_si};
 
 /// Strokes of the cycle that rows span: 2 for 360°, else 4.
 int strokes_of(const std::vector<double>& crank_angle_deg);

@@ -148,7 +148,7 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     if (parts > largest_bottom || parts < least_bottom) {
         // The unit that would make it nearest to an atmosphere.
         Unit likely = trace.unit;
-        for (const Unit& unit : {units::pascal, units::kPa, psi, units::bar, units::MPa}) {
+        for (const Unit& unit : {units::pascal, units::kPa, units::psi, units::bar, units::MPa}) {
             const auto misfit = [&](const Unit& u) {
                 return std::abs(std::log(bottom / trace.unit * u / atmosphere));
             };

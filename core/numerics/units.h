@@ -63,7 +63,7 @@ inline constexpr Unit percent{"%", 1e-2};
 inline constexpr Unit milligram{"mg", 1e-6};
 inline constexpr Unit pound{CORE_TEXT("core", "lb").english, 0.45359237};
 inline constexpr Unit ounce{CORE_TEXT("core", "oz").english, pound.to_si / 16.0};
-inline constexpr Unit pound_force{CORE_TEXT("core", "lbf").english, pound.to_si * 9.80665};
+inline constexpr Unit pound_force{CORE_TEXT("core", "lbf").english, pound.to_si* standard_gravity};
 inline constexpr Unit inch{CORE_TEXT("core", "in").english, 0.0254};
 // Of other countries and shops: shown and typed where the user wants them, in no case file.
 inline constexpr Unit centimetre{CORE_TEXT("core", "cm").english, 1e-2};
@@ -80,6 +80,12 @@ inline constexpr Unit lb_ft2{CORE_TEXT("core", "lb·ft²").english,
 inline constexpr Unit lb_ft{CORE_TEXT("core", "lb·ft").english, pound_force.to_si* foot.to_si};
 inline constexpr Unit lbf_per_inch{CORE_TEXT("core", "lbf/in").english,
                                    pound_force.to_si / inch.to_si};
+// Of tables that others wrote: read, never shown for a number of ours.
+inline constexpr Unit psi{"psi", pound_force.to_si / inch2.to_si};
+inline constexpr Unit mbar{"mbar", 100.0};
+inline constexpr Unit kN_m{CORE_TEXT("core", "kN·m").english, 1e3};
+inline constexpr Unit lbf_in{"lbf·in", pound_force.to_si* inch.to_si};
+inline constexpr Unit lbf_ft{"lbf·ft", pound_force.to_si* foot.to_si};
 }  // namespace units
 
 }  // namespace ravnoves
