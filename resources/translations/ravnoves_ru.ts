@@ -7852,14 +7852,6 @@
         <translation>Индикаторная диаграмма</translation>
     </message>
     <message>
-        <source>Move shaft</source>
-        <translation>Поворот вала</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
         <source>Mᵤₚ</source>
         <translation>Mᵤₚ</translation>
     </message>
@@ -8020,10 +8012,6 @@
 but nothing can be built</source>
         <translation>
 но построить нельзя ничего</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Нагрузка</translation>
     </message>
     <message>
         <source>Torque table</source>
@@ -15311,20 +15299,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Частота &amp;n</translation>
     </message>
     <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
         <source>Speed of the engine; the inertia torque of a computed torque follows it.</source>
         <translation>Частота вращения двигателя; за ней следует инерционная часть рассчитанного момента.</translation>
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
         <translation>&amp;Нагрузка, pᵢ</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure of the computed cycle.</source>

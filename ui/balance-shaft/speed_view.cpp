@@ -17,10 +17,10 @@
 #include "model/background_job.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/field_slider.h"
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -129,18 +129,22 @@ QWidget* SpeedView::buildSliders() {
     auto* column = new QVBoxLayout(sliders);
     column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, 0);
     column->setSpacing(Theme::gap);
-    speed_ = new ValueSlider(tr("Speed &n"), 300.0, 9000.0, 10.0, 100.0, 0, tr("min⁻¹"), sliders);
-    speed_->setHint(tr("Speed of the engine; the inertia torque of a computed torque follows it."));
-    connect(speed_, &ValueSlider::valueEdited, this,
-            [this](double value) { model_->setSpeed(value * rpm); });
-    load_ = new ValueSlider(tr("&Load, IMEP"), 0.0, 25.0, 0.05, 1.0, 2, tr("bar"), sliders);
-    load_->setHint(tr("Indicated mean effective pressure of the computed cycle."));
-    connect(load_, &ValueSlider::valueEdited, study_, &SpeedStudyModel::setLoad);
-    for (ValueSlider* slider : {speed_, load_}) {
-        slider->setModel(model_);
-        connect(slider, &ValueSlider::released, model_, &SceneModel::finishDrag);
-        column->addWidget(slider);
-    }
+    column->addWidget(new FieldSlider(
+        model_, "/speed_rpm", {300.0, 9000.0, 10.0, 100.0, 0}, sliders,
+        {.label = tr("Speed &n"),
+         .hint = tr("Speed of the engine; the inertia torque of a computed torque follows it."),
+         .name = QStringLiteral("study_speed_rpm"),
+         .read = [this] { return model_->input().angular_speed / units::rpm; },
+         .write = [this](double value) { model_->setSpeed(value * units::rpm); }}));
+    load_ = new FieldSlider(model_, "/torque/cycle/indicated_mean_effective_pressure_bar",
+                            {0.0, 25.0, 0.05, 1.0, 2}, sliders,
+                            {.label = tr("&Load, IMEP"),
+                             .hint = tr("Indicated mean effective pressure of the computed cycle."),
+                             .name = QStringLiteral("study_load_bar"),
+                             .isMovable = [this] { return study_->hasLoad(); },
+                             .read = [this] { return study_->hasLoad() ? study_->load() : 0.0; },
+                             .write = [this](double value) { study_->setLoad(value); }});
+    column->addWidget(load_);
     return sliders;
 }
 
@@ -196,16 +200,9 @@ void SpeedView::showEvent(QShowEvent* event) {
 }
 
 void SpeedView::showInput() {
-    const double speed = model_->input().angular_speed / rpm;
-    speed_->setRange(std::min(300.0, std::floor(speed)), std::max(9000.0, std::ceil(speed)));
-    speed_->setValue(speed);
-    load_->setEnabled(study_->hasLoad());
     load_->setToolTip(study_->hasLoad() ? QString()
                                         : tr("The load can be moved when the torque is a computed "
                                              "cycle (Torque tab)."));
-    if (study_->hasLoad()) {
-        load_->setValue(std::clamp(study_->load(), 0.0, 25.0));
-    }
     map_->setPresentX(model_->shaftAngleDeg());
 }
 

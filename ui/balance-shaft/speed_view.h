@@ -10,11 +10,11 @@ namespace ravnoves {
 
 class BackgroundJob;
 class BalanceShaftModel;
+class FieldSlider;
 class Form;
 class PlotView;
 class SpeedMapPlot;
 class SpeedStudyModel;
-class ValueSlider;
 
 /// Shows SpeedStudyModel: best α over speed, the map, the least bad α; sliders for speed and load.
 class SpeedView : public QWidget {
@@ -43,8 +43,7 @@ class SpeedView : public QWidget {
 
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
-    ValueSlider* speed_;
-    ValueSlider* load_;
+    FieldSlider* load_;
     QComboBox* criterion_;
     QPushButton* rebuild_;
     QString mapTitle_;  ///< of an empty map

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -289,6 +290,32 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
     QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
+}
+
+TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
+    auto* view = open<SpeedView>();
+    auto* speed = test::named<QSlider>(*view, "study_speed_rpm_slider");
+    auto* load = test::named<QSlider>(*view, "study_load_bar_slider");
+    speed->setFocus();
+    const double before = model->input().angular_speed / rpm;
+    QTest::keyClick(speed, Qt::Key_Right);
+    EXPECT_NEAR(model->input().angular_speed / rpm, 10.0 * std::round(before / 10.0 + 1.0), 1e-6);
+    EXPECT_EQ(model->history()->undoText(), QStringLiteral("Speed n"));
+    model->history()->undo();
+    EXPECT_NEAR(model->input().angular_speed / rpm, before, 1e-9);
+    // The load is that of a computed cycle alone.
+    EXPECT_FALSE(load->isEnabled());
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    EXPECT_TRUE(load->isEnabled());
+    const double imep = model->result().indicated->imep / units::bar;
+    load->setFocus();
+    QTest::keyClick(load, Qt::Key_PageUp);
+    EXPECT_NEAR(model->result().indicated->imep / units::bar, imep + 1.0, 0.05);
+    EXPECT_EQ(model->history()->undoText(), QStringLiteral("IMEP"));
+    // A case beyond the slider's ends is shown as it is.
+    model->editField("/torque/cycle/indicated_mean_effective_pressure_bar", 31.0,
+                     QStringLiteral("IMEP"));
+    EXPECT_NEAR(test::named<QDoubleSpinBox>(*view, "study_load_bar")->value(), 31.0, 0.005);
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {

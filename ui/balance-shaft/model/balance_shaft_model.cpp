@@ -199,8 +199,8 @@ QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, doubl
         input.torque.cycle.*given = value;
     };
     namespace field = balance_shaft::field;
-    return isDrag ? drag(tr("Load"), load)
-                  : edit(fieldName(given == &GasCycle::heat ? field::heat : field::imep), load);
+    const QString step = fieldName(given == &GasCycle::heat ? field::heat : field::imep);
+    return isDrag ? drag(step, load) : edit(step, load);
 }
 
 namespace {
@@ -264,7 +264,7 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
     if (radians == input().shaft_angle) {
         return;
     }
-    const QString name = tr("Move shaft");
+    const QString name = fieldName(balance_shaft::field::shaft_angle);
     if (isSolving()) {
         drag(name, [radians](Input& input) { input.shaft_angle = radians; });
         return;
@@ -346,7 +346,7 @@ QString BalanceShaftModel::setFlywheel(std::optional<double> FlywheelTarget::*gi
 }
 
 void BalanceShaftModel::setSpeed(double angularSpeed) {
-    drag(tr("Speed"), [&](Input& input) {
+    drag(fieldName(balance_shaft::field::speed), [&](Input& input) {
         input.angular_speed = angularSpeed;
         input.speed_in_rpm = true;
     });

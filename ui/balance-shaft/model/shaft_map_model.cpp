@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "balance-shaft/fields.h"
 #include "model/background_job.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
@@ -644,7 +645,8 @@ void ShaftMapModel::goToBest() {
 }
 
 void ShaftMapModel::setDistance(double metres) {
-    model_->drag(tr("Move shaft"), [&](Input& input) { input.centre_distance = metres; });
+    model_->drag(fieldName(balance_shaft::field::centre_distance),
+                 [&](Input& input) { input.centre_distance = metres; });
 }
 
 void ShaftMapModel::goToDistance(double metres) {
