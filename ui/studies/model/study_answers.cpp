@@ -1,0 +1,100 @@
+#include "studies/model/study_answers.h"
+
+#include "case-file/json.h"
+
+namespace ravnoves {
+
+using studies::Varied;
+using studies::Watched;
+
+namespace {
+
+constexpr std::size_t bars = 48;
+constexpr std::size_t mostKept = 2000;  ///< samples, to be seen
+
+std::optional<double> numberAt(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>())
+                                                       : std::nullopt;
+}
+
+StudyAnswer answerOf(const Watched& watched, std::size_t place, const Json& found,
+                     const studies::Part& part) {
+    StudyAnswer answer;
+    answer.pointer = watched.pointer;
+    answer.nominal = numberAt(found, "nominal");
+    answer.mean = numberAt(found, "mean");
+    answer.deviation = numberAt(found, "standard_deviation");
+    if (found.contains("percentiles") && found["percentiles"].is_object()) {
+        answer.low = numberAt(found["percentiles"], "5");
+        answer.high = numberAt(found["percentiles"], "95");
+    }
+    if (found.contains("within") && found["within"].is_object()) {
+        answer.within = numberAt(found["within"], "share");
+        answer.withinLow = numberAt(found["within"], "low");
+        answer.withinHigh = numberAt(found["within"], "high");
+    }
+    const auto object = [&](const char* key) {
+        return found.contains(key) && found[key].is_object() ? found[key] : Json::object();
+    };
+    const Json linear = object("linear");
+    answer.linearDeviation = numberAt(linear, "standard_deviation");
+    const Json contributions =
+        linear.contains("contributions") ? linear["contributions"] : Json::object();
+    const Json first = object("first_order");
+    const Json total = object("total");
+    for (const Varied& varied : part.study.vary) {
+        const char* key = varied.pointer.c_str();
+        answer.shares.push_back({varied.pointer, numberAt(contributions, key), numberAt(first, key),
+                                 numberAt(total, key)});
+    }
+    if (studies::is_sampled(part.study.method) && part.tally.solved() > 1) {
+        const studies::Statistics statistics = part.tally.statistics(place);
+        const double low = statistics.percentiles.front();
+        const double high = statistics.percentiles.back();
+        if (high > low) {
+            const auto counts = part.tally.histogram(place, low, high, bars);
+            const double width = (high - low) / static_cast<double>(counts.size());
+            for (std::size_t i = 0; i < counts.size(); ++i) {
+                answer.middles.push_back(low + (static_cast<double>(i) + 0.5) * width);
+                answer.heights.push_back(static_cast<double>(counts[i]) /
+                                         static_cast<double>(part.tally.solved()));
+            }
+        }
+    }
+    return answer;
+}
+
+}  // namespace
+
+StudyAnswers answersOf(const studies::Part& part) {
+    const Json results = studies::write_results(part);
+    StudyAnswers answers;
+    answers.solved = results.value("solved", std::uint64_t{0});
+    answers.refused = studies::refusals_of(part);
+    const std::vector<studies::Note> notes = studies::noted(part);
+    for (const studies::Note& note : notes) {
+        answers.notes.push_back(note.text);
+    }
+    for (const studies::Departure& departure : part.basis.departures) {
+        answers.said.push_back(departure.reason.why);
+    }
+    if (!results.contains("watched")) {
+        return answers;  // a grid is a table, nothing scatters
+    }
+    const Json& watched = results.at("watched");
+    for (std::size_t i = 0; i < part.study.watch.size(); ++i) {
+        const Watched& each = part.study.watch[i];
+        if (watched.contains(each.pointer)) {
+            answers.values.push_back(answerOf(each, i, watched[each.pointer], part));
+            for (const studies::Note& note : notes) {
+                if (note.fails == i) {
+                    answers.values.back().fails = note.text;
+                }
+            }
+        }
+    }
+    answers.samples = studies::first_samples(part, mostKept);
+    return answers;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,243 @@
+// How a study is changed: tolerances as they are typed, watched results and their limits, method.
+
+#include <algorithm>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "model/scene_model.h"
+#include "studies/model/study_model.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using studies::Study;
+using studies::Varied;
+using studies::Watched;
+
+QString StudyModel::scatterText(const Input& input) {
+    const std::optional<Varied>& varied = input.varied;
+    if (!varied) {
+        return {};
+    }
+    const QLocale locale;
+    const double factor = input.shown.factor;
+    const auto written = [&](double value) {
+        constexpr int converted = 6;  // digits
+        return factor == 1.0 ? shownFormNumber(value, locale)
+                             : shownFormNumber(factor * value, locale, converted);
+    };
+    switch (varied->spread) {
+        case Varied::Spread::plus_minus:
+            return written(varied->size);
+        case Varied::Spread::plus_minus_percent:
+            return shownFormNumber(varied->size, locale) + QStringLiteral(" %");
+        case Varied::Spread::normal:
+            return QStringLiteral("σ ") + written(varied->size);
+        case Varied::Spread::uniform:
+            return written(varied->from) + QStringLiteral(" … ") + written(varied->to);
+        case Varied::Spread::grid:
+            break;
+    }
+    QStringList values;
+    for (const double value : varied->values) {
+        values << written(value);
+    }
+    return values.join(QStringLiteral("; "));
+}
+
+QString StudyModel::nominalText(const Input& input) {
+    constexpr int digits = 8;
+    return withUnit(shownFormNumber(input.shown.factor * input.nominal, QLocale(), digits),
+                    input.shown.name);
+}
+
+QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
+    if (isRefused_) {
+        return trouble_;
+    }
+    Study next = study_;
+    for (const auto& entry : texts) {
+        const std::string& pointer = entry.first;
+        const QString& text = entry.second;
+        const auto there =
+            std::find_if(next.vary.begin(), next.vary.end(),
+                         [&](const Varied& varied) { return varied.pointer == pointer; });
+        QString rest = text.trimmed();
+        if (rest.isEmpty()) {
+            if (there != next.vary.end()) {
+                next.vary.erase(there);
+            }
+            continue;
+        }
+        Varied varied{.pointer = pointer};
+        if (rest.endsWith(QLatin1Char('%'))) {
+            varied.spread = Varied::Spread::plus_minus_percent;
+            rest.chop(1);
+        } else if (rest.startsWith(QChar(0x03C3)) ||
+                   rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
+            varied.spread = Varied::Spread::normal;
+            rest.remove(0, 1);
+        }
+        if (rest.startsWith(QChar(0x00B1))) {
+            rest.remove(0, 1);
+        }
+        const auto number = readFormNumber(rest);
+        if (!number || !(*number > 0.0)) {
+            return tr("A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard "
+                      "deviation; %1 is none.")
+                .arg(text.trimmed());
+        }
+        const auto input = std::find_if(inputs_.begin(), inputs_.end(),
+                                        [&](const Input& each) { return each.pointer == pointer; });
+        const double factor =
+            varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
+                ? 1.0
+                : input->shown.factor;
+        constexpr int digits = 12;
+        varied.size = factor == 1.0 ? *number : rounded_to(*number / factor, digits);
+        (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
+    }
+    change(tr("Tolerance"), next);
+    return {};
+}
+
+void StudyModel::take(Preset preset) {
+    Study next = study_;
+    const auto unitOf = [](const std::string& pointer, const char* suffix) {
+        return pointer.ends_with(suffix);
+    };
+    for (const Input& input : inputs_) {
+        Varied varied{.pointer = input.pointer};
+        if (preset == Preset::OnePercent && input.nominal != 0.0) {
+            varied.spread = Varied::Spread::plus_minus_percent;
+            varied.size = 1.0;
+        } else if (preset == Preset::Weighed && unitOf(input.unit.toStdString(), "kg")) {
+            varied.size = 0.0005;
+        } else if (preset == Preset::Weighed && input.unit == unitText("g")) {
+            varied.size = 0.5;
+        } else if (preset == Preset::Machined && input.unit == unitText("mm")) {
+            varied.size = 0.05;
+        } else {
+            continue;
+        }
+        std::erase_if(next.vary, [&](const Varied& each) { return each.pointer == input.pointer; });
+        next.vary.push_back(varied);
+    }
+    change(tr("Tolerances"), next);
+}
+
+void StudyModel::clear() {
+    scene_->changeStudy(tr("Tolerances"), {});
+}
+
+void StudyModel::watch(const std::string& pointer) {
+    Study next = study_;
+    if (std::none_of(next.watch.begin(), next.watch.end(),
+                     [&](const Watched& each) { return each.pointer == pointer; })) {
+        next.watch.push_back({pointer});
+        change(tr("Watch a result"), next);
+    }
+}
+
+void StudyModel::unwatch(const std::string& pointer) {
+    Study next = study_;
+    std::erase_if(next.watch, [&](const Watched& each) { return each.pointer == pointer; });
+    change(tr("Watch a result"), next);
+}
+
+QString StudyModel::setLimits(const std::vector<Watched>& limits) {
+    if (isRefused_) {
+        return trouble_;
+    }
+    Study next = study_;
+    for (const Watched& limit : limits) {
+        if (limit.min && limit.max && *limit.min > *limit.max) {
+            return tr("The lower limit is above the upper one.");
+        }
+        std::replace_if(
+            next.watch.begin(), next.watch.end(),
+            [&](const Watched& each) { return each.pointer == limit.pointer; }, limit);
+    }
+    change(tr("Limits"), next);
+    return {};
+}
+
+bool StudyModel::hasGrid() const {
+    return std::any_of(study_.vary.begin(), study_.vary.end(),
+                       [](const Varied& each) { return each.spread == Varied::Spread::grid; });
+}
+
+void StudyModel::setMethod(studies::Method method) {
+    if (isRefused_) {
+        try {
+            Json raw = parse_json(scene_->study());
+            if (raw.is_object()) {
+                raw["method"] = studies::method_words()[static_cast<std::size_t>(method)].word;
+                scene_->changeStudy(tr("Method"), raw.dump());
+            }
+        } catch (const InputError&) {
+            Q_EMIT changed();  // it is no JSON at all: the method stays
+        }
+        return;
+    }
+    Study next = study_;
+    next.method = method;
+    if (method != studies::Method::grid) {
+        for (Varied& each : next.vary) {
+            if (each.spread == Varied::Spread::grid) {
+                const auto [low, high] =
+                    std::minmax_element(each.values.begin(), each.values.end());
+                each = {.pointer = each.pointer,
+                        .spread = Varied::Spread::uniform,
+                        .from = *low,
+                        .to = *high};
+            }
+        }
+        std::erase_if(next.vary, [](const Varied& each) {
+            return each.spread == Varied::Spread::uniform && !(each.to > each.from);
+        });
+    } else if (!hasGrid()) {
+        Q_EMIT changed();  // what was chosen goes back
+        return;
+    }
+    change(tr("Method"), next);
+}
+
+void StudyModel::setSamples(std::uint64_t samples) {
+    Study next = study_;
+    next.samples = samples;
+    change(tr("Samples"), next);
+}
+
+void StudyModel::change(const QString& name, Study next) {
+    if (isRefused_) {
+        return;  // nothing goes over what was not understood
+    }
+    // Listed values and tolerances do not go together.
+    const auto isGrid = [](const Varied& each) { return each.spread == Varied::Spread::grid; };
+    if (!std::all_of(next.vary.begin(), next.vary.end(), isGrid)) {
+        std::erase_if(next.vary, isGrid);
+    }
+    if (next.method == studies::Method::grid &&
+        std::none_of(next.vary.begin(), next.vary.end(), isGrid)) {
+        next.method = studies::Method::sobol;
+    }
+    if (next == study_) {
+        return;
+    }
+    const bool isEmpty = next.vary.empty() && next.watch.empty();
+    if (copy_ != nullptr) {
+        copy_->study = isEmpty ? Json() : studies::write_study(next);
+        return;
+    }
+    scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
+}
+
+void StudyModel::putTyped(CaseFile& file, const std::function<QString()>& take) {
+    copy_ = &file;
+    take();
+    copy_ = nullptr;
+}
+
+}  // namespace ravnoves
