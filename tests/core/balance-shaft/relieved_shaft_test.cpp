@@ -155,13 +155,17 @@ class Reader : public DL_CreationAdapter {
     void addArc(const DL_ArcData& arc) override { arcs.emplace(attributes.getLayer(), arc); }
     void addLine(const DL_LineData& line) override { lines.emplace(attributes.getLayer(), line); }
     void addVertex(const DL_VertexData& vertex) override { vertices.push_back(vertex); }
-    void addText(const DL_TextData& text) override { notes.push_back(text.text); }
+    void addText(const DL_TextData& text) override {
+        notes.push_back(text.text);
+        places.push_back(text);
+    }
 
     std::vector<std::string> layers;
     std::multimap<std::string, DL_ArcData> arcs;
     std::multimap<std::string, DL_LineData> lines;
     std::vector<DL_VertexData> vertices;
     std::vector<std::string> notes;
+    std::vector<DL_TextData> places;  ///< of the notes
 };
 
 TEST(RelievedShaftDxf, ReadsBackAsTheSectionThatWasDesigned) {
@@ -204,6 +208,11 @@ TEST(RelievedShaftDxf, ReadsBackAsTheSectionThatWasDesigned) {
     EXPECT_NEAR(-moment * 1e-9 * shaft.length * 7850.0, needed, 1e-6 * needed);
     EXPECT_EQ(reader.vertices.size(), 8U);
     EXPECT_EQ(reader.notes.front(), " TMZ");
+    double lowest = -1.2 * 28.0;  // the end of the section's axes
+    for (const DL_TextData& note : reader.places) {
+        EXPECT_LT(note.ipy + note.height, lowest) << note.text;
+        lowest = note.ipy;
+    }
     EXPECT_EQ(text.find(','), text.find(',', text.find("NOTE")));  // commas in notes alone
     EXPECT_NE(error_of([] { relieved_shaft_dxf({}, ""); }), "no error");
 }

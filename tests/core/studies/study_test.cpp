@@ -301,9 +301,12 @@ TEST(Study, OtherLimitsNeedNoOtherSamples) {
 }
 
 TEST(Study, SaysHowFarItIsByTime) {
-    const Problem slow = problem(normal_study(2, "sobol", 256, 1), {0.0, 0.0}, [](auto x, auto y) {
+    Json two = normal_study(2, "sobol", 256, 1);
+    two["watch"]["/z"] = Json::object();
+    const Problem slow = problem(two, {0.0, 0.0}, [](auto x, auto y) {
         std::this_thread::sleep_for(std::chrono::microseconds(500));
         y[0] = x[0] + x[1];
+        y[1] = 100.0 - y[0];
         return true;
     });
     double last = 0.0;
@@ -317,7 +320,11 @@ TEST(Study, SaysHowFarItIsByTime) {
             const Part now = so_far();
             EXPECT_GE(now.tally.solved(), shown);
             shown = now.tally.solved();
-            EXPECT_TRUE(shown < 2 || write_results(now).at("watched").contains("/y"));
+            const Json watched = write_results(now).at("watched");
+            if (shown >= 2) {  // each value is told with its own samples
+                EXPECT_NEAR(watched.at("/z").at("mean").get<double>(),
+                            100.0 - watched.at("/y").at("mean").get<double>(), 1e-9);
+            }
         }
         return true;
     });
