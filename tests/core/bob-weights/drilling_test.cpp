@@ -245,6 +245,12 @@ TEST(Plan, SaysWhyItFallsShort) {
     EXPECT_EQ(plan_holes(500 * gram_mm, 1.0, rim, drills, limits, -1.0).shortfall,
               Shortfall::outside_sector);
     EXPECT_EQ(plan_holes(500 * gram_mm, 2.0, rim, drills, limits, -1.0).shortfall, Shortfall::none);
+    // Its two ends are drilled, too.
+    for (const double end : {90 * degree, 200 * degree}) {
+        const HolePlan one = plan_holes(200 * gram_mm, end, rim, drills, limits, -1.0);
+        EXPECT_EQ(one.shortfall, Shortfall::none);
+        EXPECT_EQ(one.holes.size(), 1U);
+    }
     // A sector over the zero mark.
     limits.sector = {300 * degree, 40 * degree};
     EXPECT_EQ(plan_holes(500 * gram_mm, 0.1, rim, drills, limits, -1.0).shortfall, Shortfall::none);
