@@ -34,6 +34,7 @@ OF_WORK = {
     "static_cast<long>(search_.dimensions) + 4 * exchanges + 8": "counts the work of an exchange",
     "turn_of(result.angle + pi)": "half a turn is the same place either way round",
     "p.slope(t) + w * c, 2 * p.c2": "a slope of Newton's steps: what they find is judged by its value",
+    "i < 100 && high - low > 1e-12": "how often an interval is halved",
     "2 * static_cast<std::size_t>(max_order) + 8": "samples are doubled until two sets agree",
     "turn_of(angle_ + place)": "holes stand evenly on both sides of the middle",
     "one + std::remainder(other[w] - one": "a difference is squared; its size has a test of its own",
