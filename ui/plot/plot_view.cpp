@@ -473,10 +473,11 @@ void PlotView::layoutChart() {
         }
     }
     painter_->layout(size(), most, axesStale_);
-    // What stands over or under this one follows.
+    // What stands over or under this one follows, unless it is to be laid out anyway.
     for (PlotView* other : stack_) {
-        if (other->width() == width() && (other->data_.area.left() != data_.area.left() ||
-                                          other->data_.area.width() != data_.area.width())) {
+        if (!other->pictureStale_ && other->width() == width() &&
+            (other->data_.area.left() != data_.area.left() ||
+             other->data_.area.width() != data_.area.width())) {
             other->chartChanged();
         }
     }

@@ -1,7 +1,6 @@
 #include "text/result_row.h"
 
 #include <QLocale>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +16,23 @@ QString withSign(double value, const QString& shown) {
     return value > 0.0 ? QLatin1Char('+') + shown : shown;
 }
 
+/// Whether a text has a power of ten: 1e3, 10³. For every cell at every step, so without a pattern.
+bool hasPower(const QString& shown) {
+    const QStringView text(shown);
+    const auto isRaised = [](QChar sign) { return QStringView(u"⁰¹²³⁴⁵⁶⁷⁸⁹⁻").contains(sign); };
+    for (qsizetype i = 1; i < text.size(); ++i) {
+        if (text[i - 1].isDigit() && (text[i] == u'e' || text[i] == u'E')) {
+            return true;
+        }
+        if (isRaised(text[i]) && text.first(i).endsWith(u"10")) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::optional<int> decimalsOf(const QString& shown) {
-    static const QRegularExpression power(QStringLiteral("\\d[eE]|10[⁰¹²³⁴-⁹⁻]"));
-    if (shown.contains(power)) {
+    if (hasPower(shown)) {
         return std::nullopt;
     }
     const qsizetype point = shown.indexOf(QLocale().decimalPoint());

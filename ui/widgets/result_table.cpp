@@ -85,6 +85,7 @@ int ResultTable::padding() const {
 
 void ResultTable::setColumns(const ResultColumns& columns) {
     headings_ = columns;
+    tipsRest_ = false;
     columns_ = static_cast<int>(columns.size());
     setColumnCount(columns_);
     isOver_ = false;
@@ -308,6 +309,10 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 }
 
 void ResultTable::setRows(const ResultRows& rows) {
+    // At each step of a slider: tips are put together only where they are others.
+    tipsRest_ = tipsRest_ && spreads_.empty() &&
+                std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
+                           [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
     rows_ = rows;
     bool isSameShape = rowCount() == rows.size();
     if (!isSameShape) {
@@ -324,13 +329,16 @@ void ResultTable::setRows(const ResultRows& rows) {
                                        Qt::AlignVCenter);
                 setItem(row, column, cell);
                 isSameShape = false;
+                tipsRest_ = false;
             } else if (const QString was = cell->text(); was != text) {
                 isSameShape = isSameShape && areAsWide(was, text);
                 cell->setText(text);
             }
         }
     }
-    showTips();
+    if (!std::exchange(tipsRest_, true)) {
+        showTips();
+    }
     if (!spreads_.empty()) {
         showSpreads();
     }
@@ -361,6 +369,7 @@ void ResultTable::showTips() {
 void ResultTable::setCellToolTip(int row, int column, const QString& text) {
     if (QTableWidgetItem* cell = item(row, column)) {
         cell->setToolTip(text);
+        tipsRest_ = false;
     }
 }
 

@@ -117,6 +117,7 @@ class ResultTable : public WithWholeRows<QTableWidget> {
 
     void showTips();
 
+    bool tipsRest_ = false;  ///< every cell has that of its row and heading
     WrappedHeader* header_;
     bool small_ = false;  ///< its text, at the width `wrapsAt_`
     bool wraps_ = false;  ///< headings, at the width `wrapsAt_`
