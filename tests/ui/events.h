@@ -26,6 +26,15 @@ Widget* named(const QWidget& parent, const char* name) {
     return found;
 }
 
+/// Types over what is in a field and presses Enter.
+template <typename Field>
+void type(Field* field, const QString& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
 /// Shows a widget at a size and waits until it is drawn.
 inline void showAt(QWidget& widget, const QSize& size) {
     widget.resize(size);

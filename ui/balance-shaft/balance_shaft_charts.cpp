@@ -159,8 +159,7 @@ QWidget* BalanceShaftPage::buildMoments() {
                                      .toolTip = tr("Node mean of Mᵤₚ plus that of Mₛ")});
     for (PlotView* plot : {range_, means_}) {
         lower->add(plot);
-        connect(plot, &PlotView::picked, this,
-                [this](double x) { model_->setShaftAngleDeg(std::round(x * 10.0) / 10.0); });
+        connect(plot, &PlotView::picked, model_, &BalanceShaftModel::pickShaftAngleDeg);
     }
     column->addWidget(lower, 4);
     return holder;

@@ -1,4 +1,3 @@
-#include <QComboBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -20,30 +19,26 @@ namespace field = balance_shaft::field;
 
 void BalanceShaftPage::addEngine(Form* form) {
     FormSection* engine = form->section(tr("Engine"));
-    auto* preset = new QComboBox(form);
-    preset->addItems({tr("Own values"), tr("TMZ-650D")});
-    engine->addWidget(
-        tr("P&reset"), preset, {},
-        tr("TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2"));
-    const auto showPreset = [this, preset] {
-        Input wanted = balance_shaft::preset_tmz_650d();
-        wanted.shaft_angle = model_->input().shaft_angle;
-        preset->setCurrentIndex(wanted == model_->input() ? 1 : 0);
-    };
-    connect(preset, &QComboBox::activated, this, [this, showPreset](int index) {
-        if (index == 1) {
-            model_->edit(
-                tr("Preset TMZ-650D"),
-                [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
-                QStringLiteral("TMZ-650D"));
-            Q_EMIT model_->broughtIn();
-        }
-        showPreset();
-    });
-    form->follow(showPreset);
+    form->choice(
+        {}, tr("P&reset"), {tr("Own values"), tr("TMZ-650D")},
+        tr("TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2"),
+        [this] {
+            Input wanted = balance_shaft::preset_tmz_650d();
+            wanted.shaft_angle = model_->input().shaft_angle;
+            return wanted == model_->input() ? 1 : 0;
+        },
+        [this](int index) {
+            if (index == 1) {
+                model_->edit(
+                    tr("Preset TMZ-650D"),
+                    [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
+                    QStringLiteral("TMZ-650D"));
+                Q_EMIT model_->broughtIn();
+            }
+        });
     NumberField* speed = form->number(
-        field::speed, [this] { return model_->input().angular_speed / units::rpm; },
-        [this](std::optional<double> value) { model_->setSpeed(*value * units::rpm); });
+        field::speed, [this] { return model_->input().angular_speed; },
+        [this](std::optional<double> value) { model_->setSpeed(*value); });
     speed->setDigits(8);
     QLabel* angularSpeed = engine->addResult(tr("ω"), tr("Angular speed, n π / 30"));
     form->follow([this, angularSpeed] {
@@ -53,23 +48,18 @@ void BalanceShaftPage::addEngine(Form* form) {
     form->number("/crank_radius_mm");
     // It stands in the object of the torque where that is computed.
     NumberField* rod = form->number(
-        field::rod_length,
-        [this]() -> std::optional<double> {
-            const auto& length = model_->input().rod_length;
-            return length ? std::optional(*length / units::mm) : std::nullopt;
-        },
+        field::rod_length, [this] { return model_->input().rod_length; },
         [this](std::optional<double> value) {
-            model_->edit(fieldName(field::rod_length), [&](Input& input) {
-                input.rod_length = value ? std::optional(*value * units::mm) : std::nullopt;
-            });
+            model_->edit(fieldName(field::rod_length),
+                         [&](Input& input) { input.rod_length = value; });
         });
     rod->setOptional(true);
     // So does it.
     form->number(
-        field::offset, [this] { return model_->input().torque.cylinder.offset / units::mm; },
+        field::offset, [this] { return model_->input().torque.cylinder.offset; },
         [this](std::optional<double> value) {
             model_->edit(fieldName(field::offset),
-                         [&](Input& input) { input.torque.cylinder.offset = *value * units::mm; });
+                         [&](Input& input) { input.torque.cylinder.offset = *value; });
         });
 }
 

@@ -20,8 +20,6 @@ class CycleView : public QWidget {
     explicit CycleView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     PlotView* torquePlot() const { return torque_; }
-    PlotView* pressurePlot() const { return pressure_; }
-    PlotView* indicatorPlot() const { return indicator_; }
 
   private:
     void showResult();

@@ -24,8 +24,7 @@ EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     sizes_->setPickable(true);
     width_ = sizes_->addCurve({.name = tr("width"), .colour = 2, .width = 1.8});
     height_ = sizes_->addCurve({.name = tr("height"), .colour = 1, .width = 1.8});
-    connect(sizes_, &PlotView::picked, this,
-            [this](double x) { model_->setShaftAngleDeg(std::round(x * 10.0) / 10.0); });
+    connect(sizes_, &PlotView::picked, model_, &BalanceShaftModel::pickShaftAngleDeg);
     column->addWidget(sizes_, 2);
 
     pareto_ = new PlotView(tr("Range against overall size, α along the curve"), this);

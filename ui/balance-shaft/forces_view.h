@@ -21,7 +21,6 @@ class ForcesView : public QWidget {
     explicit ForcesView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     ValueSlider* shareSlider() const { return share_; }
-    PlotView* locusPlot() const { return locus_; }
     PlotView* gearPlot() const { return gears_; }
 
   protected:

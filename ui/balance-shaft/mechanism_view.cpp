@@ -288,7 +288,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
         angle += 360.0;
     }
     if (draggingShaft_) {
-        model_->setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
+        model_->pickShaftAngleDeg(angle);
     } else {
         setPlaying(false);
         angle -= model_->result().dead_centre / degree;

@@ -234,35 +234,24 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
 }
 
 QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
-    using Sized = RelievedShaftModel::Sized;
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(0, 0, 0, Theme::space);
     auto* form = new Form(model, panel);
     form->section(tr("Shaft with a relieved middle"));
-    sized_ = new QComboBox(form);
-    sized_->addItem(tr("depth h"), QVariant::fromValue(Sized::Depth));
-    sized_->addItem(tr("length b"), QVariant::fromValue(Sized::Length));
-    sized_->addItem(tr("diameter D"), QVariant::fromValue(Sized::Diameter));
-    sized_->addItem(tr("nothing, only check"), QVariant::fromValue(Sized::None));
-    form->current()->addWidget(
-        tr("&Find"), sized_, {},
-        tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."));
-    sized_->setAccessibleName(tr("Size that follows from the others"));
-    const auto showSized = [this] {
-        sized_->setCurrentIndex(sized_->findData(QVariant::fromValue(model_->sized())));
-    };
-    connect(sized_, &QComboBox::activated, this, [this, showSized](int index) {
-        model_->choose(sized_->itemData(index).value<Sized>());
-        showSized();
-    });
-    form->follow(showSized);
+    form->choice(
+            {}, tr("&Find"),
+            {tr("depth h"), tr("length b"), tr("diameter D"), tr("nothing, only check")},
+            tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."),
+            [this] { return static_cast<int>(model_->sized()); },
+            [this](int index) { model_->choose(static_cast<RelievedShaftModel::Sized>(index)); })
+        ->setAccessibleName(tr("Size that follows from the others"));
     const auto addSize = [&](const Field& field, RelievedShaftModel::Size size) {
         NumberField* number = form->number(
-            field, [this, size] { return model_->sizeMm(size); },
+            field, [this, size] { return model_->sizeOf(size); },
             [model, &field](std::optional<double> value) {
-                model->editField("/relieved_shaft/" + std::string(field.key), *value,
-                                 fieldName(field));
+                model->editField("/relieved_shaft/" + std::string(field.key),
+                                 from_si(field, *value), fieldName(field));
             });
         form->follow([this, number, size] { number->setEnabled(model_->isGiven(size)); });
         number->setDigits(6);  // a size that was found has more than fit

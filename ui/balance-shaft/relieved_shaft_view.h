@@ -50,7 +50,6 @@ class RelievedShaftView : public QWidget {
     void chooseFile();
 
     RelievedShaftModel* model_;
-    QComboBox* sized_;
     ResultTable* table_;
     QLabel* verdict_;
     QPushButton* export_;

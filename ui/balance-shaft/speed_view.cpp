@@ -174,22 +174,21 @@ QWidget* SpeedView::buildProgress() {
 
 Form* SpeedView::buildForm() {
     auto* form = new Form(model_, this);
-    FormSection* section = form->section({});
+    form->section({});
     for (const auto& [end, field] : {std::pair(&SpeedBand::from, &field::band_from),
                                      std::pair(&SpeedBand::to, &field::band_to)}) {
         NumberField* number = form->number(
-            *field,
-            [this, end = end, field = field] { return from_si(*field, study_->band().*end); },
+            *field, [this, end = end] { return study_->band().*end; },
             [this, end = end](std::optional<double> value) { study_->setBand(end, *value); });
         number->setDigits(6);
     }
-    criterion_ = new QComboBox(form);
-    criterion_->addItems({tr("range"), tr("RMS")});
-    section->addWidget(tr("&Map of"), criterion_, {},
-                       tr("What the map shows and the least bad α makes least"));
-    connect(criterion_, &QComboBox::activated, this, [this](int index) {
-        study_->setCriterion(static_cast<SpeedStudyModel::Criterion>(index));
-    });
+    criterion_ = form->choice(
+        {}, tr("&Map of"), {tr("range"), tr("RMS")},
+        tr("What the map shows and the least bad α makes least"),
+        [this] { return static_cast<int>(study_->criterion()); },
+        [this](int index) {
+            study_->setCriterion(static_cast<SpeedStudyModel::Criterion>(index));
+        });
     return form;
 }
 

@@ -219,24 +219,20 @@ QWidget* TorqueSourceEditor::buildCycle() {
                {field::compression_ratio, field::intake_pressure, field::exhaust_pressure,
                 field::polytropic_compression, field::polytropic_expansion});
     NumberField* ports = form->number(
-        field::ports_open, [this] { return model_->input().torque.cycle.ports_open / degree; },
+        field::ports_open, [this] { return model_->input().torque.cycle.ports_open; },
         [this](std::optional<double> value) {
             model_->edit(fieldName(field::ports_open),
-                         [&](Input& input) { input.torque.cycle.ports_open = *value * degree; });
+                         [&](Input& input) { input.torque.cycle.ports_open = *value; });
         });
     form->follow([this, ports] { ports->setEnabled(model_->input().strokes == 2); });
     form->section(tr("Combustion"));
     for (const auto& [load, value] :
          {std::pair(&field::imep, &GasCycle::imep), std::pair(&field::heat, &GasCycle::heat)}) {
         NumberField* number = form->number(
-            *load,
-            [this, load = load, value = value]() -> std::optional<double> {
-                const auto& given = model_->input().torque.cycle.*value;
-                return given ? std::optional(*given / load->unit) : std::nullopt;
-            },
-            [this, load = load, value = value](std::optional<double> typed) {
+            *load, [this, value = value] { return model_->input().torque.cycle.*value; },
+            [this, value = value](std::optional<double> typed) {
                 if (typed) {  // one of the two always holds
-                    model_->setLoad(value, *typed * load->unit);
+                    model_->setLoad(value, *typed);
                 }
             });
         number->setOptional(true);

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <algorithm>
 #include <array>
 
@@ -189,6 +188,7 @@ void BobMachineSheet::buildPlanes() {
     QGridLayout* const grid = sheet.first;
     TroubleLine* const trouble = sheet.second;
     std::array<QList<NumberField*>, 2> fields;
+    using Value = std::optional<double>;
     const auto row = [&](const char* key, const Field& field, auto get) {
         const int at = grid->rowCount();
         const QString unit = shownUnit(field.unit).name;
@@ -200,26 +200,22 @@ void BobMachineSheet::buildPlanes() {
             NumberField* made =
                 cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
             bind(
-                made,
-                [this, get, plane, &field]() -> std::optional<double> {
+                made, field,
+                [this, get, plane] {
                     Correction shown = model_->input().correction.value_or(Correction{});
                     shown.planes.resize(2);
                     shown.readings.resize(2);
-                    const auto& value = get(shown, plane);
-                    return value ? std::optional(from_si(field, *value)) : std::nullopt;
+                    return Value(get(shown, plane));
                 },
-                [this, get, plane, &field, name](std::optional<double> value) {
-                    model_->editCorrection(name, [&](Correction& correction) {
-                        get(correction, plane) =
-                            value ? std::optional(*value * field.unit) : std::nullopt;
-                    });
+                [this, get, plane, name](Value value) {
+                    model_->editCorrection(
+                        name, [&](Correction& correction) { get(correction, plane) = value; });
                 });
             trouble->watch(made);
             grid->addWidget(made, at, static_cast<int>(plane) + 1);
             fields[plane] << made;
         }
     };
-    using Value = std::optional<double>;
     row("position", field::plane_position,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].position; });
     row("radius", field::plane_radius,
@@ -269,15 +265,10 @@ void BobMachineSheet::buildRuns() {
                     made->setPlaceholderText({});
                 }
                 bind(
-                    made,
-                    [this, run, plane, isAngle, &field]() -> std::optional<double> {
-                        const auto value = model_->reading(run, plane, isAngle);
-                        return value ? std::optional(from_si(field, *value)) : std::nullopt;
-                    },
-                    [this, run, plane, isAngle, &field, name](std::optional<double> value) {
-                        model_->editReading(
-                            name, run, plane, isAngle,
-                            value ? std::optional(*value * field.unit) : std::nullopt);
+                    made, field,
+                    [this, run, plane, isAngle] { return model_->reading(run, plane, isAngle); },
+                    [this, run, plane, isAngle, name](std::optional<double> value) {
+                        model_->editReading(name, run, plane, isAngle, value);
                     });
                 doubt(made, [this, run, made] {
                     const auto& runs = model_->solution().runs;
@@ -328,16 +319,23 @@ void BobMachineSheet::buildTolerance() {
     }
     grades_->setPlaceholderText(tr("grade of your own"));
     enlarge(grades_);
-    follow([this] { showGrade(); });
+    bind(
+        grades_,
+        [this] {
+            const auto& tolerance = model_->input().tolerance;
+            return tolerance && tolerance->by_grade && tolerance->grade
+                       ? grades_->findData(from_si(field::grade, *tolerance->grade))
+                       : -1;
+        },
+        [this](int place) {
+            model_->editTolerance(fieldName(field::grade), [&](Tolerance& it) {
+                it.by_grade = true;
+                it.grade = grades_->itemData(place).toDouble() * field::grade.unit;
+            });
+        });
     wide(grades_, 250);  // beside it stand the widest labels
     current()->addWidget(tr("&For"), grades_, {},
                          tr("Balance quality grades of ISO 21940-11, and what each is for."));
-    connect(grades_, &QComboBox::activated, this, [this](int place) {
-        model_->editTolerance(fieldName(field::grade), [&](Tolerance& it) {
-            it.by_grade = true;
-            it.grade = grades_->itemData(place).toDouble() * field::grade.unit;
-        });
-    });
     line(Theme::smallSize, [this] {
         return grades_->currentIndex() < 0
                    ? QString()
@@ -350,16 +348,6 @@ void BobMachineSheet::buildTolerance() {
     number("/tolerance/front_bearing_mm");
     number("/tolerance/rear_bearing_mm");
     line(Theme::baseSize, [this] { return model_->limitText(); });
-}
-
-void BobMachineSheet::showGrade() {
-    const QSignalBlocker block(grades_);
-    const auto& tolerance = model_->input().tolerance;
-    int place = -1;
-    if (tolerance && tolerance->by_grade && tolerance->grade) {
-        place = grades_->findData(from_si(field::grade, *tolerance->grade));
-    }
-    grades_->setCurrentIndex(place);
 }
 
 BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(model, parent) {
@@ -398,16 +386,12 @@ BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobShe
     const auto slug = [this](const Field& field, std::optional<double> Slug::*member) {
         NumberField* made = number(
             field,
-            [this, member, &field]() -> std::optional<double> {
+            [this, member] {
                 const auto& correction = model_->input().correction;
-                return correction && correction->slug && *correction->slug.*member
-                           ? std::optional(from_si(field, *(*correction->slug.*member)))
-                           : std::nullopt;
+                return correction && correction->slug ? *correction->slug.*member : std::nullopt;
             },
-            [this, member, &field](std::optional<double> value) {
-                model_->editSlug(fieldName(field), [&](Slug& it) {
-                    it.*member = value ? std::optional(*value * field.unit) : std::nullopt;
-                });
+            [this, member, name = fieldName(field)](std::optional<double> value) {
+                model_->editSlug(name, [&](Slug& it) { it.*member = value; });
             });
         made->setObjectName(QStringLiteral("slug_") + made->objectName());
         return made;

@@ -66,7 +66,6 @@ class BobMachineSheet : public BobSheet {
     void buildRuns();
     void buildHold();
     void buildTolerance();
-    void showGrade();
 
     QComboBox* grades_ = nullptr;
 };

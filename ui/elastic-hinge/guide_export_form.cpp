@@ -34,12 +34,11 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
                           "still: the roller then runs backwards in the guide's own axes, and the "
                           "drawing is the mirror image of the plot"));
     number(
-        field::chord_tolerance,
-        [this] { return std::optional(from_si(field::chord_tolerance, drawing_.chord_tolerance)); },
-        [this](std::optional<double> value) { drawing_.chord_tolerance = *value * units::mm; });
+        field::chord_tolerance, [this] { return drawing_.chord_tolerance; },
+        [this](std::optional<double> value) { drawing_.chord_tolerance = *value; });
     number(
-        field::table_step, [this] { return std::optional(stepDeg_); },
-        [this](std::optional<double> value) { stepDeg_ = *value; });
+        field::table_step, [this] { return stepDeg_ * degree; },
+        [this](std::optional<double> value) { stepDeg_ = from_si(field::table_step, *value); });
     const auto button = [&](const char* name, const QString& label, const QString& hint,
                             const QString& suffix) {
         auto* write = new QPushButton(themedIcon(QStringLiteral("export")), label, this);

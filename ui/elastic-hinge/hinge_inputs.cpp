@@ -34,21 +34,6 @@ HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     static_cast<QVBoxLayout*>(layout())->addStretch();
 }
 
-void HingeInputs::addChoice(const QString& name, const QString& label, const QStringList& words,
-                            const QString& hint, std::function<int()> read,
-                            std::function<void(int)> write) {
-    auto* box = new QComboBox(this);
-    box->setObjectName(name);
-    box->addItems(words);
-    current()->addWidget(label, box, {}, hint);
-    const auto show = [box, read = std::move(read)] { box->setCurrentIndex(read()); };
-    connect(box, &QComboBox::activated, this, [show, write = std::move(write)](int index) {
-        write(index);
-        show();
-    });
-    follow(show);
-}
-
 void HingeInputs::addObjectBox(const Field& field, const QString& name,
                                std::function<bool(const Input&)> has,
                                std::function<void(Input&, bool)> set) {
@@ -68,7 +53,7 @@ void HingeInputs::showSectionWhile(std::function<bool(const Input&)> wanted) {
 
 void HingeInputs::addMechanism() {
     section(tr("Mechanism"));
-    addChoice(
+    choice(
         QStringLiteral("preset"), tr("&Preset"), {tr("Own values"), tr("Zotov and Sviridov")},
         tr("The mechanism of the paper, with ρ₀ = 90 mm"),
         [this] { return model_->input() == elastic_hinge::preset_zotov() ? 1 : 0; },
@@ -78,7 +63,7 @@ void HingeInputs::addMechanism() {
                 Q_EMIT model_->broughtIn();
             }
         });
-    addChoice(
+    choice(
         QStringLiteral("masses_given_as"), shownText(field::given_as.label),
         {shownTitle(tr("weights, N")).text, shownTitle(tr("masses, kg")).text},
         shownText(field::given_as.hint),

@@ -23,9 +23,6 @@ class HingeInputs : public Form {
     void addCounterweight();
     void addMotion();
     void addFamilies();
-    /// A choice that is no field by itself.
-    void addChoice(const QString& name, const QString& label, const QStringList& words,
-                   const QString& hint, std::function<int()> read, std::function<void(int)> write);
     /// A box to tick for an object that the input may have.
     void addObjectBox(const Field& field, const QString& name,
                       std::function<bool(const Input&)> has, std::function<void(Input&, bool)> set);

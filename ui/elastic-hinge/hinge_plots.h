@@ -24,7 +24,6 @@ class HingePlots : public QTabWidget {
     PlotView* sideLambdasPlot() const { return tabs_[2]->plots()[0]; }
     PlotView* sideSpeedsPlot() const { return tabs_[2]->plots()[1]; }
     PlotView* crankMomentPlot() const { return tabs_[3]->plots()[0]; }
-    PlotView* crankSpeedsPlot() const { return tabs_[3]->plots()[1]; }
     PlotView* speedPlot() const { return tabs_[4]->plots()[0]; }
     QPushButton* cancelButton() const;
 

@@ -48,14 +48,6 @@ class FiringOrderField final : public ValueEntry<std::vector<int>> {
     InertiaMomentsModel* model_;
 };
 
-QCheckBox* addSwitch(Form* form, const QString& label, const char* name, const QString& hint) {
-    auto* box = new QCheckBox(label, form);
-    box->setObjectName(QLatin1String(name));
-    box->setToolTip(hint);
-    form->section({})->addWide(box);
-    return box;
-}
-
 void fillUp(Form* form) {
     qobject_cast<QVBoxLayout*>(form->layout())->addStretch();
 }
@@ -102,14 +94,8 @@ void EngineForm::addRodLength() {
         },
         [this](std::optional<double> typed) { model_->setRodRatio(typed); });
     NumberField* length = number(
-        field::rod_length,
-        [this] {
-            const auto& given = model_->input().given_rod_length;
-            return given ? std::optional(from_si(field::rod_length, *given)) : std::nullopt;
-        },
-        [this](std::optional<double> typed) {
-            model_->setRodLength(typed ? std::optional(*typed * units::mm) : std::nullopt);
-        });
+        field::rod_length, [this] { return model_->input().given_rod_length; },
+        [this](std::optional<double> typed) { model_->setRodLength(typed); });
     for (NumberField* each : {ratio, length}) {
         each->setOptional(true);
     }
@@ -173,50 +159,46 @@ void EngineForm::addRotatingMass() {
     FormSection* ofThrow = section({});
     number("/rotating_mass_per_throw_kg")->setOptional(false);
     section({});
-    auto* given = new QComboBox(this);
-    given->setObjectName(QStringLiteral("rotating_mass_given"));
-    given->addItems({tr("of one cylinder"), tr("of one throw")});
-    current()->addWidget(tr("Mass given"), given, {},
-                         tr("Where rods share a crankpin, a throw carries the mass of one cylinder "
-                            "once for each of them. Choosing the other way changes the number, not "
-                            "the engine."));
+    QComboBox* given = choice(
+        QStringLiteral("rotating_mass_given"), tr("Mass given"),
+        {tr("of one cylinder"), tr("of one throw")},
+        tr("Where rods share a crankpin, a throw carries the mass of one cylinder once for each of "
+           "them. Choosing the other way changes the number, not the engine."),
+        [this] { return model_->input().rotating_mass_of_throw ? 1 : 0; },
+        [this](int index) { model_->setRotatingMassOfThrow(index == 1); });
     QLabel* onThrow = current()->addResult(tr("On each throw"),
                                            tr("At the crank radius, with the share of rigid rods"));
     onThrow->setObjectName(QStringLiteral("mass_on_throw"));
-    connect(given, &QComboBox::activated, this, [this, given](int index) {
-        model_->setRotatingMassOfThrow(index == 1);
-        given->setCurrentIndex(model_->input().rotating_mass_of_throw ? 1 : 0);  // where refused
-    });
     follow([this, ofCylinder, ofThrow, given, onThrow] {
         const bool throws = model_->input().rotating_mass_of_throw;
         ofCylinder->setVisible(!throws);
         ofThrow->setVisible(throws);
-        given->setCurrentIndex(throws ? 1 : 0);
         given->setEnabled(throws || model_->hasSharedPins());
         onThrow->setText(model_->throwMassText());
     });
 }
 
 void EngineForm::addRod() {
-    QCheckBox* rigid = addSwitch(
-        this, tr("&Rod as a rigid body"), "rigid_rod",
+    section({});
+    QCheckBox* rigid = box(
+        QStringLiteral("rigid_rod"), tr("&Rod as a rigid body"),
         tr("Off: the rod's two shares are in the masses above. On: mass, centre and inertia are "
            "given; its shares are added, and what its inertia differs from two masses acts on "
-           "roll moment and torque."));
-    connect(rigid, &QCheckBox::clicked, this, [this, rigid](bool on) {
-        model_->edit(tr("Rigid rod"), [on](Input& input) {
-            input.rod.reset();
-            if (on) {
-                // As two masses would be: a third of the length from the big end.
-                const double length = input.rod_length();
-                const double mass = 0.8 * input.reciprocating_mass;
-                input.rod = inertia_moments::RigidRod{mass, length / 3.0,
-                                                      mass * length * length * 2.0 / 9.0};
-            }
+           "roll moment and torque."),
+        [this] { return model_->input().rod.has_value(); },
+        [this](bool on) {
+            model_->edit(tr("Rigid rod"), [on](Input& input) {
+                input.rod.reset();
+                if (on) {
+                    // As two masses would be: a third of the length from the big end.
+                    const double length = input.rod_length();
+                    const double mass = 0.8 * input.reciprocating_mass;
+                    input.rod = inertia_moments::RigidRod{mass, length / 3.0,
+                                                          mass * length * length * 2.0 / 9.0};
+                }
+            });
+            model_->finishDrag();
         });
-        model_->finishDrag();
-        rigid->setChecked(model_->input().rod.has_value());  // where refused
-    });
     FormSection* rod = section({});
     for (const char* pointer :
          {"/rod/mass_kg", "/rod/centre_from_big_end_mm", "/rod/inertia_kg_m2"}) {
@@ -224,10 +206,7 @@ void EngineForm::addRod() {
         target->setObjectName(QStringLiteral("rod_") + target->objectName());
         target->setDigits(6);
     }
-    follow([this, rigid, rod] {
-        rigid->setChecked(model_->input().rod.has_value());
-        rod->setVisible(rigid->isChecked());
-    });
+    follow([rigid, rod] { rod->setVisible(rigid->isChecked()); });
 }
 
 BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
@@ -243,20 +222,22 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
     connect(add, &QPushButton::clicked, model, &InertiaMomentsModel::addShaft);
     current()->addWide(add);
 
-    QCheckBox* weights = addSwitch(
-        this, tr("&Counterweights on the end webs"), "counterweights",
+    section({});
+    QCheckBox* weights = box(
+        QStringLiteral("counterweights"), tr("&Counterweights on the end webs"),
         tr("Two weights that cancel force and moment of the rotating masses, and a share of the "
-           "forward part of the first order"));
-    connect(weights, &QCheckBox::clicked, this, [model](bool on) {
-        model->edit(tr("Counterweights"), [&](Input& input) {
-            if (!input.end_webs) {
-                input.end_webs = inertia_moments::usual_end_webs(model->result().engine.cylinders,
-                                                                 input.crank_radius);
-            }
-            input.end_webs->enabled = on;
+           "forward part of the first order"),
+        [model] { return model->input().end_webs && model->input().end_webs->enabled; },
+        [model](bool on) {
+            model->edit(tr("Counterweights"), [&](Input& input) {
+                if (!input.end_webs) {
+                    input.end_webs = inertia_moments::usual_end_webs(
+                        model->result().engine.cylinders, input.crank_radius);
+                }
+                input.end_webs->enabled = on;
+            });
+            model->finishDrag();
         });
-        model->finishDrag();
-    });
     FormSection* webs = section({});
     for (const char* pointer :
          {"/counterweights/front_position_mm", "/counterweights/front_radius_mm",
@@ -267,10 +248,7 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
         target->setOptional(false);
     }
     fillUp(this);
-    follow([model, weights, webs] {
-        weights->setChecked(model->input().end_webs && model->input().end_webs->enabled);
-        webs->setVisible(weights->isChecked());
-    });
+    follow([weights, webs] { webs->setVisible(weights->isChecked()); });
 }
 
 EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent) : Panel(parent) {
@@ -289,13 +267,9 @@ EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent) : Pane
                                .isMovable = of(&Model::canChangeOffset),
                                .read = of(&Model::offsetMm),
                                .write = of(&Model::setOffsetMm)});
-    speed_ = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this,
-                             {.read = of(&Model::speedRpm), .write = of(&Model::setSpeedRpm)});
-    reference_ =
-        new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1}, this,
-                        {.ends = of(&Model::referenceLimitsMm),
-                         .read = of(&Model::referenceMm),
-                         .write = of(&Model::setReferenceMm)});
+    speed_ = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this);
+    reference_ = new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1},
+                                 this, {.ends = of(&Model::referenceLimitsMm)});
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     grid->setHorizontalSpacing(2 * Theme::margin);

@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,8 +15,7 @@
 #include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
-#include "widgets/number_field.h"
+#include "widgets/form.h"
 
 namespace ravnoves {
 
@@ -29,8 +27,8 @@ class ShaftRow : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftRow)
 
   public:
-    ShaftRow(InertiaMomentsModel* model, int index, QWidget* parent)
-        : QWidget(parent), model_(model), index_(index) {
+    ShaftRow(InertiaMomentsModel* model, int index, Form* form, QWidget* parent)
+        : QWidget(parent), form_(form), index_(index) {
         auto* column = new QVBoxLayout(this);
         column->setContentsMargins(0, Theme::gap, 0, Theme::gap);
         column->setSpacing(Theme::gap);
@@ -38,20 +36,19 @@ class ShaftRow : public QWidget {
         enabled_ = new QCheckBox(this);
         name(enabled_, field::shaft_enabled, "shaft_enabled_%1");
         connect(enabled_, &QCheckBox::clicked, this,
-                [this](bool on) { model_->setShaftEnabled(index_, on); });
+                [=](bool on) { model->setShaftEnabled(index, on); });
         first->addWidget(enabled_);
 
-        order_ = new QSpinBox(this);
-        order_->setRange(1, inertia_moments::highest_order);
-        order_->setPrefix(tr("k "));
-        order_->setMaximumWidth(Theme::withText(52));
-        order_->setKeyboardTracking(false);
-        name(order_, field::shaft_order, "shaft_order_%1");
-        connect(order_, qOverload<int>(&QSpinBox::valueChanged), this,
-                [this](int order) { edit(field::shaft_order, order); });
-        first->addWidget(order_);
-        direction_ = addChoice(first, field::shaft_direction);
-        task_ = addChoice(first, field::shaft_task);
+        auto* order = new QSpinBox(this);
+        order->setRange(1, inertia_moments::highest_order);
+        order->setPrefix(tr("k "));
+        order->setMaximumWidth(Theme::withText(52));
+        order->setKeyboardTracking(false);
+        name(order, field::shaft_order, "shaft_order_%1");
+        form_->bind(order, pointer(field::shaft_order));
+        first->addWidget(order);
+        addChoice(first, field::shaft_direction);
+        addChoice(first, field::shaft_task);
 
         auto* remove = new QToolButton(this);
         remove->setIcon(themedIcon(QStringLiteral("minus")));
@@ -59,7 +56,7 @@ class ShaftRow : public QWidget {
         remove->setObjectName(QStringLiteral("remove_shaft_%1").arg(index));
         remove->setToolTip(tr("Remove this shaft"));
         remove->setAccessibleName(tr("Remove %1").arg(tr("Shaft %1").arg(index + 1)));
-        connect(remove, &QToolButton::clicked, this, [this] { model_->removeShaft(index_); });
+        connect(remove, &QToolButton::clicked, this, [=] { model->removeShaft(index); });
         first->addWidget(remove);
 
         auto* second = addLine(column);
@@ -67,28 +64,13 @@ class ShaftRow : public QWidget {
         column->addWidget(trouble_);
         length_ = addNumber(second, field::weight_distance, "shaft_length_%1");
         position_ = addNumber(second, field::shaft_position, "shaft_position_%1");
-        radius_ = addNumber(second, field::weight_radius, "shaft_radius_%1");
-        error_ = addNumber(second, field::phase_error, "shaft_error_%1");
+        addNumber(second, field::weight_radius, "shaft_radius_%1");
+        addNumber(second, field::phase_error, "shaft_error_%1")->setOptional(false);
         second->addWidget(new QLabel(unitText(field::phase_error.unit.name), this));
-        position_->setOptional(true);
-        radius_->setOptional(true);
     }
 
     void show(const Shaft& shaft) {
         enabled_->setChecked(shaft.enabled);
-        {
-            const QSignalBlocker quiet(order_);
-            order_->setValue(shaft.order);
-        }
-        direction_->setCurrentIndex(static_cast<int>(shaft.direction));
-        task_->setCurrentIndex(static_cast<int>(shaft.balances));
-        const auto set = [](NumberField* target, const Field& field, std::optional<double> si) {
-            target->setValue(si ? std::optional(from_si(field, *si)) : std::nullopt);
-        };
-        set(length_, field::weight_distance, shaft.weight_distance);
-        set(position_, field::shaft_position, shaft.axial_position);
-        set(radius_, field::weight_radius, shaft.weight_radius);
-        set(error_, field::phase_error, shaft.phase_error);
         const bool moment = shaft.balances == Balances::moment;
         length_->parentWidget()->setVisible(moment);
         position_->parentWidget()->setVisible(!moment);
@@ -111,25 +93,21 @@ class ShaftRow : public QWidget {
         widget->setToolTip(shownText(field.hint));
     }
 
-    void edit(const Field& field, const FieldValue& value) {
-        model_->editField(
-            "/balance_shafts/" + std::to_string(index_) + "/" + std::string(field.key), value,
-            fieldName(field));
+    std::string pointer(const Field& field) const {
+        return "/balance_shafts/" + std::to_string(index_) + "/" + std::string(field.key);
     }
 
-    QComboBox* addChoice(QHBoxLayout* line, const Field& field) {
+    void addChoice(QHBoxLayout* line, const Field& field) {
         auto* box = new QComboBox(this);
         for (const Word& word : field.words) {
             box->addItem(shownText(word.label));
         }
         name(box, field, "shaft_choice_%1");
-        connect(box, &QComboBox::activated, this,
-                [this, &field](int which) { edit(field, which); });
+        form_->bind(box, pointer(field));
         // The form is narrow: a list takes what room there is.
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(2);
         line->addWidget(box, 1);
-        return box;
     }
 
     NumberField* addNumber(QHBoxLayout* line, const Field& field, const char* objectName) {
@@ -148,30 +126,21 @@ class ShaftRow : public QWidget {
         pair->addWidget(label);
         pair->addWidget(target, 1);
         line->addWidget(holder, 1);
-        connect(target, &NumberField::valueEdited, this,
-                [this, &field](std::optional<double> value) {
-                    edit(field, value ? FieldValue(*value) : FieldValue());
-                });
-        target->setModel(model_);
+        form_->bind(target, pointer(field));
         trouble_->watch(target);
         return target;
     }
 
-    InertiaMomentsModel* model_;
+    Form* form_;
     int index_;
     QCheckBox* enabled_;
-    QSpinBox* order_;
-    QComboBox* direction_;
-    QComboBox* task_;
     NumberField* length_;    ///< of a shaft against a moment
     NumberField* position_;  ///< of one against a force
-    NumberField* radius_;
-    NumberField* error_;
     TroubleLine* trouble_;
 };
 
-ShaftEditor::ShaftEditor(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ShaftEditor::ShaftEditor(InertiaMomentsModel* model, Form* form)
+    : QWidget(form), model_(model), form_(form) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -192,7 +161,7 @@ void ShaftEditor::refresh() {
         rows_.pop_back();
     }
     while (rows_.size() < shafts.size()) {
-        auto* row = new ShaftRow(model_, static_cast<int>(rows_.size()), this);
+        auto* row = new ShaftRow(model_, static_cast<int>(rows_.size()), form_, this);
         list_->addWidget(row);
         rows_.push_back(row);
     }

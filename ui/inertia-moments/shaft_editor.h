@@ -7,6 +7,7 @@ class QVBoxLayout;
 
 namespace ravnoves {
 
+class Form;
 class InertiaMomentsModel;
 
 /// One balance shaft of the list: switch, order, direction, task, sizes, error of phase.
@@ -17,7 +18,8 @@ class ShaftEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ShaftEditor(InertiaMomentsModel* model, QWidget* parent = nullptr);
+    /// @param form  its rows are bound to the input there
+    ShaftEditor(InertiaMomentsModel* model, Form* form);
 
     int rowCount() const { return static_cast<int>(rows_.size()); }
 
@@ -25,6 +27,7 @@ class ShaftEditor : public QWidget {
     void refresh();
 
     InertiaMomentsModel* model_;
+    Form* form_;
     QVBoxLayout* list_;
     std::vector<ShaftRow*> rows_;
 };

@@ -53,17 +53,6 @@ QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     return label;
 }
 
-/// Three digits, and the rest zeros: "1 230 000".
-QString nanoseconds(double value) {
-    if (!(value > 0.0)) {
-        return QStringLiteral("–");
-    }
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-    const double rounded = std::round(value / unit) * unit;
-    const int decimals = std::clamp(static_cast<int>(std::lround(-std::log10(unit))), 0, 3);
-    return QLocale().toString(rounded, 'f', decimals);
-}
-
 /// Where a method fails, along all the hard parameters that have been looked along so far.
 QString failingText(const Kernel& kernel, const MethodRow& row) {
     const bool more = !row.fails.empty() && row.fails.size() < kernel.sweeps.size();
@@ -80,7 +69,7 @@ ResultRow cells(const Kernel& kernel, const MethodRow& row) {
     const bool first = row.setting == 0;
     return {title,
             methodText(method.settings[row.setting].label),
-            nanoseconds(row.timing.median),
+            nanosecondsText(row.timing.median),
             resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),

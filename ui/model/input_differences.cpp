@@ -54,8 +54,7 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
         return {};
     }
     if (value->is_number()) {
-        return formNumber(factor * value->get<double>(), QLocale(), factor == 1.0 ? 10 : 7)
-            .replace(QLatin1Char('-'), QChar(0x2212));
+        return shownFormNumber(factor * value->get<double>(), QLocale(), factor == 1.0 ? 10 : 7);
     }
     if (value->is_boolean()) {
         return value->get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")

@@ -320,8 +320,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
         }
         const QColor colour = theme.curve(curve.style.colour);
         const auto shown = [&](double value) {
-            return data_.scale(curve.style.side)
-                .readout(value, data_.locale, data_.readoutDecimals);
+            return data_.scale(curve.style.side).readout(value, data_.locale);
         };
         const PlotCurve* ghost = data_.ghostOf(curve);
         const auto was = ghost != nullptr ? data_.valueAt(*ghost, at) : std::nullopt;

@@ -108,9 +108,6 @@ class PlotView : public QWidget {
     static void stack(const QList<PlotView*>& plots);
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
-    /// Text of a readout value: decimals after the point. Default: three significant digits more
-    /// than the tick labels.
-    void setReadoutDecimals(int decimals) { data_.readoutDecimals = decimals; }
 
     /// Shows under the curves, pale and dashed, those that the same plot of a page with another
     /// input has, by their numbers; they follow it. Null removes them.

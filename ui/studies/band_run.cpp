@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "plot/legend_item.h"
 #include "studies/tolerance_bands.h"
@@ -11,22 +10,8 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// 95 % point of the normal distribution.
-constexpr double point95 = 1.6448536269514722;
 /// Of numbers, relative: what is less is no spread.
 constexpr double rounding = 1e-11;
-
-/// A result with both sides of a standard deviation, as far as there are.
-double moved(double nominal, double plus, double minus, double period) {
-    const auto apart = [&](double from, double to) {
-        return period > 0.0 ? std::remainder(to - from, period) : to - from;
-    };
-    if (std::isfinite(plus) && std::isfinite(minus)) {
-        return 0.5 * apart(minus, plus);
-    }
-    return std::isfinite(plus) ? apart(nominal, plus) : apart(minus, nominal);
-}
 
 /// What the entry of the bands in a plot's legend says; where slopes fail it is marked.
 void sayOfBands(PlotView& plot, bool isMarked, const QString& tip) {
@@ -49,7 +34,7 @@ void append(std::vector<double>& all, const std::vector<double>& values, std::si
     if (values.size() == count) {
         all.insert(all.end(), values.begin(), values.end());
     } else {
-        all.resize(all.size() + count, none);
+        all.resize(all.size() + count, BandSlopes::none);
     }
 }
 
@@ -58,7 +43,7 @@ std::vector<double> cellsOf(const ResultTable& table) {
     for (int row = 0; row < table.rowCount(); ++row) {
         for (int column = 0; column < table.columnCount(); ++column) {
             const ResultNumber* number = table.numberAt(row, column);
-            found.push_back(number != nullptr ? number->value : none);
+            found.push_back(number != nullptr ? number->value : BandSlopes::none);
         }
     }
     return found;
@@ -73,7 +58,7 @@ std::vector<double> valuesAt(const std::vector<double>& places, const PlotData& 
     std::vector<double> values;
     const bool goesOn = curve.isLine() && curve.ascending;
     for (std::size_t i = 0; goesOn && i < places.size(); ++i) {
-        values.push_back(data.valueAt(curve, places[i]).value_or(none));
+        values.push_back(data.valueAt(curve, places[i]).value_or(BandSlopes::none));
     }
     return values;
 }
@@ -135,27 +120,11 @@ void BandRun::take(std::optional<std::vector<double>> found) {
     if (isUp()) {
         plus = std::move(found);
     } else {
-        add(plus, found, sources[source()]);
+        BandTask::Source& moved = sources[source()];
+        const bool isCentred = moved.law.mean == input.at(moved.place).get<double>();
+        moved.slopes = add(plus, found, isCentred);
     }
     ++next;
-}
-
-void BandRun::add(const std::optional<std::vector<double>>& up,
-                  const std::optional<std::vector<double>>& down, BandTask::Source& from) {
-    const bool isCentred = from.law.mean == input.at(from.place).get<double>();
-    for (std::size_t i = 0; i < nominal.size(); ++i) {
-        const double above = up ? (*up)[i] : none;
-        const double under = down ? (*down)[i] : none;
-        const double by = moved(nominal[i], above, under, periods[i]);
-        if (!std::isfinite(by)) {
-            continue;
-        }
-        variance[i] += by * by;
-        from.slopes[i] = static_cast<float>(by);
-        if (!isCentred && std::isfinite(above) && std::isfinite(under)) {
-            shift[i] += 0.5 * (above + under) - nominal[i];
-        }
-    }
 }
 
 std::vector<BandTask::Group> BandRun::groups() const {
@@ -193,11 +162,8 @@ std::vector<BandTask::Group> BandRun::groups() const {
 
 BandRun::Shown BandRun::slopes() const {
     Shown found;
-    for (std::size_t i = 0; i < nominal.size(); ++i) {
-        const double half = point95 * std::sqrt(variance[i]);
-        found.below.push_back(half - shift[i]);
-        found.above.push_back(half + shift[i]);
-    }
+    found.below = below();
+    found.above = above();
     found.howCurves = ToleranceBands::tr(
         "Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and "
         "5 % above it where the results go straight with the inputs");

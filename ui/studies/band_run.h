@@ -10,14 +10,15 @@
 #include "case-file/json.h"
 #include "plot/plot_view.h"
 #include "studies/model/band_samples.h"
+#include "studies/model/band_slopes.h"
 #include "studies/study.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 
-/// The numbers of a page while one input after the other is moved, what that makes of each of them
-/// by slopes, and how the page shows it.
-struct BandRun {
+/// The numbers of a page while one input after the other is moved, and how the page shows what that
+/// makes of each of them.
+struct BandRun : BandSlopes {
     /// Numbers that stand together.
     struct Stretch {
         std::size_t from = 0;
@@ -36,10 +37,6 @@ struct BandRun {
     std::vector<std::vector<std::vector<double>>> x;  ///< by plot and curve
     std::vector<std::vector<Stretch>> curves;         ///< likewise
     std::vector<Stretch> cells;                       ///< by table, row by row
-    std::vector<double> periods;                      ///< of numbers that are angles; else 0
-    std::vector<double> nominal;
-    std::vector<double> variance;
-    std::vector<double> shift;  ///< of the mean
 
     bool isLaidOut = false;
     bool waits = false;     ///< for what the twin computes in the background
@@ -80,8 +77,6 @@ struct BandRun {
     void show(const Shown& shown) const;
 
   private:
-    void add(const std::optional<std::vector<double>>& up,
-             const std::optional<std::vector<double>>& down, BandTask::Source& from);
     void showPlot(std::size_t p, const Shown& shown,
                   const std::map<std::size_t, QString>& fails) const;
     void showTable(std::size_t t, const Shown& shown,

@@ -119,7 +119,7 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     return trueMinus(plain(locale).toString(shown, 'f', decimals));
 }
 
-QString rangeText(const Range& range, const QString& unit, const QLocale& /*locale*/) {
+QString rangeText(const Range& range, const QString& unit) {
     const std::string name = unit.toStdString();
     return messageText(range.message({name, 1.0}));
 }

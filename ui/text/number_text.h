@@ -23,7 +23,7 @@ QString trueMinus(QString number);
 std::optional<double> readFormNumber(const QString& text);
 
 /// The rule of a range in the user's language: "must be greater than 0 mm".
-QString rangeText(const Range& range, const QString& unit, const QLocale& locale);
+QString rangeText(const Range& range, const QString& unit);
 
 /// A unit of core ("mm", "min⁻¹") as the language writes it.
 QString unitText(std::string_view unit);

@@ -53,7 +53,7 @@ QString CardPainter::grams(double mass, int decimals) const {
 }
 
 QString CardPainter::engineName() const {
-    const QString name = v8_text::engineName(words_, input_.engine.name);
+    const QString name = v8_names::engineName(words_, input_.engine.name);
     return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
 }
 
@@ -97,7 +97,7 @@ double CardPainter::answer(double y) {
     } else {
         action = words_.translate("JobCard", "The data are not complete; nothing can be advised.");
         fact = words_.translate("JobCard", "Not known without: %1.")
-                   .arg(v8_text::missingNames(words_, input_, false));
+                   .arg(v8_names::missingNames(words_, input_, false));
     }
     QStringList wrong{refused_, warning, v8_text::unequalCrankpins(words_, input_, solution_),
                       v8_text::otherReadings(words_, solution_)};
@@ -180,7 +180,7 @@ double CardPainter::options(double y) {
         const auto& option = solution_.option(id);
         if (!option) {
             table.add(
-                {{v8_text::optionName(words_, id), missing, missing, missing, missing, missing,
+                {{v8_names::optionName(words_, id), missing, missing, missing, missing, missing,
                   solution_.plugs && solution_.unbalanced_mass
                       ? words_.translate("JobCard", "no such plug")
                       : missing}});
@@ -190,7 +190,7 @@ double CardPainter::options(double y) {
             needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
         const bool best = recommended && chosen && chosen->id == id;
         table.add(
-            {{v8_text::optionName(words_, id), grams(option->constant, 3),
+            {{v8_names::optionName(words_, id), grams(option->constant, 3),
               grams(option->maximum, 3), grams(option->required_reduction, 3),
               grams(option->max_reduction, 3),
               words_.digits(option->residual_unbalance, units::gram_mm, 1),
@@ -216,10 +216,8 @@ double CardPainter::options(double y) {
                        "Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 "
                        "(slope %2°); needed: lightening of one plug.")
             .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3) : missing,
-                 solution_.plugs
-                     ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / units::degree,
-                                     1)
-                     : missing),
+                 solution_.plugs ? v8_text::slopeAngle(words_, solution_.plugs->coefficients().k_y)
+                                 : missing),
         6.8, Qt::AlignLeft, false, CardPage::grey);
     return y + height + 3.6;
 }
@@ -234,7 +232,7 @@ double CardPainter::bobWeights(double y) {
     } else {
         height = sheet_.paragraph(left, y + 5.4, tableWidth,
                                   words_.translate("JobCard", "Not known without: %1.")
-                                      .arg(v8_text::missingNames(words_, input_, true)),
+                                      .arg(v8_names::missingNames(words_, input_, true)),
                                   8, 4);
     }
     const double x = left + tableWidth + 4.0;

@@ -52,7 +52,7 @@ double CardPainter::weighIn(double y, double end) {
         if (!found) {
             continue;
         }
-        QStringList row{v8_text::partName(words_, part),
+        QStringList row{v8_names::partName(words_, part),
                         column.nominal ? grams(*column.nominal) : missing};
         for (const auto& mass : column.mass) {
             row << (mass ? grams(*mass) : missing);

@@ -20,8 +20,8 @@ CompensationPlot::CompensationPlot(QWidget* parent) : PlotView(tr("Excess compen
     setYAxis(Side::Left, {tr("Δmᵤ, g")});
     for (const OptionId id : all_options) {
         CurveStyle style;
-        style.name = v8_text::shortOption(words, id);
-        style.toolTip = v8_text::optionName(words, id);
+        style.name = v8_names::shortOption(words, id);
+        style.toolTip = v8_names::optionName(words, id);
         style.colour = static_cast<int>(id);
         style.width = 2.0;
         curves_.push_back(addCurve(style));

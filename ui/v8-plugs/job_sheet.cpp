@@ -72,13 +72,12 @@ void JobSheet::buildChanges() {
             [this, each] {
                 // Empty until one of them is given: then the others are 0.
                 return model_->input().changes_known() || model_->input().has_typed_changes()
-                           ? std::optional(
-                                 from_si(each.field, model_->solution().changes.*each.member))
+                           ? std::optional(model_->solution().changes.*each.member)
                            : std::nullopt;
             },
             [this, each](std::optional<double> value) {
                 model_->edit(fieldName(each.field), [&](Input& input) {
-                    input.typed_changes.*each.member = value.value_or(0.0) * each.field.unit;
+                    input.typed_changes.*each.member = value.value_or(0.0);
                     input.changes_given = true;
                 });
             });

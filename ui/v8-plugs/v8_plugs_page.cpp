@@ -60,7 +60,7 @@ QString V8PlugsPage::emptySheet() {
 }
 
 ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
-    ListedJob text{v8_text::engineName(words, job.engine.toStdString()), job.recommended};
+    ListedJob text{v8_names::engineName(words, job.engine.toStdString()), job.recommended};
     if (job.recommended.isEmpty()) {
         text.result = QStringLiteral("–");
     } else if (job.recommended == QLatin1String("none-needed")) {
@@ -70,7 +70,7 @@ ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
     }
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
         if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
-            text.result = v8_text::optionName(words, id);
+            text.result = v8_names::optionName(words, id);
             if (job.reduction) {
                 text.result +=
                     QStringLiteral(", ") + v8_text::grams(words, *job.reduction * units::gram);

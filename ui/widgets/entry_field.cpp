@@ -16,7 +16,6 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
             if (model_ != nullptr) {
                 model_->beginEditing();
             }
-            Q_EMIT editingBegun();
         }
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
@@ -81,7 +80,6 @@ void EntryField::endEditing() {
         if (model_ != nullptr) {
             model_->endEditing(!trouble_.isEmpty());
         }
-        Q_EMIT editingEnded();
     }
 }
 

@@ -43,9 +43,6 @@ class EntryField : public QLineEdit {
 
   Q_SIGNALS:
     void troubleChanged(const QString& trouble);
-    /// What is passed on between these two is one change to the user, hence one step to undo.
-    void editingBegun();
-    void editingEnded();
 
   protected:
     bool event(QEvent* event) override;

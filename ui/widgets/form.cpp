@@ -2,7 +2,9 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -60,7 +62,16 @@ FormSection* Form::section(const QString& title) {
     return current_;
 }
 
-void Form::add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show) {
+/// As the scene describes it, which of a list describes the first element for all.
+FieldEntry Form::entryOf(const std::string& pointer) const {
+    static const QRegularExpression place(QStringLiteral("/[0-9]+(?=/)"));
+    const QString first = QString::fromStdString(pointer).replace(place, QStringLiteral("/0"));
+    FieldEntry entry = model_->describedField(first.toStdString());
+    entry.pointer = pointer;
+    return entry;
+}
+
+void Form::add(const std::string& pointer, QWidget* field, Show show) {
     const auto present = model_->fields(pointer);
     field->setEnabled(!present.empty());
     show(present.empty() ? FieldValue() : present.front().value);
@@ -68,8 +79,13 @@ void Form::add(const char* pointer, QWidget* field, std::function<void(const Fie
 }
 
 NumberField* Form::number(const char* pointer) {
-    const FieldEntry entry = model_->describedField(pointer);
-    NumberField* field = current_->addNumber(entry.field);
+    NumberField* field = current_->addNumber(model_->describedField(pointer).field);
+    bind(field, pointer);
+    return field;
+}
+
+void Form::bind(NumberField* field, const std::string& pointer) {
+    const FieldEntry entry = entryOf(pointer);
     field->setOptional(entry.may_be_empty);
     field->setWhole(entry.kind == FieldKind::integer);
     connect(field, &NumberField::valueEdited, this,
@@ -83,18 +99,27 @@ NumberField* Form::number(const char* pointer) {
         field->setPlaceholderText(field->isEnabled() ? hint : QStringLiteral("–"));
         field->setValue(numberOf(value));
     });
-    return field;
 }
 
-NumberField* Form::number(const Field& description, std::function<std::optional<double>()> read,
-                          std::function<void(std::optional<double>)> write) {
+NumberField* Form::number(const Field& description, Read read, Write write) {
     NumberField* field = current_->addNumber(description);
-    bind(field, std::move(read), std::move(write));
+    bind(field, description, std::move(read), std::move(write));
     return field;
 }
 
-void Form::bind(NumberField* field, std::function<std::optional<double>()> read,
-                std::function<void(std::optional<double>)> write) {
+void Form::bind(NumberField* field, const Field& description, Read read, Write write) {
+    bind(
+        field,
+        [description, read = std::move(read)] {
+            const auto si = read();
+            return si ? std::optional(from_si(description, *si)) : std::nullopt;
+        },
+        [unit = description.unit, write = std::move(write)](std::optional<double> value) {
+            write(value ? std::optional(*value * unit) : std::nullopt);
+        });
+}
+
+void Form::bind(NumberField* field, Read read, Write write) {
     connect(field, &NumberField::valueEdited, this, std::move(write));
     field->setModel(model_);
     follow([field, read = std::move(read)] { field->setValue(read()); });
@@ -106,9 +131,61 @@ QCheckBox* Form::box(const QString& name, const QString& label, const QString& h
     box->setObjectName(name);
     box->setToolTip(hint);
     current_->addWide(box);
-    connect(box, &QCheckBox::clicked, this, std::move(write));
-    follow([box, read = std::move(read)] { box->setChecked(read()); });
+    const auto show = [box, read = std::move(read)] { box->setChecked(read()); };
+    connect(box, &QCheckBox::clicked, this, [show, write = std::move(write)](bool on) {
+        write(on);
+        show();
+    });
+    follow(show);
     return box;
+}
+
+QComboBox* Form::choice(const QString& name, const QString& label, const QStringList& words,
+                        const QString& hint, std::function<int()> read,
+                        std::function<void(int)> write) {
+    auto* box = new QComboBox(current_);
+    box->setObjectName(name);
+    box->addItems(words);
+    current_->addWidget(label, box, {}, hint);
+    bind(box, std::move(read), std::move(write));
+    return box;
+}
+
+void Form::bind(QComboBox* box, std::function<int()> read, std::function<void(int)> write) {
+    const auto show = [box, read = std::move(read)] { box->setCurrentIndex(read()); };
+    connect(box, &QComboBox::activated, this, [show, write = std::move(write)](int index) {
+        write(index);
+        show();
+    });
+    follow(show);
+}
+
+void Form::bind(QComboBox* box, const std::string& pointer) {
+    const FieldEntry entry = entryOf(pointer);
+    connect(box, &QComboBox::activated, this,
+            [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
+                if (!model_->editField(place, index, name).isEmpty()) {
+                    showAll();
+                }
+            });
+    add(pointer, box, [box](const FieldValue& value) {
+        const int* present = std::get_if<int>(&value);
+        box->setCurrentIndex(present != nullptr ? *present : -1);
+    });
+}
+
+void Form::bind(QSpinBox* box, const std::string& pointer) {
+    const FieldEntry entry = entryOf(pointer);
+    connect(box, &QSpinBox::valueChanged, this,
+            [this, place = entry.pointer, name = fieldName(entry.field)](int number) {
+                if (!model_->editField(place, number, name).isEmpty()) {
+                    showAll();
+                }
+            });
+    add(pointer, box, [box](const FieldValue& value) {
+        const QSignalBlocker quiet(box);
+        box->setValue(static_cast<int>(numberOf(value).value_or(box->minimum())));
+    });
 }
 
 QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) {
@@ -189,6 +266,7 @@ void Form::follow(std::function<void()> show) {
 
 void Form::showAll() {
     const auto entries = model_->fields();
+    std::erase_if(rows_, [](const Row& row) { return !row.field; });
     for (const Row& row : rows_) {
         const auto present =
             std::find_if(entries.begin(), entries.end(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QPointer>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "widgets/form_section.h"
 
 class QCheckBox;
+class QSpinBox;
 class QVBoxLayout;
 
 namespace ravnoves {
@@ -44,17 +46,26 @@ class Form : public QWidget {
     /// A row for a text.
     QLineEdit* text(const char* pointer);
 
-    /// A row for a number that is no field by itself: read from the model, and written by `write`,
-    /// in the field's unit.
-    NumberField* number(const Field& field, std::function<std::optional<double>()> read,
-                        std::function<void(std::optional<double>)> write);
-
-    /// Binds a number that stands elsewhere than in a row of its own, for example in a grid.
-    void bind(NumberField* field, std::function<std::optional<double>()> read,
-              std::function<void(std::optional<double>)> write);
-    /// A row for yes or no that is no field by itself.
+    // Rows for what is no field by itself: read from the model, in SI, and written by `write`. What
+    // is refused goes back.
+    using Read = std::function<std::optional<double>()>;
+    using Write = std::function<void(std::optional<double>)>;
+    NumberField* number(const Field& field, Read read, Write write);
+    QComboBox* choice(const QString& name, const QString& label, const QStringList& words,
+                      const QString& hint, std::function<int()> read,
+                      std::function<void(int)> write);
     QCheckBox* box(const QString& name, const QString& label, const QString& hint,
                    std::function<bool()> read, std::function<void(bool)> write);
+
+    // The same for what stands elsewhere than in a row of its own, for example in a grid. What is
+    // bound to a pointer may go before the form does.
+    void bind(NumberField* field, const std::string& pointer);
+    void bind(QComboBox* box, const std::string& pointer);
+    void bind(QSpinBox* box, const std::string& pointer);
+    void bind(NumberField* field, const Field& description, Read read, Write write);
+    /// Of a number in the field's unit.
+    void bind(NumberField* field, Read read, Write write);
+    void bind(QComboBox* box, std::function<int()> read, std::function<void(int)> write);
 
     /// Calls `show` now and whenever the input changes.
     void follow(std::function<void()> show);
@@ -63,13 +74,15 @@ class Form : public QWidget {
     QStringList refused() const;
 
   private:
+    using Show = std::function<void(const FieldValue& value)>;
     struct Row {
         std::string pointer;
-        std::function<void(const FieldValue& value)> show;
-        QWidget* field;
+        Show show;
+        QPointer<QWidget> field;
     };
 
-    void add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show);
+    void add(const std::string& pointer, QWidget* field, Show show);
+    FieldEntry entryOf(const std::string& pointer) const;
     void showAll();
 
     SceneModel* model_;

@@ -58,8 +58,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 NumberField::Reading NumberField::read(const QString& typed) const {
     if (typed.isEmpty()) {
         return {{},
-                optional_ ? QString()
-                          : tr("A value is needed: %1.").arg(rangeText(range_, unit_, locale()))};
+                optional_ ? QString() : tr("A value is needed: %1.").arg(rangeText(range_, unit_))};
     }
     const auto [number, trouble] = readTypedNumber(typed, unit_);
     if (!number) {
@@ -69,7 +68,7 @@ NumberField::Reading NumberField::read(const QString& typed) const {
         return {{}, tr("The value must be a whole number.")};
     }
     if (!range_.contains(*number)) {
-        return {{}, tr("The value %1.").arg(rangeText(range_, unit_, locale()))};
+        return {{}, tr("The value %1.").arg(rangeText(range_, unit_))};
     }
     constexpr int digits = 15;  // 2 in are 50.8 mm, not 50.799999999999997
     // What the text's rule allows, the value's allows: its ends are rounded for the text.
@@ -89,7 +88,7 @@ QString NumberField::written() const {
 }
 
 QString NumberField::rule() const {
-    return tr("Value %1.").arg(rangeText(range_, unit_, locale()));
+    return tr("Value %1.").arg(rangeText(range_, unit_));
 }
 
 bool NumberField::same(const std::optional<double>& a, const std::optional<double>& b) const {

@@ -129,9 +129,8 @@ void ValueSlider::setModel(SceneModel* model) {
 void ValueSlider::sayOutOfRange(const QString& typed) {
     const auto [number, trouble] = readTypedNumber(typed, unit_);
     const QString rule =
-        number
-            ? NumberField::tr("The value %1.")
-                  .arg(rangeText(Range::between(box_->minimum(), box_->maximum()), unit_, locale()))
+        number ? NumberField::tr("The value %1.")
+                     .arg(rangeText(Range::between(box_->minimum(), box_->maximum()), unit_))
         : trouble.isEmpty() ? NumberField::tr("“%1” is not a number.").arg(typed)
                             : trouble;
     refuse(tr("“%1” is refused. %2").arg(typed, rule));
@@ -214,8 +213,7 @@ int ValueSlider::tickOf(double value) const {
 double ValueSlider::valueAt(int tick) const {
     if (stepsPerDecade_ > 0) {
         const double value = min_ * std::pow(10.0, static_cast<double>(tick) / stepsPerDecade_);
-        const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits_ + 1);
-        return std::clamp(std::round(value / unit) * unit, min_, max_);
+        return std::clamp(rounded_to(value, digits_), min_, max_);
     }
     return std::min(max_, min_ + tick * step_);
 }

@@ -34,6 +34,7 @@
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
+#include "scenes/scenes.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "theme/theme.h"
@@ -401,7 +402,7 @@ TEST_P(EveryPage, ARefusedTextIsKeptAndSaidWhyAndIsNoNumber) {
         const double value = field.value().value_or(1.0);
         const QString times10 = QString::number(value * 10.0, 'g', 10);
         for (const QString& text :
-             {near(field) + u"x"_s, u"1e999"_s, u"-1e30"_s, u"0"_s, times10}) {
+             {near(field) + u"x"_s, u"nan"_s, u"1e999"_s, u"-1e30"_s, u"0"_s, times10}) {
             SCOPED_TRACE((field.objectName() + u": "_s + text).toStdString());
             const QString shown = field.text();
             type(field, text);
@@ -505,6 +506,10 @@ TEST_P(EveryCase, ComesBackFromItsFile) {
     const QTemporaryDir folder;
     const auto throughFile = [&](const QString& name) {
         const Json input = model().inputJson();
+        if (const Json result = model().resultJson(); !result.contains("error")) {
+            // What the command line prints.
+            EXPECT_EQ(solve_case(model().caseFile(), model().context()).at("result"), result);
+        }
         const std::unique_ptr<ScenePage> other = make();
         other->model()->loadInput(input, model().context());
         EXPECT_EQ(other->model()->inputJson(), input) << qPrintable(name);

@@ -286,6 +286,10 @@ void BalanceShaftModel::applyShaftAngle(double radians) {
     Q_EMIT shaftMoved();
 }
 
+void BalanceShaftModel::pickShaftAngleDeg(double angle) {
+    setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
+}
+
 void BalanceShaftModel::setCrankAngleDeg(double angle) {
     if (!std::isfinite(angle)) {
         return;

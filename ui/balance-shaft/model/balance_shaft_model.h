@@ -89,6 +89,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     double shaftAngleDeg() const;  ///< α
     void setShaftAngleDeg(double angle);
+    /// By a hand in a picture: to a tenth of a degree.
+    void pickShaftAngleDeg(double angle);
 
     /// Two- or four-stroke. A torque table that holds the same turn twice is halved or doubled with
     /// it; any other and a trace keep their cycle and refuse. Returns as edit().

@@ -28,13 +28,13 @@ RelievedShaftModel::Sized RelievedShaftModel::sized() const {
                              : Sized::None;
 }
 
-std::optional<double> RelievedShaftModel::sizeMm(Size size) const {
+std::optional<double> RelievedShaftModel::sizeOf(Size size) const {
     const RelievedShaft& found = shaft();
     const double metres = (sizes().*size)
                               .value_or(size == &RelievedShaftSizes::diameter ? found.diameter
                                         : size == &RelievedShaftSizes::depth  ? found.depth
                                                                               : found.length);
-    return metres > 0.0 ? std::optional(metres / units::mm) : std::nullopt;
+    return metres > 0.0 ? std::optional(metres) : std::nullopt;
 }
 
 void RelievedShaftModel::choose(Sized sized) {

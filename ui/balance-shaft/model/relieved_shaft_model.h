@@ -26,8 +26,8 @@ class RelievedShaftModel : public QObject {
     Sized sized() const;
     /// What was found becomes what is given.
     void choose(Sized sized);
-    /// A size in mm, given or found; empty where there is none.
-    std::optional<double> sizeMm(Size size) const;
+    /// A size in m, given or found; empty where there is none.
+    std::optional<double> sizeOf(Size size) const;
     bool isGiven(Size size) const { return (sizes().*size).has_value(); }
 
     ResultRows rows() const;

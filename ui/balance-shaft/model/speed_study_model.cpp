@@ -59,7 +59,7 @@ SpeedBand SpeedStudyModel::band() const {
 void SpeedStudyModel::setBand(double SpeedBand::*end, double speed) {
     model_->edit(tr("Speed band"), [&](Input& input) {
         input.speed_band = band();
-        (*input.speed_band).*end = speed * rpm;
+        (*input.speed_band).*end = speed;
     });
 }
 
@@ -199,7 +199,7 @@ QString SpeedStudyModel::answer() const {
 }
 
 void SpeedStudyModel::pick(double angleDeg, double speed) {
-    model_->setShaftAngleDeg(std::round(angleDeg * 10.0) / 10.0);
+    model_->pickShaftAngleDeg(angleDeg);
     if (model_->input().torque.is_computed()) {
         model_->setSpeed(std::round(speed / 10.0) * 10.0 * rpm);
     }

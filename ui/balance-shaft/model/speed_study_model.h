@@ -52,7 +52,7 @@ class SpeedStudyModel : public QObject {
     BackgroundJob* job() const { return job_; }
     /// Of the input; without one from idling to a little above the speed entered.
     balance_shaft::SpeedBand band() const;
-    /// @param end  one of the band's two ends; the speed is in min⁻¹
+    /// @param end  one of the band's two ends; the speed is in rad/s
     void setBand(double balance_shaft::SpeedBand::*end, double speed);
     Criterion criterion() const { return criterion_; }
     void setCriterion(Criterion criterion);

@@ -9,14 +9,13 @@
 #include "bob-weights/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "model/case_model_json.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
-#include "workshop/model/placing_search.h"
 #include "workshop/model/verdict.h"
+#include "workshop/model/workshop_model_json.h"
 #include "workshop/weigh_in.h"
 
 namespace ravnoves {
@@ -24,41 +23,6 @@ namespace ravnoves {
 using namespace bob_weights;
 
 namespace {
-
-/// Those of the machine are of one shaft; where it reads stays.
-void forgetReadings(Input& input) {
-    if (input.correction) {
-        for (Reading& reading : input.correction->readings) {
-            reading.unbalance.reset();
-            reading.angle.reset();
-            reading.bob_weight.reset();
-            reading.shaft = {};
-        }
-        input.correction->earlier_runs.clear();
-    }
-}
-
-/// The card has become that of another crankshaft: whose the readings are is noted with them.
-/// @param before  the editing
-void noteShaft(Input& input, const Input& before) {
-    if (!input.correction || !before.correction) {
-        return;
-    }
-    const auto note = [&](auto& readings, const auto& old) {
-        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
-            if (readings[i].unbalance) {
-                readings[i].shaft = old[i].shaft;
-                readings[i].shaft.note(before.job, input.job);
-            }
-        }
-    };
-    Correction& now = *input.correction;
-    const Correction& then = *before.correction;
-    note(now.readings, then.readings);
-    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
-        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
-    }
-}
 
 /// The sheet for other parts of the same engine; nothing where it has no rules of its own.
 std::optional<WeighIn> rulesAlone(const Input& input) {
@@ -113,28 +77,15 @@ Result BobWeightsScene::solve(const Input& input) const {
     return result;
 }
 
-template class CaseModel<BobWeightsScene>;
-
-Result BobWeightsModel::wholeSolution() const {
-    return isSearching() ? BobWeightsScene{.dated = false}.solve(input()) : solution();
+Json BobWeightsScene::solvedJson(const Json& input, const CaseContext& context) {
+    return solve_scene(input, context);
 }
+
+template class CaseModel<BobWeightsScene>;
+template class WorkshopModel<BobWeightsScene>;
 
 BobWeightsModel::BobWeightsModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
-      placing_(new PlacingSearch(this)),
-      desk_(this, journalPath, deskScene()) {
-    scene().placing = placing_;
-    connect(placing_, &PlacingSearch::found, this,
-            [this] { desk_.withoutChange([this] { solveAgain(); }); });
-}
-
-Json BobWeightsModel::resultJson() const {
-    try {
-        return solve_scene(inputJson(), context());
-    } catch (const InputError& error) {
-        return {{"error", error.what()}};  // a sheet half filled has no result yet
-    }
-}
+    : WorkshopModel(journalPath, parent) {}
 
 bool BobWeightsModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
@@ -145,13 +96,6 @@ bool BobWeightsModel::setViewOption(const QString& key, const QString& value) {
 }
 
 // ------------------------------------------------------------------------------------- changes
-
-void BobWeightsModel::taken() {
-    if (isLoading_) {
-        isLoading_ = false;
-        bobWeightAsLoaded_ = solution().bob_weight;
-    }
-}
 
 QString BobWeightsModel::oddRods(const Engine& engine) {
     return engine.cylinders % engine.rods_per_pin != 0
@@ -170,27 +114,49 @@ QString BobWeightsModel::edit(const QString& name, const std::function<void(Inpu
         sayRefused(why);
         return why;
     }
-    if (!isTyped()) {
-        beforeEditing_ = input();
+    return WorkshopModel::edit(name, mutate, title);
+}
+
+void BobWeightsModel::forgetReadings(Input& input) const {
+    if (input.correction) {
+        for (Reading& reading : input.correction->readings) {
+            reading.unbalance.reset();
+            reading.angle.reset();
+            reading.bob_weight.reset();
+            reading.shaft = {};
+        }
+        input.correction->earlier_runs.clear();
     }
-    return CaseModel::edit(
-        name,
-        [&](Input& input) {
-            // Before the bob weight changes.
-            if (bobWeightAsLoaded_ && input.correction) {
-                for (Reading& reading : input.correction->readings) {
-                    if (reading.unbalance && !reading.bob_weight) {
-                        reading.bob_weight = bobWeightAsLoaded_;
-                    }
-                }
+}
+
+void BobWeightsModel::noteBobWeight(Input& input, double bobWeight) const {
+    if (input.correction) {
+        for (Reading& reading : input.correction->readings) {
+            if (reading.unbalance && !reading.bob_weight) {
+                reading.bob_weight = bobWeight;
             }
-            const workshop::JobHeader before = input.job;
-            mutate(input);
-            if (input.job != before) {
-                noteShaft(input, beforeEditing_);
+        }
+    }
+}
+
+void BobWeightsModel::noteShaft(Input& input, const Input& before) const {
+    if (!input.correction || !before.correction) {
+        return;
+    }
+    const auto note = [&](auto& readings, const auto& old) {
+        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
+            if (readings[i].unbalance) {
+                readings[i].shaft = old[i].shaft;
+                readings[i].shaft.note(before.job, input.job);
             }
-        },
-        title);
+        }
+    };
+    Correction& now = *input.correction;
+    const Correction& then = *before.correction;
+    note(now.readings, then.readings);
+    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
+        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
+    }
 }
 
 QString BobWeightsModel::editField(const std::string& pointer, const FieldValue& value,
@@ -397,10 +363,6 @@ Results BobWeightsModel::takeOffResults() const {
                : Results();
 }
 
-bool BobWeightsModel::isSearching() const {
-    return placing_->isSearching();
-}
-
 void BobWeightsModel::moveBack() {
     editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
 }
@@ -452,7 +414,7 @@ void BobWeightsModel::newJob() {
     next.tolerance = input().tolerance;
     next.weigh_in = rulesAlone(input());
     next.job.technician = input().job.technician;
-    desk_.beginJob([&] {
+    desk()->beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
         restart(next);
@@ -460,13 +422,6 @@ void BobWeightsModel::newJob() {
 }
 
 // ------------------------------------------------------------------------------------- journal
-
-JobDesk::Scene BobWeightsModel::deskScene() {
-    return {[this] { return journalEntry(); },
-            [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-            [this] { return hasNumbers(); },
-            [this] { return solution().bob_weight ? QString() : headline(); }};
-}
 
 bool BobWeightsModel::hasNumbers() const {
     const auto parts = part_fields();
@@ -501,23 +456,6 @@ JournalJob BobWeightsModel::journalEntry() const {
                           : verdictWord(solution().runs.back().passes(), solution().passes_after());
     }
     return job;
-}
-
-void BobWeightsModel::takeJob(const CaseFile& file, bool isCopy) {
-    Input next = read_input(file.input, Completeness::as_is);
-    if (isCopy) {
-        JobDesk::makeNew(next.job);
-        forgetReadings(next);
-    }
-    editText(QString::fromStdString(file.title),
-             isCopy ? QString() : QString::fromStdString(file.notes));
-    // Undo must not bring another job's values under this job's number.
-    isLoading_ = true;
-    restart(next);
-    if (!isCopy) {
-        setVariants(variantsOf(file));
-        setStudy(file.study.is_null() ? std::string() : file.study.dump());
-    }
 }
 
 }  // namespace ravnoves

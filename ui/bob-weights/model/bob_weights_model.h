@@ -5,16 +5,14 @@
 
 #include "bob-weights/input.h"
 #include "bob-weights/solver.h"
-#include "model/case_model.h"
 #include "text/result_row.h"
-#include "workshop/model/job_desk.h"
 #include "workshop/model/matching_text.h"
 #include "workshop/model/weigh_in_table.h"
+#include "workshop/model/workshop_model.h"
 
 namespace ravnoves {
 
 class InputError;
-class PlacingSearch;
 
 /// What CaseModel knows of the scene.
 struct BobWeightsScene {
@@ -27,15 +25,15 @@ struct BobWeightsScene {
     /// Refuses nothing: what is missing or broken is named by the model.
     /// Where engine or factor contradict themselves there is no answer.
     Solved solve(const Input& input) const;
+    static Json solvedJson(const Json& input, const CaseContext& context);
 
-    bool dated;  ///< a new job is of today
+    bool dated;
     PlacingSearch* placing = nullptr;
 };
 
-/// The state of the page of bob weights: the job on the sheet, what follows from it, its history
-/// and its place in the journal. The sheet may be half filled: what is missing is named, what can
-/// be computed is computed.
-class BobWeightsModel : public CaseModel<BobWeightsScene> {
+/// The state of the page of bob weights. The sheet may be half filled: what is missing is named,
+/// what can be computed is computed.
+class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     Q_OBJECT
 
   public:
@@ -43,12 +41,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     explicit BobWeightsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("bob-weights"); }
-    Json resultJson() const override;
     bool setViewOption(const QString& key, const QString& value) override;
-
-    const bob_weights::Result& solution() const { return solved(); }
-    /// The same with the best placing, though it may still be looked for.
-    bob_weights::Result wholeSolution() const;
 
     QString edit(const QString& name, const std::function<void(bob_weights::Input&)>& mutate,
                  const QString& title = {});
@@ -90,8 +83,6 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// Which sets to move; nothing where no column is weighed whole.
     std::optional<matching_text::Shown> matchingShown() const;
     Results takeOffResults() const;
-    /// True while the best placing is still looked for.
-    bool isSearching() const;
     /// The weights change places as the placing says.
     void moveParts();
     /// The weights go back to where they were weighed.
@@ -124,7 +115,6 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     Results holeResults() const;
 
     // ------------------------------------------------------------------------------- journal
-    JobDesk* desk() { return &desk_; }
     /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
     void newJob();
     /// What newJob() keeps.
@@ -137,28 +127,22 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     void sheetChosen(int sheet);
 
   private:
-    void aboutToLoad() override {
-        desk_.forgetJob();
-        isLoading_ = true;
-    }
-    void taken() override;
     QString shownError(const InputError& error) const;
     QString missingText(const std::string& where) const;
     /// Why there are not so many cylinders with two rods on a pin; empty where there may be.
     static QString oddRods(const bob_weights::Engine& engine);
-    JobDesk::Scene deskScene();
-    JournalJob journalEntry() const;
-    bool hasNumbers() const;
-    void takeJob(const CaseFile& file, bool isCopy);
 
-    PlacingSearch* placing_;
-    bool isLoading_ = false;
-    /// Of readings that do not say it: that of the case as it came.
-    std::optional<double> bobWeightAsLoaded_;
-    bob_weights::Input beforeEditing_;  ///< of a field; else before the last change
-    JobDesk desk_;
+    JournalJob journalEntry() const override;
+    bool hasNumbers() const override;
+    QString answerLacks() const override { return solution().bob_weight ? QString() : headline(); }
+    std::optional<double> bobWeight() const override { return solution().bob_weight; }
+    void noteBobWeight(bob_weights::Input& input, double bobWeight) const override;
+    void noteShaft(bob_weights::Input& input, const bob_weights::Input& before) const override;
+    /// Where it reads stays.
+    void forgetReadings(bob_weights::Input& input) const override;
 };
 
 extern template class CaseModel<BobWeightsScene>;
+extern template class WorkshopModel<BobWeightsScene>;
 
 }  // namespace ravnoves

@@ -422,23 +422,6 @@ void InertiaMomentsModel::setOffsetMm(double offset) {
     });
 }
 
-double InertiaMomentsModel::speedRpm() const {
-    return from_si(field::speed, input().angular_speed);
-}
-
-void InertiaMomentsModel::setSpeedRpm(double speed) {
-    drag(fieldName(field::speed), [&](Input& input) { input.angular_speed = speed * rpm; });
-}
-
-double InertiaMomentsModel::referenceMm() const {
-    return from_si(field::reference_position, input().reference_position);
-}
-
-void InertiaMomentsModel::setReferenceMm(double position) {
-    drag(fieldName(field::reference_position),
-         [&](Input& input) { input.reference_position = position * units::mm; });
-}
-
 std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
     const auto [low, high] = extent(result().engine.cylinders, &Cylinder::axial_position);
     const double room = std::max(high - low, 2.0 * input().crank_radius) / 2.0;

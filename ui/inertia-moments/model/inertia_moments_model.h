@@ -98,10 +98,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void setOffsetMm(double offset);
     /// Offsets at which the mechanism does not lock, rounded inwards to 0.1 mm.
     std::pair<double, double> offsetLimitsMm() const;
-    double speedRpm() const;
-    void setSpeedRpm(double speed);
-    double referenceMm() const;  ///< the point that moments refer to
-    void setReferenceMm(double position);
     std::pair<double, double> referenceLimitsMm() const;
 
     /// λ or the rod's length (m) is given, the other one follows; with nothing it is the other way

@@ -83,6 +83,15 @@ QString timeText(double nanoseconds) {
            QCoreApplication::translate("ravnoves::MethodWords", unit->name);
 }
 
+QString nanosecondsText(double nanoseconds) {
+    if (!(nanoseconds > 0.0)) {
+        return QStringLiteral("–");
+    }
+    const int decimals =
+        std::clamp(2 - static_cast<int>(std::floor(std::log10(nanoseconds))), 0, 3);
+    return QLocale().toString(rounded_to(nanoseconds, 3), 'f', decimals);
+}
+
 QString errorNumber(double error) {
     return powerText(error, QLocale(), 2);
 }

@@ -17,7 +17,9 @@ QString sweepTitle(const methods::SweepInfo& sweep);
 QString sweepNumber(const methods::SweepInfo& sweep, double value);
 
 QString timeText(double nanoseconds);  ///< "12.3 ns", "1.2 ms"
-QString errorNumber(double error);     ///< "3.2·10⁻⁹"
+/// Three digits, and the rest zeros: "1 230 000"; a dash where there is no time.
+QString nanosecondsText(double nanoseconds);
+QString errorNumber(double error);  ///< "3.2·10⁻⁹"
 /// The error, or "refused".
 QString resultText(const methods::Result& result);
 

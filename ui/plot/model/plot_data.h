@@ -158,7 +158,6 @@ struct PlotData {
     bool spreadShown = true;
     bool spreadStale = false;  ///< of other data than the curves
     QString fadedText = {};
-    int readoutDecimals = -1;
     /// What the same plot shows of a reference; its curves rest under those of the same number.
     const PlotData* reference = nullptr;
     QString referenceName = {};

@@ -170,7 +170,7 @@ QString PlotScale::tickText(double value, const QLocale& locale) const {
     return trueMinus(locale.toString(shown, format.letter, format.digits));
 }
 
-QString PlotScale::readout(double value, const QLocale& locale, int decimals) const {
+QString PlotScale::readout(double value, const QLocale& locale) const {
     if (isOwn()) {
         return tickText(value, locale);
     }
@@ -178,10 +178,7 @@ QString PlotScale::readout(double value, const QLocale& locale, int decimals) co
         return trueMinus(locale.toString(number(value), 'g', 3));
     }
     const double fine = std::ceil(3.0 - std::log10(spec.factor * (high - low)));
-    return fixedNumber(
-        number(value),
-        decimals >= 0 && spec.factor == 1.0 ? decimals : std::clamp(static_cast<int>(fine), 0, 9),
-        locale);
+    return fixedNumber(number(value), std::clamp(static_cast<int>(fine), 0, 9), locale);
 }
 
 }  // namespace ravnoves

@@ -106,8 +106,8 @@ struct PlotScale {
     /// Values that get a tick: multiples of `step`, or what an own axis chooses.
     std::vector<double> ticks(double pixels, double pixelsPerTick) const;
     QString tickText(double value, const QLocale& locale) const;
-    /// A value of the data: three digits finer than the interval, or so many decimals.
-    QString readout(double value, const QLocale& locale, int decimals = -1) const;
+    /// A value of the data: three digits finer than the interval.
+    QString readout(double value, const QLocale& locale) const;
 
   private:
     std::vector<double> ownTicks(double pixels, double pixelsPerTick) const;

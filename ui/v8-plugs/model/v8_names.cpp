@@ -5,7 +5,7 @@
 #include "text/capital.h"
 #include "v8-plugs/presets.h"
 
-namespace ravnoves::v8_text {
+namespace ravnoves::v8_names {
 
 using namespace v8_plugs;
 
@@ -79,4 +79,4 @@ QString missingNames(const Words& words, const Input& input, bool withBobWeight)
     return missing(words, input, withBobWeight).join(QStringLiteral(", "));
 }
 
-}  // namespace ravnoves::v8_text
+}  // namespace ravnoves::v8_names

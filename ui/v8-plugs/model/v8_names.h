@@ -7,7 +7,7 @@
 #include "v8-plugs/input.h"
 #include "workshop/model/words.h"
 
-namespace ravnoves::v8_text {
+namespace ravnoves::v8_names {
 
 // Names that core does not need: its own are Words::name() and Words::text() of its fields,
 // options, parts and lines.
@@ -26,4 +26,4 @@ QStringList missing(const Words& words, const v8_plugs::Input& input, bool withB
 /// The same one after the other.
 QString missingNames(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
 
-}  // namespace ravnoves::v8_text
+}  // namespace ravnoves::v8_names

@@ -7,14 +7,13 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "model/case_model_json.h"
 #include "text/error_text.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
-#include "workshop/model/placing_search.h"
+#include "workshop/model/workshop_model_json.h"
 
 namespace ravnoves {
 
@@ -122,28 +121,16 @@ Result V8PlugsScene::solve(const Input& input) const {
                                  [this](const auto& search) { return placing->find(search); });
 }
 
-template class CaseModel<V8PlugsScene>;
-
-Result V8PlugsModel::wholeSolution() const {
-    return isSearching() ? V8PlugsScene{.dated = false}.solve(input()) : solution();
+Json V8PlugsScene::solvedJson(const Json& input, const CaseContext& context) {
+    return solve_scene(input, context);
 }
+
+template class CaseModel<V8PlugsScene>;
+template class WorkshopModel<V8PlugsScene>;
 
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
-      placing_(new PlacingSearch(this)),
-      desk_(this, journalPath, deskScene()) {
-    scene().placing = placing_;
-    connect(placing_, &PlacingSearch::found, this,
-            [this] { desk_.withoutChange([this] { solveAgain(); }); });
-    connect(&desk_, &JobDesk::journalOpened, this, &V8PlugsModel::reloadEngines);
-}
-
-Json V8PlugsModel::resultJson() const {
-    try {
-        return solve_scene(inputJson(), context());
-    } catch (const InputError& error) {
-        return {{"error", error.what()}};  // a sheet half filled has no result yet
-    }
+    : WorkshopModel(journalPath, parent) {
+    connect(desk(), &JobDesk::journalOpened, this, &V8PlugsModel::reloadEngines);
 }
 
 bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
@@ -154,46 +141,38 @@ bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
     return true;
 }
 
-void V8PlugsModel::taken() {
-    if (isLoading_) {
-        isLoading_ = false;
-        bobWeightAsLoaded_ = solution().hung();
+void V8PlugsModel::noteBobWeight(Input& input, double bobWeight) const {
+    if (input.balancing) {
+        BalancingSheet& machine = *input.balancing;
+        if (machine.front_reading && !machine.front_bob_weight) {
+            machine.front_bob_weight = bobWeight;
+        }
+        if (machine.rear_reading && !machine.rear_bob_weight) {
+            machine.rear_bob_weight = bobWeight;
+        }
     }
 }
 
-QString V8PlugsModel::edit(const QString& name, const std::function<void(Input&)>& mutate,
-                           const QString& title) {
-    if (!isTyped()) {
-        beforeEditing_ = input();
+void V8PlugsModel::noteShaft(Input& input, const Input& before) const {
+    if (!input.balancing || !before.balancing) {
+        return;
     }
-    return CaseModel::edit(
-        name,
-        [&](Input& input) {
-            if (bobWeightAsLoaded_ && input.balancing) {  // before the bob weight changes
-                BalancingSheet& machine = *input.balancing;
-                if (machine.front_reading && !machine.front_bob_weight) {
-                    machine.front_bob_weight = bobWeightAsLoaded_;
-                }
-                if (machine.rear_reading && !machine.rear_bob_weight) {
-                    machine.rear_bob_weight = bobWeightAsLoaded_;
-                }
-            }
-            const JobHeader before = input.job;
-            mutate(input);
-            if (input.balancing && beforeEditing_.balancing && input.job != before) {
-                const auto note = [&](const std::optional<double>& reading,
-                                      workshop::ReadShaft BalancingSheet::*shaft) {
-                    if (reading) {
-                        workshop::ReadShaft& noted = *input.balancing.*shaft;
-                        noted = *beforeEditing_.balancing.*shaft;
-                        noted.note(beforeEditing_.job, input.job);
-                    }
-                };
-                note(input.balancing->front_reading, &BalancingSheet::front_shaft);
-                note(input.balancing->rear_reading, &BalancingSheet::rear_shaft);
-            }
-        },
-        title);
+    const auto note = [&](const std::optional<double>& reading,
+                          workshop::ReadShaft BalancingSheet::*shaft) {
+        if (reading) {
+            workshop::ReadShaft& noted = *input.balancing.*shaft;
+            noted = *before.balancing.*shaft;
+            noted.note(before.job, input.job);
+        }
+    };
+    note(input.balancing->front_reading, &BalancingSheet::front_shaft);
+    note(input.balancing->rear_reading, &BalancingSheet::rear_shaft);
+}
+
+void V8PlugsModel::forgetReadings(Input& input) const {
+    if (input.balancing) {
+        input.balancing->forget_readings();
+    }
 }
 
 QString V8PlugsModel::editField(const std::string& pointer, const FieldValue& value,
@@ -225,10 +204,6 @@ void V8PlugsModel::confirmReadings() {
 
 QString V8PlugsModel::otherReadingsText() const {
     return v8_text::otherReadings(words_, solution());
-}
-
-bool V8PlugsModel::isSearching() const {
-    return placing_->isSearching();
 }
 
 void V8PlugsModel::moveParts() {
@@ -272,11 +247,9 @@ void V8PlugsModel::newJob() {
         next.weigh_in->matching = input().weigh_in->matching;
     }
     next.balancing = input().balancing;
-    if (next.balancing) {
-        next.balancing->forget_readings();
-    }
+    forgetReadings(next);
     next.job.technician = input().job.technician;
-    desk_.beginJob([&] {
+    desk()->beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
         carried_ = next;
@@ -344,8 +317,8 @@ void V8PlugsModel::fillNominalMasses() {
 // ------------------------------------------------------------------------------------- engines
 
 void V8PlugsModel::reloadEngines() {
-    if (desk_.isOpen()) {
-        ownEngines_ = desk_.journal()->engines();
+    if (desk()->isOpen()) {
+        ownEngines_ = desk()->journal()->engines();
         Q_EMIT enginesChanged();
     }
 }
@@ -353,7 +326,7 @@ void V8PlugsModel::reloadEngines() {
 QStringList V8PlugsModel::engineNames() const {
     QStringList names;
     for (const Engine& preset : engine_presets()) {
-        names << v8_text::engineName(words_, preset.name);
+        names << v8_names::engineName(words_, preset.name);
     }
     for (const JournalEngine& own : ownEngines_) {
         names << own.name;
@@ -402,8 +375,8 @@ void V8PlugsModel::chooseEngine(int place) {
                 }
             });
         } catch (const InputError& error) {
-            desk_.setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
-                                        .arg(own.name, errorText(error)));
+            desk()->setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
+                                          .arg(own.name, errorText(error)));
         }
     }
     finishDrag();
@@ -424,7 +397,7 @@ QString V8PlugsModel::engineNameTrouble(const QString& name) const {
     for (const Engine& preset : engine_presets()) {
         presets
             << QString::fromStdString(preset.name)
-            << v8_text::engineName(words_, preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
+            << v8_names::engineName(words_, preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
     }
     if (find_preset(trimmed.toStdString()) != nullptr ||
         presets.contains(trimmed, Qt::CaseInsensitive)) {
@@ -439,14 +412,14 @@ QString V8PlugsModel::saveEngineAs(const QString& name) {
     if (!trouble.isEmpty()) {
         return trouble;
     }
-    if (!desk_.openJournal()) {
-        return desk_.journalTrouble();
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
     }
     // A name that differs in capitals alone is the same engine.
     for (const JournalEngine& own : std::as_const(ownEngines_)) {
         if (own.name != trimmed && own.name.compare(trimmed, Qt::CaseInsensitive) == 0 &&
-            !desk_.journal()->removeEngine(own.name)) {
-            return desk_.journal()->lastError();
+            !desk()->journal()->removeEngine(own.name)) {
+            return desk()->journal()->lastError();
         }
     }
     Input own;
@@ -461,10 +434,10 @@ QString V8PlugsModel::saveEngineAs(const QString& name) {
         }
     }
     const std::string values = kept.dump();
-    if (!desk_.journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
-        return desk_.journal()->lastError();
+    if (!desk()->journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
+        return desk()->journal()->lastError();
     }
-    ownEngines_ = desk_.journal()->engines();
+    ownEngines_ = desk()->journal()->engines();
     edit(tr("Save engine"), [&](Input& input) {
         input.preset.clear();
         input.engine.name = trimmed.toStdString();
@@ -482,13 +455,13 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
     if (from.compare(trimmed, Qt::CaseInsensitive) != 0 && hasOwnEngine(trimmed)) {
         return tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
     }
-    if (!desk_.openJournal()) {
-        return desk_.journalTrouble();
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
     }
-    if (!desk_.journal()->renameEngine(from, trimmed)) {
-        return desk_.journal()->lastError();
+    if (!desk()->journal()->renameEngine(from, trimmed)) {
+        return desk()->journal()->lastError();
     }
-    ownEngines_ = desk_.journal()->engines();
+    ownEngines_ = desk()->journal()->engines();
     if (QString::fromStdString(input().engine.name) == from) {
         edit(tr("Rename engine"), [&](Input& input) { input.engine.name = trimmed.toStdString(); });
     }
@@ -497,13 +470,13 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
 }
 
 QString V8PlugsModel::removeEngine(const QString& name) {
-    if (!desk_.openJournal()) {
-        return desk_.journalTrouble();
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
     }
-    if (!desk_.journal()->removeEngine(name)) {
-        return desk_.journal()->lastError();
+    if (!desk()->journal()->removeEngine(name)) {
+        return desk()->journal()->lastError();
     }
-    ownEngines_ = desk_.journal()->engines();
+    ownEngines_ = desk()->journal()->engines();
     Q_EMIT enginesChanged();
     return {};
 }

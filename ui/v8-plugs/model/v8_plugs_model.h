@@ -4,17 +4,14 @@
 #include <QStringList>
 #include <QVector>
 
-#include "model/case_model.h"
 #include "text/result_row.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/solver.h"
-#include "workshop/model/job_desk.h"
 #include "workshop/model/weigh_in_table.h"
 #include "workshop/model/words.h"
+#include "workshop/model/workshop_model.h"
 
 namespace ravnoves {
-
-class PlacingSearch;
 
 /// What CaseModel knows of the scene.
 struct V8PlugsScene {
@@ -26,18 +23,18 @@ struct V8PlugsScene {
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
     Solved solve(const Input& input) const;
+    static Json solvedJson(const Json& input, const CaseContext& context);
 
-    bool dated;  ///< a new job is of today
+    bool dated;
     PlacingSearch* placing = nullptr;
 };
 
-/// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
-/// its place in the journal.
+/// The state of the V-8 workshop page.
 ///
 /// The sheet may be half filled: what is missing stays empty and is named, what can be computed is
 /// computed. A change that breaks a rule between fields (more off a plug than it weighs, a bore
 /// wider than the thread) is taken over and named in troubles().
-class V8PlugsModel : public CaseModel<V8PlugsScene> {
+class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     Q_OBJECT
 
   public:
@@ -45,15 +42,8 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
-    Json resultJson() const override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const v8_plugs::Result& solution() const { return solved(); }
-    /// The same with the best placing, though it may still be looked for.
-    v8_plugs::Result wholeSolution() const;
-
-    QString edit(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate,
-                 const QString& title = {});
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override;
 
@@ -122,8 +112,6 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// What the placing makes of spread, force and couple.
     Results effectResults() const;
     Results takeOffResults() const;
-    /// True while the best placing is still looked for.
-    bool isSearching() const;
     void moveParts();
     /// The weights go back to where they were weighed.
     void moveBack();
@@ -136,8 +124,6 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     WeighedColumn columnNote(v8_plugs::Part part) const;
 
     // ------------------------------------------------------------------------------- journal
-    /// Its place in the journal.
-    JobDesk* desk() { return &desk_; }
     /// Empties the sheet for the next job; the engine stays.
     void newJob();
 
@@ -149,30 +135,31 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
   private:
     void aboutToLoad() override {
         carried_.reset();
-        desk_.forgetJob();
-        isLoading_ = true;
+        WorkshopModel::aboutToLoad();
     }
-    void taken() override;
-    bool hasNumbers() const;
+    void takeJob(const CaseFile& file, bool isCopy) override {
+        carried_.reset();
+        WorkshopModel::takeJob(file, isCopy);
+    }
     /// It is for the crankshaft that there is.
     bool isFitted(v8_plugs::OptionId id) const;
     QString optionTip(const v8_plugs::Option& option) const;
-    JobDesk::Scene deskScene();
-    JournalJob journalEntry() const;
-    void takeJob(const CaseFile& file, bool isCopy);
     QString engineNameTrouble(const QString& name) const;
+
+    JournalJob journalEntry() const override;
+    bool hasNumbers() const override;
+    QString answerLacks() const override { return solution().advice ? QString() : adviceText(); }
+    std::optional<double> bobWeight() const override { return solution().hung(); }
+    void noteBobWeight(v8_plugs::Input& input, double bobWeight) const override;
+    void noteShaft(v8_plugs::Input& input, const v8_plugs::Input& before) const override;
+    void forgetReadings(v8_plugs::Input& input) const override;
 
     Words words_;
     QList<JournalEngine> ownEngines_;
     std::optional<v8_plugs::Input> carried_;  ///< what newJob() began with
-    PlacingSearch* placing_;
-    bool isLoading_ = false;
-    /// Of readings that do not say it: that of the case as it came.
-    std::optional<double> bobWeightAsLoaded_;
-    v8_plugs::Input beforeEditing_;  ///< of a field; else before the last change
-    JobDesk desk_;
 };
 
 extern template class CaseModel<V8PlugsScene>;
+extern template class WorkshopModel<V8PlugsScene>;
 
 }  // namespace ravnoves

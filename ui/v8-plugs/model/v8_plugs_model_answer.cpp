@@ -25,7 +25,7 @@ QString V8PlugsModel::adviceText() const {
     if (solution().advice) {
         return v8_text::advice(words_, input(), solution());
     }
-    const QString names = v8_text::missingNames(words_, input(), false);
+    const QString names = v8_names::missingNames(words_, input(), false);
     return names.isEmpty() ? tr("The values do not go together.")
                            : tr("Still needed: %1.").arg(names);
 }
@@ -81,9 +81,9 @@ QString V8PlugsModel::hangText() const {
 }
 
 QString V8PlugsModel::missingText() const {
-    QStringList names = v8_text::missing(words_, input(), true);
+    QStringList names = v8_names::missing(words_, input(), true);
     if (!solution().advice) {  // which names its own
-        const QStringList said = v8_text::missing(words_, input(), false);
+        const QStringList said = v8_names::missing(words_, input(), false);
         names.removeIf([&](const QString& name) { return said.contains(name); });
     }
     return names.isEmpty()
@@ -147,7 +147,7 @@ Results V8PlugsModel::optionResults(bool isShort) const {
     for (const OptionId id : all_options) {
         const auto& option = solution().option(id);
         const QString name =
-            isShort ? v8_text::shortOption(words_, id) : v8_text::optionName(words_, id);
+            isShort ? v8_names::shortOption(words_, id) : v8_names::optionName(words_, id);
         if (!option) {
             rows << ResultRow({name, dash, dash, dash, dash, dash, dash},
                               tr("The engine has no such plug, or its data are missing."));
@@ -186,11 +186,11 @@ QString V8PlugsModel::optionTip(const Option& option) const {
                         words_, std::abs(solution().shift[index(option.id)]->residual_unbalance)));
     }
     text << QStringList{
-        tr("%1: %2.").arg(v8_text::optionName(words_, option.id),
+        tr("%1: %2.").arg(v8_names::optionName(words_, option.id),
                           words_.message(describe_verdict(option, input().tolerance))),
         tr("At most %1 may come off a plug; slope kᵤ = %2, %3°.")
             .arg(v8_text::grams(words_, option.max_reduction, 3), words_.number(option.slope, 3),
-                 words_.number(std::atan(option.slope) / units::degree, 1))};
+                 v8_text::slopeAngle(words_, option.slope))};
     const QString boring = v8_text::boring(words_, input(), solution(), option.id);
     if (!boring.isEmpty()) {
         text << boring;
@@ -211,7 +211,7 @@ Results V8PlugsModel::bobWeightResults() const {
     }
     for (const BobWeightLine& line : solution().before->lines) {
         rows << v8_text::bobWeightCells(words_, solution(), line.part, 2, dash);
-        rows.last().prepend(v8_text::shortLine(words_, line));
+        rows.last().prepend(v8_names::shortLine(words_, line));
     }
     rows << v8_text::bobWeightCells(words_, solution(), std::nullopt, 2, dash);
     rows.last().prepend(tr("Bob weight"));

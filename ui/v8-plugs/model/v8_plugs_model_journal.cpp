@@ -1,9 +1,7 @@
-// What the journal keeps of a job, and a job as it comes back.
+// What the journal keeps of a job.
 
-#include "case-file/case_file.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_plugs_model.h"
-#include "v8-plugs/scene.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves {
@@ -14,13 +12,6 @@ namespace {
 using units::gram;
 using units::gram_mm;
 }  // namespace
-
-JobDesk::Scene V8PlugsModel::deskScene() {
-    return {[this] { return journalEntry(); },
-            [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-            [this] { return hasNumbers(); },
-            [this] { return solution().advice ? QString() : adviceText(); }};
-}
 
 bool V8PlugsModel::hasNumbers() const {
     const auto& machine = input().balancing;
@@ -70,26 +61,6 @@ JournalJob V8PlugsModel::journalEntry() const {
         job.verdict = *passes ? QStringLiteral("passes") : QStringLiteral("fails");
     }
     return job;
-}
-
-void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
-    Input next = read_input(file.input, Completeness::as_is);
-    if (isCopy) {
-        JobDesk::makeNew(next.job);
-        if (next.balancing) {
-            next.balancing->forget_readings();
-        }
-    }
-    editText(QString::fromStdString(file.title),
-             isCopy ? QString() : QString::fromStdString(file.notes));
-    carried_.reset();
-    // Undo must not bring another job's values under this job's number.
-    isLoading_ = true;
-    restart(next);
-    if (!isCopy) {
-        setVariants(variantsOf(file));
-        setStudy(file.study.is_null() ? std::string() : file.study.dump());
-    }
 }
 
 }  // namespace ravnoves

@@ -27,6 +27,10 @@ QString thread(const Words& words, const Thread& thread) {
                                         words.plain(thread.pitch / units::mm, 2));
 }
 
+QString slopeAngle(const Words& words, double slope) {
+    return words.number(std::atan(slope) / units::degree, 1);
+}
+
 QString advice(const Words& words, const Input& input, const Result& solution) {
     return solution.advice && solution.unbalanced_mass
                ? words.message(describe(*solution.advice, *solution.unbalanced_mass,
@@ -52,8 +56,8 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
                                : words.translate("V8",
                                                  "%1 plug: a plug of these dimensions weighs %2, "
                                                  "but sheet 2 says %3. Weigh it."))
-                            .arg(materialName(words, material), grams(words, mass->geometry, 1),
-                                 grams(words, mass->typed, 2));
+                            .arg(v8_names::materialName(words, material),
+                                 grams(words, mass->geometry, 1), grams(words, mass->typed, 2));
         }
     };
     warn(solution.steel_plug, PlugMaterial::steel);
@@ -104,7 +108,7 @@ QStringList notCounted(const Words& words, const Input& input) {
         if (column.is_complete() || column.is_empty()) {
             continue;
         }
-        const QString name = partName(words, part);
+        const QString name = v8_names::partName(words, part);
         const auto change = change_of(part, input.process);
         const bool typed = change != nullptr && input.changes_known() &&
                            input.takes_typed(change) && input.typed_changes.*change != 0.0;
@@ -152,7 +156,7 @@ QStringList kilogramTroubles(const Words& words, const Input& input) {
         const auto mass =
             input.weigh_in ? mass_in_kilograms(part, (*input.weigh_in)[part]) : std::nullopt;
         if (mass) {
-            suspect(partName(words, part), *mass);
+            suspect(v8_names::partName(words, part), *mass);
         }
     }
     return list;
@@ -200,7 +204,7 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
                         .translate(
                             "V8",
                             "%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).")
-                        .arg(partName(words, part), grams(words, s->spread),
+                        .arg(v8_names::partName(words, part), grams(words, s->spread),
                              grams(words, sheet[part].permitted_spread.value()))
                         .arg(s->heaviest + 1)
                         .arg(s->lightest + 1);

@@ -17,9 +17,11 @@ QString gramMillimetres(const Words& words, double unbalance, int decimals = 1);
 
 /// "M22×1,5": a name, in millimetres always, with the language's decimal sign.
 QString thread(const Words& words, const v8_plugs::Thread& thread);
-/// What to do, as one or two sentences; empty while it is not known.
+/// The angle of an option's line in the diagram, in degrees.
+QString slopeAngle(const Words& words, double slope);
 /// That readings were taken with another bob weight; empty where they were not.
 QString otherReadings(const Words& words, const v8_plugs::Result& solution);
+/// What to do, as one or two sentences; empty while it is not known.
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
 /// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug
 /// or nothing is to be cut.

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "model/case_model.h"
+#include "workshop/model/job_desk.h"
+#include "workshop/model/placing_search.h"
+
+namespace ravnoves {
+
+/// The model of a page of the workshop: the job on the sheet, what follows from it, its history and
+/// its place in the journal. Beside what CaseModel asks for, `Scene` says
+///
+///     bool dated;              // a new job is of today
+///     PlacingSearch* placing;  // finds the best placing; null: solve() finds it itself
+///     static Json solvedJson(const Json& input, const CaseContext&);  // throws InputError
+template <typename Scene>
+class WorkshopModel : public CaseModel<Scene> {
+  public:
+    using Input = typename Scene::Input;
+    using Solved = typename Scene::Solved;
+
+    const Solved& solution() const { return this->solved(); }
+    /// The same with the best placing, though it may still be looked for.
+    Solved wholeSolution() const {
+        return isSearching() ? Scene{.dated = false}.solve(this->input()) : solution();
+    }
+    /// True while the best placing is still looked for.
+    bool isSearching() const { return placing_->isSearching(); }
+
+    QString edit(const QString& name, const std::function<void(Input&)>& mutate,
+                 const QString& title = {}) {
+        if (!this->isTyped()) {
+            beforeEditing_ = this->input();
+        }
+        return CaseModel<Scene>::edit(
+            name,
+            [&](Input& input) {
+                if (bobWeightAsLoaded_) {
+                    noteBobWeight(input, *bobWeightAsLoaded_);
+                }
+                const auto before = input.job;
+                mutate(input);
+                if (input.job != before) {
+                    noteShaft(input, beforeEditing_);
+                }
+            },
+            title);
+    }
+
+    /// Its place in the journal.
+    JobDesk* desk() { return &desk_; }
+
+    // In workshop_model_json.h.
+    Json resultJson() const override;
+
+  protected:
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    WorkshopModel(const QString& journalPath, QObject* parent)
+        : CaseModel<Scene>({.dated = !journalPath.isEmpty()}, parent),
+          placing_(new PlacingSearch(this)),
+          desk_(this, journalPath,
+                {[this] { return journalEntry(); },
+                 [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
+                 [this] { return hasNumbers(); }, [this] { return answerLacks(); }}) {
+        this->scene().placing = placing_;
+        QObject::connect(placing_, &PlacingSearch::found, this,
+                         [this] { desk_.withoutChange([this] { this->solveAgain(); }); });
+    }
+
+    void aboutToLoad() override {
+        desk_.forgetJob();
+        isLoading_ = true;
+    }
+    void taken() override {
+        if (isLoading_) {
+            isLoading_ = false;
+            bobWeightAsLoaded_ = bobWeight();
+        }
+    }
+    /// A job of the journal comes onto the sheet.
+    virtual void takeJob(const CaseFile& file, bool isCopy);
+
+  private:
+    // What the desk asks for, as JobDesk::Scene.
+    virtual JournalJob journalEntry() const = 0;
+    virtual bool hasNumbers() const = 0;
+    virtual QString answerLacks() const = 0;
+    /// What hangs on the crankshaft while it is read; nothing where it is not known.
+    virtual std::optional<double> bobWeight() const = 0;
+    /// Readings that do not say with which bob weight they were taken get this one.
+    virtual void noteBobWeight(Input& input, double bobWeight) const = 0;
+    /// The card has become that of another crankshaft: whose the readings are is noted with them.
+    /// @param before  the editing
+    virtual void noteShaft(Input& input, const Input& before) const = 0;
+    /// Those of the machine are of one shaft.
+    virtual void forgetReadings(Input& input) const = 0;
+
+    PlacingSearch* placing_;
+    bool isLoading_ = false;
+    /// Of readings that do not say it: that of the case as it came.
+    std::optional<double> bobWeightAsLoaded_;
+    Input beforeEditing_;  ///< of a field; else before the last change
+    JobDesk desk_;
+};
+
+}  // namespace ravnoves

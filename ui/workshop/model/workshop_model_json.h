@@ -1,0 +1,37 @@
+#pragma once
+
+#include "model/case_model_json.h"
+#include "workshop/model/workshop_model.h"
+
+/// What of WorkshopModel sees JSON, as case_model_json.h: the file that includes it says `template
+/// class WorkshopModel<…Scene>;` too.
+namespace ravnoves {
+
+template <typename Scene>
+Json WorkshopModel<Scene>::resultJson() const {
+    try {
+        return Scene::solvedJson(this->inputJson(), this->context());
+    } catch (const InputError& error) {
+        return {{"error", error.what()}};  // a sheet half filled has no result yet
+    }
+}
+
+template <typename Scene>
+void WorkshopModel<Scene>::takeJob(const CaseFile& file, bool isCopy) {
+    Input next = Scene::read(file.input, this->context());
+    if (isCopy) {
+        JobDesk::makeNew(next.job);
+        forgetReadings(next);
+    }
+    this->editText(QString::fromStdString(file.title),
+                   isCopy ? QString() : QString::fromStdString(file.notes));
+    // Undo must not bring another job's values under this job's number.
+    isLoading_ = true;
+    this->restart(next);
+    if (!isCopy) {
+        this->setVariants(variantsOf(file));
+        this->setStudy(file.study.is_null() ? std::string() : file.study.dump());
+    }
+}
+
+}  // namespace ravnoves
