@@ -27,25 +27,58 @@ int beyondFusion(int pixels) {
     return std::max(0, Theme::withText(pixels) - pixels);
 }
 
-/// The palette with another window colour; the same one for the same question. The pictures of
-/// fields and sliders that Fusion keeps are found again by their palette, and Qt 6.4 never drops
-/// the name of a picture: a new palette at each painting would draw each anew and grow for ever.
+/// The same palette for all that have its colours. The pictures that Fusion keeps are found again
+/// by their palette, and Qt 6.4 never drops the name of a picture: with the palettes that widgets
+/// make for themselves, each page would draw its own and leave the names for ever.
+QPalette lasting(const QPalette& palette) {
+    static QHash<qint64, QPalette> known;  // by the key that each widget's has
+    static QList<QPalette> distinct;
+    constexpr qsizetype many = 1000;
+    constexpr qsizetype themes = 64;  // with what tables and messages colour
+    auto found = known.constFind(palette.cacheKey());
+    if (found == known.constEnd()) {
+        if (known.size() >= many) {
+            known.clear();
+        }
+        auto alike = std::find(distinct.cbegin(), distinct.cend(), palette);
+        if (alike == distinct.cend()) {
+            if (distinct.size() >= themes) {
+                distinct.clear();
+            }
+            distinct << palette;
+            alike = distinct.cend() - 1;
+        }
+        found = known.insert(palette.cacheKey(), *alike);
+    }
+    QPalette same = *found;
+    same.setCurrentColorGroup(palette.currentColorGroup());
+    return same;
+}
+
+/// The palette with another window colour; the same one for the same question.
 QPalette withWindow(const QPalette& palette, const QColor& window) {
     static QHash<std::pair<qint64, QRgb>, QPalette> known;
     constexpr qsizetype many = 1000;
-    const std::pair key(palette.cacheKey(), window.rgba());
+    const QPalette of = lasting(palette);
+    const std::pair key(of.cacheKey(), window.rgba());
     auto found = known.constFind(key);
     if (found == known.constEnd()) {
         if (known.size() >= many) {
             known.clear();
         }
-        QPalette other = palette;
+        QPalette other = of;
         other.setColor(QPalette::Window, window);
         found = known.insert(key, other);
     }
     QPalette other = *found;
     other.setCurrentColorGroup(palette.currentColorGroup());
     return other;
+}
+
+template <typename Option>
+Option withLastingPalette(Option option) {
+    option.palette = lasting(option.palette);
+    return option;
 }
 
 /// With the outline of fields, which Fusion derives from the window's colour: on a dark window it
@@ -186,6 +219,12 @@ class DenseTabs : public QProxyStyle {
             drawFocusFrame(painter, &plain);
             return;
         }
+        const auto* section = qstyleoption_cast<const QStyleOptionHeader*>(option);
+        if (element == CE_HeaderSection && section != nullptr) {
+            const auto kept = withLastingPalette(*section);
+            QProxyStyle::drawControl(element, &kept, painter, widget);
+            return;
+        }
         const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
         if (element != CE_ComboBoxLabel || box == nullptr || box->editable) {
             QProxyStyle::drawControl(element, option, painter, widget);
@@ -209,6 +248,9 @@ class DenseTabs : public QProxyStyle {
                    button != nullptr) {
             const auto seen = outlined(*button);
             QProxyStyle::drawPrimitive(element, &seen, painter, widget);
+        } else if (element == PE_PanelButtonCommand && button != nullptr) {
+            const auto kept = withLastingPalette(*button);
+            QProxyStyle::drawPrimitive(element, &kept, painter, widget);
         } else if (element == PE_IndicatorArrowDown && beyondFusion(comboArrow) > 0) {
             drawTriangle(painter, option->rect, *option, Down,
                          option->state.testFlag(State_Enabled));
@@ -237,9 +279,12 @@ class DenseTabs : public QProxyStyle {
                    slider != nullptr && control == CC_Slider) {
             const auto seen = outlined(*slider);
             QProxyStyle::drawComplexControl(control, &seen, painter, widget);
-        } else if (slider != nullptr && control == CC_ScrollBar && beyondFusion(comboArrow) > 0) {
-            QProxyStyle::drawComplexControl(control, option, painter, widget);
-            drawScrollArrows(painter, *slider, widget);
+        } else if (slider != nullptr && control == CC_ScrollBar) {
+            const auto kept = withLastingPalette(*slider);
+            QProxyStyle::drawComplexControl(control, &kept, painter, widget);
+            if (beyondFusion(comboArrow) > 0) {
+                drawScrollArrows(painter, *slider, widget);
+            }
         } else {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
         }

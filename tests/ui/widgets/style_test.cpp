@@ -8,11 +8,18 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPixmapCache>
+#include <QPushButton>
+#include <QScrollBar>
 #include <QSlider>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionSlider>
 #include <QStyleOptionSpinBox>
+#include <QTableWidget>
+#include <QVBoxLayout>
 #include <cmath>
+#include <initializer_list>
 
 #include "theme/theme.h"
 
@@ -126,6 +133,33 @@ TEST_F(Style, PaintingAgainKeepsNothing) {
     const double before = paint(20);
     const double bytes = paint(300) - before;
     EXPECT_LT(bytes / 300.0, 10.0) << "bytes a time";
+}
+
+TEST_F(Style, PaintingNewWidgetsKeepsNothing) {
+    // As each page that is opened has: with palettes of their own, of the same colours.
+    const auto paint = [](int times) {
+        for (int i = 0; i < times; ++i) {
+            QWidget page;
+            page.setFont(QApplication::font());
+            QPalette palette = QApplication::palette();
+            palette.setColor(QPalette::Text, palette.color(QPalette::Text));
+            page.setPalette(palette);
+            auto* column = new QVBoxLayout(&page);
+            auto* table = new QTableWidget(1, 1, &page);
+            table->setHorizontalHeaderItem(0, new QTableWidgetItem(QStringLiteral("M")));
+            for (QWidget* each : std::initializer_list<QWidget*>{
+                     new QDoubleSpinBox, new QSlider(Qt::Horizontal), new QComboBox, new QLineEdit,
+                     new QPushButton, new QCheckBox, new QScrollBar, table}) {
+                column->addWidget(each);
+            }
+            page.grab();
+        }
+        QPixmapCache::clear();
+        return static_cast<double>(mallinfo2().uordblks);
+    };
+    const double before = paint(20);
+    const double bytes = paint(200) - before;
+    EXPECT_LT(bytes / 200.0, 500.0) << "bytes a page";
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ namespace {
 using namespace Qt::StringLiterals;
 using namespace ravnoves;
 
-constexpr double bound = 4.0;  ///< MiB in use that a part may add after its first fifth
+constexpr double bound = 1.0;  ///< MiB in use that a part may add after its first fifth
 constexpr double mebibyte = 1024.0 * 1024.0;
 
 /// What the program holds, MiB: blocks in use, and the machine's memory with what lies between
