@@ -25,9 +25,9 @@ struct Field {
     Range size{};
     /// Name in the form, with & before its mnemonic; without it the name of the undo step.
     Text label{};
-    std::string_view symbol{};      ///< in formulas, for example "r"
-    Text hint{};                    ///< what it means, an example, its source
-    Text placeholder{};             ///< what an empty field of the form stands for ("auto")
+    std::string_view symbol{};  ///< in formulas, for example "r"
+    Text hint{};                ///< what it means, an example, its source
+    Text placeholder{};         ///< what an empty field of the form stands for ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
     std::span<const Word> words{};
 
@@ -43,8 +43,10 @@ double from_si(const Field& field, double si);
 double rounded(double si, const Field& field, int digits);
 
 /// Throws where a value in the field's unit is not in its range, or beyond its size.
-/// @param parent  JSON pointer of the object that holds the field
+/// @param where  of the value: a JSON pointer, or words
+/// @param shown  the field's unit where the place does not name it
 /// @throws InputError
-void check_range(const Field& field, double value, std::string_view parent);
+void check_range(const Field& field, double value, const Message& where,
+                 const Unit& shown = units::none);
 
 }  // namespace ravnoves

@@ -112,12 +112,6 @@ class Writer final : public FieldWalker {
     std::vector<std::string> keys_;
 };
 
-void check(const Field& field, double value, const std::string& where) {
-    if (const Range* range = field.left_by(value)) {
-        throw InputError(where, range->message(), Number{value});
-    }
-}
-
 class Checker final : public FieldWalker {
   public:
     using FieldWalker::FieldWalker;
@@ -125,7 +119,7 @@ class Checker final : public FieldWalker {
     void numbers(const Field& field, std::vector<double>& values) override {
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (field.left_by(values[i]) != nullptr) {
-                check(field, values[i], pointer_to(field.key) + "/" + std::to_string(i));
+                check_range(field, values[i], pointer_to(field.key) + "/" + std::to_string(i));
             }
         }
     }
@@ -141,11 +135,11 @@ class Checker final : public FieldWalker {
   protected:
     void visit_number(const Field& field, double& si, const double* /*fallback*/,
                       bool /*always*/) override {
-        check(field, from_si(field, si), pointer_to(field.key));
+        check_range(field, from_si(field, si), pointer_to(field.key));
     }
     void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {
         if (si) {
-            check(field, from_si(field, *si), pointer_to(field.key));
+            check_range(field, from_si(field, *si), pointer_to(field.key));
         }
     }
     void visit_integer(const Field& field, int& value, const int* /*fallback*/,
@@ -179,8 +173,10 @@ void check_with(void (*visit)(FieldVisitor& visitor, const void* input), const v
 
 }  // namespace detail
 
-void check_range(const Field& field, double value, std::string_view parent) {
-    check(field, value, std::string(parent) + "/" + std::string(field.key));
+void check_range(const Field& field, double value, const Message& where, const Unit& shown) {
+    if (const Range* range = field.left_by(value)) {
+        throw InputError(where, range->message(shown), Number{value, shown});
+    }
 }
 
 double from_si(const Field& field, double si) {

@@ -25,16 +25,10 @@ void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
                     : Message(CORE_TEXT("elastic-hinge", "there is no guide to export: %1"),
                               guide.reason));
     }
-    const double tolerance = drawing.chord_tolerance / units::mm;
-    if (!field::chord_tolerance.range.contains(tolerance)) {
-        throw InputError(CORE_TEXT("elastic-hinge", "chord tolerance"),
-                         field::chord_tolerance.range.message(units::mm), Number{tolerance});
-    }
+    check_range(field::chord_tolerance, drawing.chord_tolerance / units::mm,
+                CORE_TEXT("elastic-hinge", "chord tolerance"), units::mm);
     const Text roller = CORE_TEXT("elastic-hinge", "roller radius");
-    if (!field::roller_radius.range.contains(drawing.roller_radius / units::mm)) {
-        throw InputError(roller, field::roller_radius.range.message(units::mm),
-                         Number{drawing.roller_radius / units::mm});
-    }
+    check_range(field::roller_radius, drawing.roller_radius / units::mm, roller, units::mm);
     if (summary.largest_roller_radius && drawing.roller_radius >= *summary.largest_roller_radius) {
         throw InputError(
             roller,
@@ -193,9 +187,7 @@ std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
 
 std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg) {
     check_drawing(guide, drawing);
-    if (!(step_deg >= 0.001 && step_deg <= 90.0)) {
-        throw InputError("step", Range::between(0.001, 90).message(), Number{step_deg});
-    }
+    check_range(field::table_step, step_deg, "step", units::degree);
     const GuideShape& shape = *guide.shape;
     const double offset = offset_of(drawing);
     std::string text =

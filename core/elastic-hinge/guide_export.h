@@ -37,7 +37,8 @@ std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing);
 
 /// The guide as a table: crank angle and polar angle (°), radius, x, y of the roller's centre and
 /// x, y of the profile (mm), with a header line; decimal point, commas.
-/// @param step_deg  step of the crank angle, 0.001…90; the turn's end is left out
+/// @param step_deg  step of the crank angle, as field::table_step allows; the turn's end is left
+/// out
 /// @throws InputError as guide_outline()
 std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg);
 

@@ -129,9 +129,8 @@ Json WeightList::write() {
 
 void WeightList::check(const std::string& pointer) {
     for (std::size_t i = 0; i < weights_.size(); ++i) {
-        if (weights_[i] && !mass_.range.contains(from_si(mass_, *weights_[i]))) {
-            throw InputError(pointer + "/" + std::to_string(i), mass_.range.message(),
-                             Number{from_si(mass_, *weights_[i])});
+        if (weights_[i]) {
+            check_range(mass_, from_si(mass_, *weights_[i]), pointer + "/" + std::to_string(i));
         }
     }
 }

@@ -112,7 +112,9 @@ void GuideTab::buildBar() {
     row->addWidget(label);
     row->addWidget(hingeChoice_, 1);
     row = addPart(1);
-    exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), 1.0, 1e5, 1.0, 10.0, 0, {}, this);
+    constexpr Range factors = ElasticHingeModel::exaggerationField.range;
+    exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), factors.min, factors.max, 1.0,
+                                    10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
     exaggeration_->setHint(

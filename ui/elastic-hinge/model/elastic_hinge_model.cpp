@@ -167,19 +167,17 @@ void ElasticHingeModel::takeView(const SceneModel& other) {
 }
 
 void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
-    compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed.range);
+    compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed);
 }
 
 void ElasticHingeModel::setCompareLambdas(const std::vector<double>& lambdas) {
-    compare(scene().options.lambdas, lambdas, "compare_lambdas", field::lambda.range);
+    compare(scene().options.lambdas, lambdas, "compare_lambdas", field::lambda);
 }
 
 void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<double>& wanted,
-                                const char* key, const Range& range) {
+                                const char* key, const Field& field) {
     for (const double value : wanted) {
-        if (!range.contains(value)) {
-            throw InputError(key, range.message(), Number{value});
-        }
+        check_range(field, value, key);
     }
     if (wanted != kept) {
         kept = wanted;
@@ -276,9 +274,8 @@ double ElasticHingeModel::exaggeration() const {
 }
 
 void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
-    constexpr Range range = Range::between(1, 1e6);
-    if (factor && !range.contains(*factor)) {
-        throw InputError("exaggeration", range.message(), Number{*factor});
+    if (factor) {
+        check_range(exaggerationField, *factor, exaggerationField.key);
     }
     if (factor != exaggeration_) {
         exaggeration_ = factor;

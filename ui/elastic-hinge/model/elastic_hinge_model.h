@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "case-file/field.h"
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/presets.h"
@@ -78,6 +79,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void setShownHinge(elastic_hinge::Hinge hinge);
     const elastic_hinge::Guide& shownGuide() const { return guideOf(shownHinge_); }
     const elastic_hinge::Guide& guideOf(elastic_hinge::Hinge hinge) const;
+    static constexpr Field exaggerationField{.key = "exaggeration",
+                                             .range = Range::between(1, 1e5)};
     /// Factor by which the pictures enlarge the guide's relief; 1 is to scale.
     double exaggeration() const;
     /// Nothing: chosen from the relief.
@@ -124,7 +127,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
   private:
     void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
-                 const Range& range);
+                 const Field& field);
     void taken() override { runner_.start(input(), solved().result); }
 
     MotionRunner runner_{this};
