@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "balance-shaft/torque_table.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
-#include "case-file/range.h"
 #include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
@@ -196,7 +196,7 @@ std::vector<double> CylinderGas::breaks_deg() const {
     places.reserve(breaks_.size());
     for (const double angle : breaks_) {
         // A place given in whole degrees stays so.
-        const double rounded = std::round(angle / degree * 1e9) / 1e9;
+        const double rounded = rounded_to_decimals(angle / degree, 9);
         places.push_back(wrap(rounded, std::round(period_ / degree)));
     }
     std::sort(places.begin(), places.end());

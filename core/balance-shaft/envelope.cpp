@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/constants.h"
+
 namespace ravnoves::balance_shaft {
-
-namespace {
-
-constexpr double steel = 7850.0;  ///< kg/m³
-
-}  // namespace
 
 FrontView front_view(const Input& input) {
     const EnvelopeSizes& sizes = input.envelope;
@@ -34,7 +30,7 @@ FrontView front_view(const Input& input) {
         input.counterweight_radius;
     constexpr double largest = 1e100;
     const double half_disc =
-        std::min(std::cbrt(1.5 * unbalance / (steel * view.cylinder_bore)), largest);
+        std::min(std::cbrt(1.5 * unbalance / (steel_density * view.cylinder_bore)), largest);
     view.crank_swing_radius = sizes.crank_swing_radius.value_or(
         std::max(view.crank_radius + view.rod_width / 2.0, half_disc));
     view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(half_disc);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "balance-shaft/input.h"
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "numerics/angle.h"
 #include "numerics/slider_crank.h"
 
@@ -171,9 +171,11 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, lambda) : Fit{};
     const bool take_second = second.found && (!first.found || second.badness() < first.badness());
     const Fit& fit = take_second ? second : first;
-    const auto moment = [](double value) { return Number{rounded_to(value, 3), units::N_m}; };
+    const auto moment = [](double value) {
+        return Number{rounded_to_digits(value, 3), units::N_m};
+    };
     const auto number = [](double value, int digits = 3) {
-        return Number{rounded_to(value, digits)};
+        return Number{rounded_to_digits(value, digits)};
     };
     if (!fit.found || !(check.entered > 0.0) || fit.badness() > InertiaCheck::largest_residual) {
         check.text =
@@ -222,8 +224,8 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                                 "masses at %4, or %5 at this speed. The best angles found "
                                 "are those of no real engine until they agree."),
                       moment(fit.scale), number(fit.lambda), moment(check.entered),
-                      Number{rounded_to(check.matching_speed / units::rpm, 4), units::rpm},
-                      Number{rounded_to(check.matching_mass, 3), units::kg});
+                      Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
+                      Number{rounded_to_digits(check.matching_mass, 3), units::kg});
     return check;
 }
 

@@ -5,6 +5,7 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/input.h"
+#include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
@@ -80,7 +81,7 @@ std::vector<Message> faults(const RelievedShaft& shaft, const RelievedShaftSizes
         return faults;
     }
     const ShaftBending& bending = shaft.bending;
-    const auto rpm_of = [](double speed) { return Number{speed / rpm, units::rpm, 4}; };
+    const auto rpm_of = [](double speed) { return Number{speed / units::rpm, units::rpm, 4}; };
     if (bending.critical_speed < sizes.speed_margin * angular_speed) {
         faults.emplace_back(CORE_TEXT("balance-shaft",
                                       "The shaft whirls at %1: that must be at least %2, %3 times "

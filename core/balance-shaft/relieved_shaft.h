@@ -5,6 +5,7 @@
 
 #include "balance-shaft/shaft_bending.h"
 #include "case-file/message.h"
+#include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -15,7 +16,7 @@ struct RelievedShaftSizes {
     std::optional<double> diameter = 0.050;  ///< D, m
     std::optional<double> depth;             ///< h, m
     std::optional<double> length = 0.400;    ///< b, m
-    double density = 7850.0;                 ///< ρ, kg/m³; steel
+    double density = steel_density;          ///< ρ, kg/m³
     double elastic_modulus = 210e9;          ///< Pa; steel
     std::optional<double> bearing_span =
         std::nullopt;  ///< L, m; empty: b + D, D/2 whole on both sides

@@ -130,7 +130,7 @@ Json write(const InertiaCheck& check) {
                  {"consistent", check.consistent ? Json(*check.consistent) : Json(nullptr)}};
     if (check.fitted) {
         json["residual_rms_Nm"] = check.residual_rms;
-        json["matching_speed_rpm"] = check.matching_speed / rpm;
+        json["matching_speed_rpm"] = check.matching_speed / units::rpm;
         json["matching_mass_kg"] = check.matching_mass;
         json["lambda_is_given"] = !check.lambda_fitted;
     }

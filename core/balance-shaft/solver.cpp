@@ -12,6 +12,7 @@
 #include "balance-shaft/trace_check.h"
 #include "case-file/unusual_engine.h"
 #include "numerics/angle.h"
+#include "numerics/constants.h"
 #include "numerics/periodic_piecewise.h"
 #include "numerics/vector_lanes.h"
 
@@ -19,7 +20,6 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double turn_deg = 360.0;
 /// 0, step, 2 step … and the span itself.
 std::vector<double> grid(double span, double step) {
     const auto whole = static_cast<std::size_t>(std::floor(span / step * (1.0 + 1e-12)));

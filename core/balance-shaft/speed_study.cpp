@@ -564,7 +564,7 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
         }
     };
     using Point = SpeedStudy::Point;
-    put("speed_rpm", &Point::angular_speed, 1.0 / rpm);
+    put("speed_rpm", &Point::angular_speed, 1.0 / units::rpm);
     put("moment_amplitude_Nm", &Point::moment_amplitude, 1.0);
     put("range_without_shaft_Nm", &Point::range_without, 1.0);
     put("rms_without_shaft_Nm", &Point::rms_without, 1.0);
@@ -579,7 +579,7 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
             const SpeedStudy::LeastBad found = study.least_bad_angle(criterion, measure, within);
             return {{"shaft_angle_deg", found.shaft_angle / degree},
                     {key, found.value},
-                    {"worst_speed_rpm", found.worst_speed / rpm}};
+                    {"worst_speed_rpm", found.worst_speed / units::rpm}};
         };
         return {{"range", one(Criterion::range, Measure::absolute, "range_Nm")},
                 {"range_relative", one(Criterion::range, Measure::relative, "ratio")},
@@ -603,7 +603,7 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
             return {{"centre_distance_mm", at.centre_distance() / units::mm},
                     {"shaft_angle_deg", at.shaft_angle() / degree},
                     {key, found->value},
-                    {"worst_speed_rpm", found->worst_speed / rpm},
+                    {"worst_speed_rpm", found->worst_speed / units::rpm},
                     {"gap", found->gap}};
         };
         const auto free = study.least_bad_place(criterion, measure);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "balance-shaft/fields.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
 #include "case-file/two_columns.h"
@@ -17,7 +18,6 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double one_turn_deg = 360.0;
 constexpr double largest_angle_deg = 1e5;
 constexpr double span_tolerance = 1e-3;          ///< of the span, for tables rounded by hand
 constexpr double end_torque_tolerance = 1e-9;    ///< of the largest torque
@@ -133,7 +133,7 @@ struct Cycle {
 
 int strokes_of(const std::vector<double>& crank_angle_deg) {
     return !crank_angle_deg.empty() &&
-                   near(crank_angle_deg.back() - crank_angle_deg.front(), one_turn_deg)
+                   near(crank_angle_deg.back() - crank_angle_deg.front(), turn_deg)
                ? 2
                : 4;
 }
@@ -205,7 +205,7 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     double span = angle.back() - first;
     const auto from_header = header_says_radians(rows.header);
     const auto is_cycle = [&](double length, bool radians) {
-        const double turn = radians ? two_pi : one_turn_deg;
+        const double turn = radians ? two_pi : turn_deg;
         return near(length, turn) || near(length, 2.0 * turn);
     };
     const double open_span = span + angle.back() - angle[angle.size() - 2];
@@ -238,7 +238,7 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
         }
     }
     cycle.format.strokes = strokes_of(angle);
-    angle.back() = angle.front() + one_turn_deg * cycle.format.strokes / 2.0;
+    angle.back() = angle.front() + turn_deg * cycle.format.strokes / 2.0;
     cycle.format.rows = angle.size();
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < angle.size(); ++i) {
@@ -372,7 +372,7 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     }
     check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
     const double span = angle.back() - angle.front();
-    const double cycle_deg = one_turn_deg * strokes_of(angle) / 2.0;
+    const double cycle_deg = turn_deg * strokes_of(angle) / 2.0;
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
         throw InputError(
             angles,

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "numerics/constants.h"
+#include "numerics/units.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -93,14 +94,16 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
 
 Message check_trace(const Input& input, const CylinderGas& gas) {
     const PressureTrace& trace = input.torque.trace;
-    const double atmosphere = 1e5;
+    constexpr double atmosphere = 1.0 * units::bar;
     const double peak = gas.indicated().peak_pressure;
     const double least = *std::min_element(trace.pressure.begin(), trace.pressure.end());
     constexpr double least_rise = 2.0;
     if (!(peak > least_rise * least)) {
         return {};  // nothing that has a phase
     }
-    const auto rounded = [](double value, int digits) { return Number{rounded_to(value, digits)}; };
+    const auto rounded = [](double value, int digits) {
+        return Number{rounded_to_digits(value, digits)};
+    };
 
     // Place of the peak, from the firing top dead centre, −cycle/2 … cycle/2.
     const double cycle_deg = input.cycle_deg();

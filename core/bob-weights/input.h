@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case-file/field.h"
+#include "numerics/constants.h"
 #include "workshop/job_header.h"
 #include "workshop/weigh_in.h"
 
@@ -114,7 +115,7 @@ struct EarlierRun {
 /// The drills at hand, and what limits the holes.
 struct Drill {
     std::vector<double> diameters_mm;
-    double density = 7850.0;               ///< of the crankshaft, kg/m³
+    double density = steel_density;        ///< of the crankshaft, kg/m³
     std::optional<double> maximum_depth;   ///< of the full diameter, m
     double point_angle = 118.0 * degree;   ///< 180°: a flat end
     double depth_step = 0.1e-3;            ///< depths are rounded to it, m; 0: not rounded

@@ -37,6 +37,27 @@ std::optional<double> parse_decimal(std::string_view text) {
     return value;
 }
 
+std::string format_number(double value) {
+    if (std::isnan(value)) {
+        return "not a number";
+    }
+    if (std::isinf(value)) {
+        return value > 0 ? "infinity" : "-infinity";
+    }
+    // People write 100000, not 1e+05; very large and very small numbers keep their exponent.
+    const double size = std::abs(value);
+    const bool plain = size == 0.0 || (size >= 1e-5 && size < 1e15);
+    std::array<char, 64> buffer{};
+    char* const last = buffer.data() + buffer.size();
+    const auto end = plain ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed).ptr
+                           : std::to_chars(buffer.data(), last, value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string format_number(double value, int significant_digits) {
+    return format_number(rounded_to_digits(value, significant_digits));
+}
+
 std::string fixed_decimals(double value, int decimals) {
     std::array<char, 400> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -47,6 +68,34 @@ std::string fixed_decimals(double value, int decimals) {
         text.erase(0, 1);
     }
     return text;
+}
+
+double rounded_to_digits(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return value;
+    }
+    std::array<char, 64> buffer{};
+    const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::general, digits)
+                                .ptr;
+    double shorter = value;
+    std::from_chars(buffer.data(), end, shorter);
+    return shorter;
+}
+
+double rounded_to_decimals(double value, int decimals) {
+    const double parts = std::pow(10.0, decimals);
+    return std::round(value * parts) / parts;
+}
+
+double round_step(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {5.0, 2.0}) {
+        if (step * decade <= value * (1.0 + 1e-12)) {
+            return step * decade;
+        }
+    }
+    return decade;
 }
 
 }  // namespace ravnoves

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+// Numbers as people type, write and round them: the one place for that.
 namespace ravnoves {
 
 /// Reads a number as people type it: decimal point or decimal comma, blanks around it, an optional
@@ -11,7 +12,19 @@ namespace ravnoves {
 /// rather than guessed. Nothing where the whole text is not one finite number.
 std::optional<double> parse_decimal(std::string_view text);
 
+/// A number as a person would write it: the shortest decimal text that reads back to the same
+/// double, with a decimal point, in any locale.
+std::string format_number(double value);
+/// Rounded to so many significant digits.
+std::string format_number(double value, int significant_digits);
 /// With a decimal point and so many decimals; what rounds to nothing has no sign.
 std::string fixed_decimals(double value, int decimals);
+
+/// The value rounded to so many significant digits.
+double rounded_to_digits(double value, int digits);
+/// The value rounded to so many decimals.
+double rounded_to_decimals(double value, int decimals);
+/// The largest of …, 0.1, 0.2, 0.5, 1, 2, 5, 10, … that is not above the value, which is positive.
+double round_step(double value);
 
 }  // namespace ravnoves

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/field_walker.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -182,7 +183,7 @@ void check_range(const Field& field, double value, const Message& where, const U
 double from_si(const Field& field, double si) {
     const double value = si / field.unit;
     for (const int digits : {12, 15, 16}) {
-        const double shorter = rounded_to(value, digits);
+        const double shorter = rounded_to_digits(value, digits);
         if (shorter * field.unit == si) {
             return shorter;
         }
@@ -191,7 +192,7 @@ double from_si(const Field& field, double si) {
 }
 
 double rounded(double si, const Field& field, int digits) {
-    return std::isfinite(si) ? rounded_to(si / field.unit, digits) * field.unit : si;
+    return std::isfinite(si) ? rounded_to_digits(si / field.unit, digits) * field.unit : si;
 }
 
 }  // namespace ravnoves

@@ -2,7 +2,6 @@
 
 #include "case-file/decimal.h"
 #include "case-file/object_reader.h"
-#include "case-file/range.h"
 #include "case-file/said_messages.h"
 
 namespace ravnoves {

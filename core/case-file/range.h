@@ -54,13 +54,4 @@ inline const Range* left_one(std::initializer_list<const Range*> ranges, double 
     return nullptr;
 }
 
-/// A number as a person would write it: the shortest decimal text that reads back to the same
-/// double, with a decimal point, in any locale.
-std::string format_number(double value);
-/// Rounded to so many significant digits.
-std::string format_number(double value, int significant_digits);
-
-/// The value rounded to so many significant decimal digits: the one place for that.
-double rounded_to(double value, int digits);
-
 }  // namespace ravnoves

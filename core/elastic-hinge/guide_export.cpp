@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
 #include "elastic-hinge/fields.h"
@@ -125,7 +126,7 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
     lines.push_back("Dimensions in mm, scale 1:1, chord tolerance " +
                     format_number(drawing.chord_tolerance / units::mm));
     lines.push_back("Roller radius " + format_number(drawing.roller_radius / units::mm) +
-                    ", relief " + format_number(std::round(guide.relief / units::mm * 1e6) / 1e6));
+                    ", relief " + format_number(rounded_to_decimals(guide.relief / units::mm, 6)));
     lines.emplace_back(
         drawing.guide_turns
             ? "Guide turns counter-clockwise, spring stands still; zero angle on +X"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 
@@ -11,7 +12,7 @@ namespace ravnoves::elastic_hinge {
 namespace {
 
 Number millimetres(double length) {
-    return {std::round(length / units::mm * 1e3) / 1e3, units::mm};
+    return {rounded_to_decimals(length / units::mm, 3), units::mm};
 }
 
 /// The largest roller that follows the path, m; empty where any does.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "numerics/chebyshev.h"
 
@@ -220,7 +221,7 @@ bool fill(const System& system, const Level& level, Cell& cell, double& reached)
 }
 
 Number turns_of(double angle) {
-    return {std::round(std::abs(angle) / two_pi * 1e4) / 1e4};
+    return {rounded_to_decimals(std::abs(angle) / two_pi, 4)};
 }
 
 /// Near λ = 1 the rod's inertia jumps at the dead centres, and no step is short enough for it; with

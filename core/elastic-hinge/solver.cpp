@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "numerics/greatest_near.h"
 
@@ -257,16 +258,14 @@ void add_notes(const Input& input, Result& result) {
             Number{std::round(result.largest_side_force_true), units::newton});
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
-        const auto rounded = [](double value, double decimals) {
-            return std::round(value * decimals) / decimals;
-        };
         result.guide_notes.emplace_back(
             CORE_TEXT("elastic-hinge",
                       "The crank's guide has a relief of only %1: a profile error of %2 changes "
                       "its moment by up to %3; a softer spring gives more relief."),
-            Number{rounded(guide.relief / units::micrometre, 10.0), units::micrometre},
-            Number{rounded(guide.error.amplitude / units::micrometre, 100.0), units::micrometre},
-            Number{rounded(guide.error.relative / units::percent, 10.0), units::percent});
+            Number{rounded_to_decimals(guide.relief / units::micrometre, 1), units::micrometre},
+            Number{rounded_to_decimals(guide.error.amplitude / units::micrometre, 2),
+                   units::micrometre},
+            Number{rounded_to_decimals(guide.error.relative / units::percent, 1), units::percent});
     }
 }
 

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "case-file/range.h"
 #include "numerics/vector_state.h"
 
 namespace ravnoves::methods {

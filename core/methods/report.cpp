@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "methods/plain_text.h"
 
 namespace ravnoves::methods {
@@ -53,7 +53,7 @@ std::string digits(double value) {
 
 /// Three digits, but "19200" and not "1.92e+04".
 std::string plain_digits(double value) {
-    return format_number(rounded_to(value, shown_digits));
+    return format_number(rounded_to_digits(value, shown_digits));
 }
 
 std::string optional_number(const std::optional<double>& value) {

@@ -6,7 +6,6 @@
 
 #include "bibliography/bibliography.h"
 #include "case-file/decimal.h"
-#include "case-file/range.h"
 #include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 

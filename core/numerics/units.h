@@ -58,7 +58,7 @@ inline constexpr Unit m_per_s2{CORE_TEXT("core", "m/s²").english, 1.0};
 inline constexpr Unit radian{CORE_TEXT("core", "rad").english, 1.0};
 inline constexpr Unit degree{"°", ravnoves::degree};
 inline constexpr Unit rad_per_s{CORE_TEXT("core", "rad/s").english, 1.0};
-inline constexpr Unit rpm{CORE_TEXT("core", "min⁻¹").english, ravnoves::rpm};
+inline constexpr Unit rpm{CORE_TEXT("core", "min⁻¹").english, two_pi / 60.0};
 inline constexpr Unit percent{"%", 1e-2};
 inline constexpr Unit milligram{"mg", 1e-6};
 inline constexpr Unit pound{CORE_TEXT("core", "lb").english, 0.45359237};

@@ -23,7 +23,6 @@ namespace {
 constexpr std::uint64_t robust_samples = 2048;
 constexpr std::uint64_t fewest_samples = 64;
 constexpr std::size_t left_out_groups = 16;
-constexpr double turn_deg = 360.0;
 
 /// The value of every sample at every angle that was tried.
 class AngleTable {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case-file/case_file.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"

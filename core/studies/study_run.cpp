@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "case-file/input_error.h"
+#include "numerics/constants.h"
 #include "studies/sampler.h"
 
 namespace ravnoves::studies {
@@ -305,10 +306,10 @@ double period_of(const std::string& pointer, std::span<const double> values) {
     if (!pointer.ends_with("_deg")) {
         return 0.0;
     }
-    constexpr double turn = 360.0;
-    return std::any_of(values.begin(), values.end(), [](double v) { return std::abs(v) > turn; })
-               ? 2.0 * turn
-               : turn;
+    return std::any_of(values.begin(), values.end(),
+                       [](double value) { return std::abs(value) > turn_deg; })
+               ? 2.0 * turn_deg
+               : turn_deg;
 }
 
 /// Bins about the middle of what nearly all values span, four times as fine as they must be.

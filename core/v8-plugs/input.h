@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case-file/field.h"
+#include "numerics/constants.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
@@ -40,7 +41,7 @@ struct PlugSheet {
     std::optional<double> cutter_diameter;  ///< m; no boring is planned where not given
     std::optional<double> minimum_wall;     ///< m; no limit where not given
     std::optional<double> minimum_bottom;   ///< m
-    double steel_density = v8_plugs::steel_density;
+    double steel_density = ravnoves::steel_density;
     double aluminium_density = v8_plugs::aluminium_density;
 
     /// Nothing while thread or height are missing.

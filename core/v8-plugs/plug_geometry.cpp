@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// To hundredths, as one measures.
 Number millimetres(double length) {
-    return {std::round(length / units::mm * 100.0) / 100.0, units::mm};
+    return {rounded_to_decimals(length / units::mm, 2), units::mm};
 }
 
 }  // namespace
@@ -86,8 +86,8 @@ Thread parse_thread(std::string_view text, const std::string& where) {
 }
 
 std::string thread_name(const Thread& thread) {
-    return "M" + format_number(rounded_to(thread.diameter / units::mm, 9)) + "x" +
-           format_number(rounded_to(thread.pitch / units::mm, 9));
+    return "M" + format_number(rounded_to_digits(thread.diameter / units::mm, 9)) + "x" +
+           format_number(rounded_to_digits(thread.pitch / units::mm, 9));
 }
 
 double PlugGeometry::volume() const {

@@ -34,7 +34,6 @@ std::string thread_name(const Thread& thread);  ///< "M22x1.5"
 
 enum class PlugMaterial { steel, aluminium };
 
-inline constexpr double steel_density = 7850;      ///< kg/m³, carbon steel
 inline constexpr double aluminium_density = 2700;  ///< kg/m³, wrought alloys 2640 to 2850
 
 /// A plug's dimensions.

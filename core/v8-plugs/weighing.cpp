@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "numerics/demand.h"
 
 namespace ravnoves::v8_plugs {
@@ -28,18 +29,6 @@ double sum_of_squares(const WeighIn& sheet, Process process, double rod_coeffici
     return sum;
 }
 
-/// The largest of …, 0.1, 0.2, 0.5, 1, … g that is not above the value.
-double round_step(double value) {
-    const double grams = value / units::gram;
-    const double decade = std::pow(10.0, std::floor(std::log10(grams)));
-    for (const double step : {5.0, 2.0}) {
-        if (step * decade <= grams * (1.0 + 1e-12)) {
-            return step * decade * units::gram;
-        }
-    }
-    return decade * units::gram;
-}
-
 }  // namespace
 
 std::optional<Weighing> weighing(const Input& input, double resolution) {
@@ -57,7 +46,7 @@ std::optional<Weighing> weighing(const Input& input, double resolution) {
     const double largest = share * input.tolerance / (by_resolution * radius);
     const double bob_weight = by_resolution * resolution;
     return Weighing{bob_weight, bob_weight * radius, resolution <= largest * (1.0 + 1e-12),
-                    round_step(largest)};
+                    round_step(largest / units::gram) * units::gram};
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -224,8 +224,8 @@ void SpeedView::showStudy() {
         map_->setBands({});
         angles_->setBands({});
         const SpeedBand asked = study_->band();
-        angles_->setXAxis({tr("n, min⁻¹"), asked.from / rpm, asked.to / rpm});
-        map_->setYRange(PlotView::Side::Left, asked.from / rpm, asked.to / rpm);
+        angles_->setXAxis({tr("n, min⁻¹"), asked.from / units::rpm, asked.to / units::rpm});
+        map_->setYRange(PlotView::Side::Left, asked.from / units::rpm, asked.to / units::rpm);
         return;
     }
     const auto& [speed, rangeAngle, rmsAngle] = study_->curves();

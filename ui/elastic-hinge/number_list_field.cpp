@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 
+#include "case-file/decimal.h"
 #include "case-file/range.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -31,7 +32,7 @@ NumberListField::Reading NumberListField::read(const QString& typed) const {
         }
         if (const double factor = shownUnit(unit_).factor; factor != 1.0) {
             constexpr int exact = 9;  // what is shown and read again is the same
-            value = rounded_to(*value / factor, exact);
+            value = rounded_to_digits(*value / factor, exact);
         }
         if (!range_.contains(*value)) {
             return {{}, tr("The value %1.").arg(rangeText())};

@@ -14,6 +14,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/shaft_view.h"
+#include "numerics/constants.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr int hodographPair = 420;  ///< designed pixels of both beside each other
 constexpr int cycleDegrees = 720;   // the paper's Fig. 6 shows two turns
-constexpr double turnDegrees = 360.0;
 
 // Curves of the moment plots, in the order in which they are added.
 enum MomentCurve {
@@ -192,22 +192,22 @@ void InertiaMomentsCharts::addHodographs() {
         plot->addCurve({.name = tr("1st"),
                         .colour = 2,
                         .toolTip = tr("Exact first order (Fig. 5)"),
-                        .turn = turnDegrees});
+                        .turn = turn_deg});
         plot->addCurve({.name = tr("2nd"),
                         .colour = 1,
                         .pen = Qt::DashLine,
                         .toolTip = tr("Exact second order (Fig. 5)"),
-                        .turn = 0.5 * turnDegrees});
+                        .turn = 0.5 * turn_deg});
         plot->addCurve({.name = tr("all"),
                         .colour = 0,
                         .width = 1.2,
                         .toolTip = tr("All orders of the reciprocating parts"),
-                        .turn = turnDegrees});
+                        .turn = turn_deg});
         plot->addCurve({.name = tr("left"),
                         .colour = 3,
                         .toolTip = tr("All orders with rotating masses, and with the "
                                       "counterweights and shafts that are on"),
-                        .turn = turnDegrees});
+                        .turn = turn_deg});
         pair->add(plot);
     }
     tabs_->addTab(pair, tr("Hodographs"));

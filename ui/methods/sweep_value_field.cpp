@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/range.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -24,12 +25,12 @@ constexpr int fieldWidth = 96;  ///< pixels, for ten digits
 double roundedForHand(const methods::SweepInfo& sweep, double value) {
     constexpr int digits = 3;
     const double span = sweep.to - sweep.from;
-    double rounded = rounded_to(value, digits);
+    double rounded = rounded_to_digits(value, digits);
     if (sweep.spacing == methods::Spacing::towards_end && sweep.to - value < 0.1 * span) {
-        rounded = sweep.to - rounded_to(sweep.to - value, digits);
+        rounded = sweep.to - rounded_to_digits(sweep.to - value, digits);
     } else if (sweep.spacing == methods::Spacing::towards_start &&
                value - sweep.from < 0.1 * span) {
-        rounded = sweep.from + rounded_to(value - sweep.from, digits);
+        rounded = sweep.from + rounded_to_digits(value - sweep.from, digits);
     }
     return std::clamp(rounded, sweep.at(0.0), sweep.at(1.0));
 }

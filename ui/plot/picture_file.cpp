@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/units.h"
 #include "plot/clipped_svg.h"
 #include "text/write_file.h"
 #include "theme/theme.h"
@@ -64,7 +65,7 @@ bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw, int pix
     const double scale = static_cast<double>(pixels) / size.width();
     QImage image(pixels, static_cast<int>(std::lround(size.height() * scale)),
                  QImage::Format_RGB32);
-    const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / 0.0254));
+    const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / units::inch.to_si));
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);
     image.fill(Theme::instance().window());

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -40,9 +40,9 @@ QString numberText(const Number& number) {
     Number own{number.value, units::none, number.digits};
     if (unit.factor != 1.0) {
         constexpr int converted = 6;
-        own = {
-            rounded_to(unit.factor * number.value, number.digits > 0 ? number.digits : converted),
-            units::none, 0};
+        own = {rounded_to_digits(unit.factor * number.value,
+                                 number.digits > 0 ? number.digits : converted),
+               units::none, 0};
     }
     QString digits = withPower(QString::fromStdString(Message(own).english()));
     return withUnit(trueMinus(digits.replace(QLatin1Char('.'), QLocale().decimalPoint())), name);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -122,7 +122,7 @@ QString signedPercent(double value, double reference) {
     const QString shown = std::abs(percent) < 1000.0
                               ? fixedDecimals(percent, std::abs(percent) < 99.95 ? 1 : 0, QLocale())
                           : std::abs(percent) < 1e6
-                              ? fixedDecimals(rounded_to(percent, 3), 0, QLocale())
+                              ? fixedDecimals(rounded_to_digits(percent, 3), 0, QLocale())
                               : formNumber(percent, QLocale(), 3);
     return (std::abs(percent) < 0.05 ? QStringLiteral("0") : withSign(percent, shown)) +
            QStringLiteral("\u00A0%");

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "numerics/units.h"
 #include "text/number_text.h"
 
@@ -115,8 +115,9 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit) {
     constexpr int precision = 15;  // 568.5 g are 0.5685 kg, not 0.56850000000000001
     return typed->unit.to_si == own->unit.to_si
                ? TypedNumber{number, {}}
-               : TypedNumber{rounded_to(*number * (typed->unit.to_si / own->unit.to_si), precision),
-                             {}};
+               : TypedNumber{
+                     rounded_to_digits(*number * (typed->unit.to_si / own->unit.to_si), precision),
+                     {}};
 }
 
 bool isTypedNumber(const QString& text) {

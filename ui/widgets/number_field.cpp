@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -37,7 +38,8 @@ void NumberField::setRange(const Range& range, const QString& unit) {
 
 double NumberField::shown(double value) const {
     constexpr int digits = 6;  // nobody reads more of a number that was converted
-    return factor_ == 1.0 || !std::isfinite(value) ? value : rounded_to(value * factor_, digits);
+    return factor_ == 1.0 || !std::isfinite(value) ? value
+                                                   : rounded_to_digits(value * factor_, digits);
 }
 
 void NumberField::setDigits(int digits) {
@@ -72,8 +74,9 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     }
     constexpr int digits = 15;  // 2 in are 50.8 mm, not 50.799999999999997
     // What the text's rule allows, the value's allows: its ends are rounded for the text.
-    return {factor_ == 1.0 ? *number
-                           : std::clamp(rounded_to(*number / factor_, digits), own_.min, own_.max),
+    return {factor_ == 1.0
+                ? *number
+                : std::clamp(rounded_to_digits(*number / factor_, digits), own_.min, own_.max),
             {}};
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/range.h"
 #include "model/scene_model.h"
 #include "text/number_text.h"
@@ -62,7 +63,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     unit_ = shown.name;
     factor_ = shown.factor;
     box_->setDecimals(std::max(0, decimals + shown.decimals));
-    box_->setSingleStep(factor_ == 1.0 ? step : rounded_to(step * factor_, 1));
+    box_->setSingleStep(factor_ == 1.0 ? step : rounded_to_digits(step * factor_, 1));
     box_->setSuffix(withUnit({}, shown.name));
     label_->setBuddy(box_);
     QString spoken = label;
@@ -213,7 +214,7 @@ int ValueSlider::tickOf(double value) const {
 double ValueSlider::valueAt(int tick) const {
     if (stepsPerDecade_ > 0) {
         const double value = min_ * std::pow(10.0, static_cast<double>(tick) / stepsPerDecade_);
-        return std::clamp(rounded_to(value, digits_), min_, max_);
+        return std::clamp(rounded_to_digits(value, digits_), min_, max_);
     }
     return std::min(max_, min_ + tick * step_);
 }
@@ -250,7 +251,7 @@ void ValueSlider::edit(double value) {
     // logarithm may be smaller than what the box shows.
     const double decimals = std::pow(10.0, box_->decimals());
     value = factor_ == 1.0 && stepsPerDecade_ == 0 ? std::round(value * decimals) / decimals
-                                                   : rounded_to(value, 12);
+                                                   : rounded_to_digits(value, 12);
     refuse({});
     if (value == value_) {
         return;

@@ -66,7 +66,7 @@ void stated(const Input& input, PaperRows& rows) {
     rows.at(figure(6));
     rows.given("m_j", "kg", "0.622", input.reciprocating_mass);
     rows.given("R", "m", "0.045", input.crank_radius);
-    rows.given("n", "min⁻¹", "6200", input.angular_speed / rpm);
+    rows.given("n", "min⁻¹", "6200", input.angular_speed / units::rpm);
     rows.given("a", "m", "0.063", input.layout->spacing);
     // From crankpin 4, three spacings behind the first.
     rows.given("l", "m", "0.0158", input.layout->first_position - 3.0 * input.layout->spacing);

@@ -9,6 +9,7 @@
 #include "methods/validation/gots_klevtsov_tables.h"
 #include "methods/validation/rows.h"
 #include "numerics/constants.h"
+#include "numerics/units.h"
 
 namespace ravnoves::methods {
 
@@ -87,7 +88,7 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
     rows.given(CORE_TEXT("methods", "counterweight's radius ρ₁"), "m", "0.046",
                input.counterweight_radius);
     rows.slip({CORE_TEXT("methods", "angular speed ω at %1 min⁻¹"), 3600}, "rad/s", "376.8",
-              speed.value * rpm, speed.value * rounded_pi / 30.0,
+              speed.value * units::rpm, speed.value * rounded_pi / 30.0,
               CORE_TEXT("methods", "π is rounded to 3.14."));
     rows.reproduced(CORE_TEXT("methods", "crank radius r"), "m", "0.046", stroke.value / 200.0,
                     CORE_TEXT("methods", "Half the stroke of 9.2 cm in the engine's type."));
@@ -107,13 +108,13 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
                        CORE_TEXT("methods",
                                  "The friction losses are not printed; ours is the indicated power "
                                  "of Table 2 at the printed speed."),
-                       r.M_up.mean * -r.angular_speed / 1000.0);
+                       r.M_up.mean * -r.angular_speed / units::kW);
     rows.not_derivable(
         CORE_TEXT("methods", "speed of Table 2"), "min⁻¹", "3600",
         CORE_TEXT("methods",
                   "The program that made Table 2 is not published; ours is the speed at which the "
                   "inertia torque within it belongs to the masses of Table 1."),
-        r.inertia_check.matching_speed / rpm);
+        r.inertia_check.matching_speed / units::rpm);
 }
 
 void table_2(const Engine& engine, PaperRows& rows) {

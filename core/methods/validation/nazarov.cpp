@@ -4,7 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "case-file/decimal.h"
 #include "methods/validation/rows.h"
+#include "numerics/constants.h"
 #include "numerics/units.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
@@ -50,8 +52,8 @@ constexpr Column columns[] = {
 PlugSet with_printed_coefficients(const Engine& engine) {
     PlugSet plugs = v8_plugs::plug_set(engine).value();
     const Coefficients k = plugs.coefficients();
-    plugs.plug_radius = rounded_to(k.k_y, decimals) / 2.0;
-    plugs.new_design->radius = rounded_to(*k.k_y_new, decimals) / 2.0;
+    plugs.plug_radius = rounded_to_decimals(k.k_y, decimals) / 2.0;
+    plugs.new_design->radius = rounded_to_decimals(*k.k_y_new, decimals) / 2.0;
     plugs.crank_radius = 1.0;
     return plugs;
 }
@@ -109,7 +111,7 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
     // The maxima are sums of what the same table prints.
     const auto maximum = [&](OptionId id) {
         const v8_plugs::Option option = option_of(plugs, id);
-        return rounded_to(option.constant / units::gram, decimals) +
+        return rounded_to_decimals(option.constant / units::gram, decimals) +
                (option.maximum - option.constant) / units::gram;
     };
     const Text from_printed = CORE_TEXT(
@@ -157,8 +159,8 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
                CORE_TEXT("methods", "Equation (22) backwards: it was computed from this."));
     rows.reproduced(
         of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
-        rounded_to(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
-                   decimals) +
+        rounded_to_decimals(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
+                            decimals) +
             plugs.aluminium->max_reduction / units::gram *
                 option_of(plugs, OptionId::steel_to_aluminium).slope,
         CORE_TEXT("methods", "Equation (19) from the printed constant part."));
@@ -197,7 +199,7 @@ void plug_masses(PaperRows& rows) {
         CORE_TEXT("methods",
                   "The drawing is not dimensioned in full; a steel cup of the printed thread and "
                   "height, bored 25 mm wide and 8 mm deep, weighs ours."),
-        plug.volume() * v8_plugs::steel_density / units::gram);
+        plug.volume() * steel_density / units::gram);
     rows.at(in_text(after_equation(24)));
     rows.not_derivable(
         joined(CORE_TEXT("methods", "excess that an M27×1.5 aluminium plug compensates"),

@@ -73,11 +73,6 @@ Verdict decide(Claim claim, double printed, double tolerance, std::optional<doub
     return Verdict::not_derivable;
 }
 
-double rounded_to(double value, int decimals) {
-    const double unit = std::pow(10.0, decimals);
-    return std::round(value * unit) / unit;
-}
-
 Message in_text(Message place) {
     return joined(CORE_TEXT("methods", "text"), std::move(place));
 }

@@ -80,9 +80,6 @@ Message after_equation(int number);
 Message lower_end(Text quantity);
 Message upper_end(Text quantity);
 
-/// Rounded to so many decimals, as a paper that computes on with what it prints.
-double rounded_to(double value, int decimals);
-
 // The papers, one file each.
 std::vector<ValidationRow> validate_gots_klevtsov();
 std::vector<ValidationRow> validate_zotov_sviridov();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/validation/rows.h"
@@ -183,7 +183,7 @@ void counterweight(PaperRows& rows) {
                     "N", "15.4167", weight(0.1), reason);
     rows.slip(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05},
                      CORE_TEXT("methods", "Fig. 6b")),
-              "N", "30.8330", weight(0.05), rounded_to(weight(0.05), 3),
+              "N", "30.8330", weight(0.05), rounded_to_decimals(weight(0.05), 3),
               CORE_TEXT("methods", "The value rounded to three decimals, with a zero added."));
     rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
                            CORE_TEXT("methods", "Fig. 6c")),

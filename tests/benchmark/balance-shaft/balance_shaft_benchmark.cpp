@@ -175,14 +175,15 @@ void speed_map(benchmark::State& state) {
     const Input input =
         diesel(state.range(0) == 0 ? Interpolation::linear : Interpolation::periodic_cubic);
     for (auto _ : state) {
-        const SpeedStudy study(input, {1000.0 * rpm, 4000.0 * rpm, 60, false});
+        const SpeedStudy study(input, {1000.0 * units::rpm, 4000.0 * units::rpm, 60, false});
         benchmark::DoNotOptimize(study.map(360)->range.data());
     }
 }
 BENCHMARK(speed_map)->ArgName("cubic")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 void least_bad_angle(benchmark::State& state) {
-    const SpeedStudy study(diesel(Interpolation::linear), {1000.0 * rpm, 4000.0 * rpm, 60, false});
+    const SpeedStudy study(diesel(Interpolation::linear),
+                           {1000.0 * units::rpm, 4000.0 * units::rpm, 60, false});
     for (auto _ : state) {
         benchmark::DoNotOptimize(
             study.least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative)

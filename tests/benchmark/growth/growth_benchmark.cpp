@@ -167,15 +167,16 @@ std::vector<Growth> all_growths() {
          1.0,
          [](int size) -> Work {
              return [input = diesel(), size] {
-                 balance_shaft::SpeedStudy{input, {1000.0 * rpm, 4000.0 * rpm, size, false}};
+                 balance_shaft::SpeedStudy{input,
+                                           {1000.0 * units::rpm, 4000.0 * units::rpm, size, false}};
              };
          }},
         {"speeds, least bad angle",
          {50, 100, 200, 400},
          1.0,
          [](int size) -> Work {
-             return [study = balance_shaft::SpeedStudy(diesel(),
-                                                       {1000.0 * rpm, 4000.0 * rpm, size, false})] {
+             return [study = balance_shaft::SpeedStudy(
+                         diesel(), {1000.0 * units::rpm, 4000.0 * units::rpm, size, false})] {
                  study.least_bad_angle(balance_shaft::SpeedStudy::Criterion::range,
                                        balance_shaft::SpeedStudy::Measure::relative);
              };

@@ -415,7 +415,7 @@ TEST(EnvelopeStudyTest, EfficientAnglesCanBeBuilt) {
 
 TEST(SpeedStudy, KnowsWhatCanBeBuilt) {
     const Input input = diesel();
-    const SpeedStudy study(input, {1500.0 * rpm, 4000.0 * rpm, 6, false});
+    const SpeedStudy study(input, {1500.0 * units::rpm, 4000.0 * units::rpm, 6, false});
     const auto& stretches = study.buildable().stretches;
     ASSERT_FALSE(stretches.empty());
     using Criterion = SpeedStudy::Criterion;

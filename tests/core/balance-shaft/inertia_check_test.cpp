@@ -28,7 +28,7 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(check.gas_exchange, -2.99, 0.01);
     EXPECT_NEAR(check.entered, 395.0, 0.5);
     EXPECT_FALSE(*check.consistent);
-    EXPECT_NEAR(check.matching_speed / rpm, 2600.0, 10.0);
+    EXPECT_NEAR(check.matching_speed / units::rpm, 2600.0, 10.0);
     EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
     EXPECT_EQ(check.stroke_begin_deg, 0.0);
     EXPECT_EQ(result.notes.front(), check.text);
@@ -46,11 +46,11 @@ TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
     const Result matched = solve(slower);
     EXPECT_TRUE(*matched.inertia_check.consistent);
     EXPECT_NEAR(*matched.inertia_check.fitted, matched.inertia_check.entered, 1e-6);
-    EXPECT_NEAR(slower.angular_speed / rpm, 2590.3, 0.5);
+    EXPECT_NEAR(slower.angular_speed / units::rpm, 2590.3, 0.5);
     EXPECT_LT(matched.best_range.value, 0.911 * matched.M_up.range);
     EXPECT_NEAR(matched.best_rms.value, 186.15, 0.05);
     Input near = input;
-    near.angular_speed = 2600.0 * rpm;
+    near.angular_speed = 2600.0 * units::rpm;
     const Result result = solve(near);
     // With M_s at 2600 min⁻¹: α ≈ 20° cuts the range by 9 %, α ≈ 12° the RMS from 213 to 186.
     EXPECT_NEAR(angle_of(result.best_range), 20.0, 1.0);

@@ -22,7 +22,7 @@ using test::error_of;
 /// 1.316 kg, r 46 mm, L 150 mm at 3000 min⁻¹ with 1100 J per cycle.
 Input offset_engine(double offset = 8e-3) {
     Input input = diesel();
-    input.angular_speed = 3000.0 * rpm;
+    input.angular_speed = 3000.0 * units::rpm;
     input.torque.cylinder.offset = offset;
     input.torque.cycle.heat = 1100.0;
     input.torque.cycle.combustion_start = 350.0 * degree;
@@ -239,7 +239,7 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
 
 TEST(OffsetCylinder, SpeedStudyIsTheEngineSolvedAtEachSpeed) {
     Input input = offset_engine();
-    const SpeedStudy study(input, {1500.0 * rpm, 4500.0 * rpm, 4, false});
+    const SpeedStudy study(input, {1500.0 * units::rpm, 4500.0 * units::rpm, 4, false});
     const auto map = study.map(12);
     ASSERT_TRUE(map);
     for (std::size_t k = 0; k < 4; ++k) {

@@ -21,7 +21,7 @@ using Criterion = SpeedStudy::Criterion;
 using Measure = SpeedStudy::Measure;
 
 SpeedBand band(double from_rpm, double to_rpm, int speeds) {
-    return {from_rpm * rpm, to_rpm * rpm, speeds, false};
+    return {from_rpm * units::rpm, to_rpm * units::rpm, speeds, false};
 }
 
 TEST(SpeedStudy, EverySpeedIsTheEngineSolvedAtThatSpeed) {
@@ -36,7 +36,8 @@ TEST(SpeedStudy, EverySpeedIsTheEngineSolvedAtThatSpeed) {
         ASSERT_TRUE(map);
         for (std::size_t k = 0; k < 5; ++k) {
             const SpeedStudy::Point& point = study.points()[k];
-            EXPECT_NEAR(point.angular_speed / rpm, 1500.0 + 625.0 * static_cast<double>(k), 1e-9);
+            EXPECT_NEAR(point.angular_speed / units::rpm, 1500.0 + 625.0 * static_cast<double>(k),
+                        1e-9);
             input.angular_speed = point.angular_speed;
             const Solver solver(input);
             const Result result = solver.result();
@@ -171,7 +172,7 @@ TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
                 return;
             }
             Input at = input;
-            at.angular_speed = n * rpm;
+            at.angular_speed = n * units::rpm;
             const Solver solver(at);
             const MomentMetrics& without = solver.result().M_up;
             const double value = criterion == Criterion::range ? solver.range(alpha) / without.range
@@ -208,7 +209,7 @@ TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
 
 TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
     Input input = diesel();
-    input.angular_speed = 3000.0 * rpm;
+    input.angular_speed = 3000.0 * units::rpm;
     const SpeedStudy study(input, band(3000, 3000, 2));
     const Result result = solve(input);
     EXPECT_NEAR(study.least_bad_angle(Criterion::range, Measure::absolute).value,

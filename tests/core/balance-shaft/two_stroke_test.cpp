@@ -215,7 +215,7 @@ TEST(TwoStroke, TheCycleIsContinuousAndItsWorkThatOfItsTorque) {
 
 TEST(TwoStroke, SpeedStudyIsTheEngineAtItsSpeeds) {
     Input input = two_stroke();
-    const SpeedStudy study(input, {1500 * rpm, 4000 * rpm, 3, false});
+    const SpeedStudy study(input, {1500 * units::rpm, 4000 * units::rpm, 3, false});
     ASSERT_TRUE(study.is_complete());
     input.angular_speed = study.points()[1].angular_speed;
     const Result result = solve(input);

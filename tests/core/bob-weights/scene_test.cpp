@@ -173,7 +173,7 @@ TEST(Matching, OfABoxerKnowsThatOppositePistonsCancel) {
     const Json& before = placed.at("shaking_before");
     EXPECT_NEAR(before.at("force_g").get<double>(), 2, 1e-9);
     EXPECT_NEAR(before.at("force_g_mm").get<double>(), 80, 1e-9);
-    EXPECT_NEAR(before.at("force_N").get<double>(), 80e-6 * std::pow(3000 * rpm, 2), 1e-9);
+    EXPECT_NEAR(before.at("force_N").get<double>(), 80e-6 * std::pow(3000 * units::rpm, 2), 1e-9);
     EXPECT_NEAR(before.at("couple_g_mm").get<double>(), 2 * 45, 1e-9);
     EXPECT_NEAR(before.at("couple_g_mm2").get<double>(), 2 * 45 * 40, 1e-7);
     // The numbers of the sets are read and written.
@@ -274,8 +274,8 @@ TEST(Tolerance, IsSharedByTheDistances) {
     Tolerance tolerance;
     tolerance.grade = 16e-3;
     tolerance.rotor_mass = 30.0;
-    tolerance.service_speed = 3200 * rpm;
-    const double whole = 30.0 * 16e-3 / (3200 * rpm);
+    tolerance.service_speed = 3200 * units::rpm;
+    const double whole = 30.0 * 16e-3 / (3200 * units::rpm);
     EXPECT_NEAR(whole / 1e-6, 1432.394, 1e-3);  // by hand, g·mm
     const std::array<double, 2> planes{0.1, 0.5};
     const auto limits = [&] { return plane_limits(tolerance, planes).value(); };

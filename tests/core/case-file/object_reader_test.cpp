@@ -179,7 +179,7 @@ TEST(RangeTest, DescribesItself) {
     EXPECT_FALSE(Range{}.contains(Range::unbounded));
 }
 
-TEST(RangeTest, NumbersReadAsPeopleWriteThem) {
+TEST(Decimal, IsWrittenAsPeopleWriteIt) {
     EXPECT_EQ(format_number(100000), "100000");
     EXPECT_EQ(format_number(1e6), "1000000");
     EXPECT_EQ(format_number(19487.6, 4), "19490");
@@ -189,6 +189,17 @@ TEST(RangeTest, NumbersReadAsPeopleWriteThem) {
     EXPECT_EQ(format_number(0), "0");
     EXPECT_EQ(format_number(1e300), "1e+300");
     EXPECT_EQ(format_number(1e-12), "1e-12");
+}
+
+TEST(Decimal, IsRoundedToDigitsDecimalsOrAStep) {
+    EXPECT_EQ(rounded_to_digits(19487.6, 4), 19490.0);
+    EXPECT_EQ(rounded_to_decimals(19487.648, 2), 19487.65);
+    EXPECT_EQ(rounded_to_decimals(-0.0004, 3), 0.0);
+    for (const auto& [value, step] :
+         {std::pair{0.99, 0.5}, std::pair{1.0, 1.0}, std::pair{4.99, 2.0}, std::pair{5.0, 5.0},
+          std::pair{999.0, 500.0}, std::pair{0.03, 0.02}}) {
+        EXPECT_DOUBLE_EQ(round_step(value), step) << value;
+    }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ inline Input vr5() {
     Input input;
     input.crank_radius = 0.045;
     input.lambda = 0.265;
-    input.angular_speed = 6200.0 * rpm;
+    input.angular_speed = 6200.0 * units::rpm;
     input.reciprocating_mass = 0.622;
     input.rotating_mass = 0.8;
     Layout layout;

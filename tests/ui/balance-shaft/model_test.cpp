@@ -196,7 +196,7 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     const SpeedStudyModel::Map map = study.map();
     EXPECT_EQ(map.angles * map.speeds, static_cast<int>(map.relative.size()));
     auto input = model.input();
-    input.angular_speed = curves.speed[2] * rpm;
+    input.angular_speed = curves.speed[2] * units::rpm;
     const balance_shaft::Solver alone(input);
     EXPECT_NEAR(map.relative[static_cast<std::size_t>(2 * map.angles + 100)],
                 alone.range(100.0 * degree) / alone.result().M_up.range, 1e-9);

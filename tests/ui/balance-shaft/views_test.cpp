@@ -251,12 +251,12 @@ TEST_F(BalanceShaftViewsTest, TheBandOfSpeedsIsAForm) {
     QTest::keyClicks(to, QStringLiteral("5000"));
     QTest::keyClick(to, Qt::Key_Return);
     ASSERT_TRUE(model->input().speed_band);
-    EXPECT_NEAR(model->input().speed_band->to / rpm, 5000.0, 1e-9);
+    EXPECT_NEAR(model->input().speed_band->to / units::rpm, 5000.0, 1e-9);
     EXPECT_NEAR(model->input().speed_band->from, 0.3 * model->input().angular_speed, 1e-9);
     EXPECT_EQ(to->trouble(), QString());
     model->history()->undo();
     EXPECT_FALSE(model->input().speed_band);
-    EXPECT_NEAR(*from->value(), 0.3 * model->input().angular_speed / rpm, 1e-3);
+    EXPECT_NEAR(*from->value(), 0.3 * model->input().angular_speed / units::rpm, 1e-3);
 }
 
 TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
@@ -270,7 +270,7 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
     EXPECT_TRUE(view->answer().contains(QStringLiteral("Least bad")))
         << view->answer().toStdString();
-    const double speed = model->input().angular_speed / rpm;
+    const double speed = model->input().angular_speed / units::rpm;
     const auto best = view->anglePlot()->valueAt(1, speed);
     ASSERT_TRUE(best.has_value());
     // Between the band's speeds the curve is a straight line; the optimum is flat.
@@ -297,12 +297,13 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     auto* speed = test::named<QSlider>(*view, "study_speed_rpm_slider");
     auto* load = test::named<QSlider>(*view, "study_load_bar_slider");
     speed->setFocus();
-    const double before = model->input().angular_speed / rpm;
+    const double before = model->input().angular_speed / units::rpm;
     QTest::keyClick(speed, Qt::Key_Right);
-    EXPECT_NEAR(model->input().angular_speed / rpm, 10.0 * std::round(before / 10.0 + 1.0), 1e-6);
+    EXPECT_NEAR(model->input().angular_speed / units::rpm, 10.0 * std::round(before / 10.0 + 1.0),
+                1e-6);
     EXPECT_EQ(model->history()->undoText(), QStringLiteral("Speed n"));
     model->history()->undo();
-    EXPECT_NEAR(model->input().angular_speed / rpm, before, 1e-9);
+    EXPECT_NEAR(model->input().angular_speed / units::rpm, before, 1e-9);
     // The load is that of a computed cycle alone.
     EXPECT_FALSE(load->isEnabled());
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
@@ -373,13 +374,14 @@ TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
     const QPolygonF& border = plot->borders().front();
     const QPointF place = border[border.size() / 2];
     balance_shaft::Input input = model->input();
-    input.angular_speed = place.y() * rpm;
+    input.angular_speed = place.y() * units::rpm;
     input.shaft_angle = place.x() * degree;
     const balance_shaft::Result there = balance_shaft::solve(input);
     EXPECT_NEAR(there.M_ups.range / there.M_up.range, 1.0, 0.01);
     // The pointer reads α, speed and value.
     QSignalSpy hovered(plot, &SpeedMapPlot::hovered);
-    QTest::mouseMove(plot, plot->toPixel(90.0, model->input().angular_speed / rpm).toPoint());
+    QTest::mouseMove(plot,
+                     plot->toPixel(90.0, model->input().angular_speed / units::rpm).toPoint());
     QTRY_VERIFY(!hovered.isEmpty());
     const QString words = hovered.last().at(0).toString();
     EXPECT_TRUE(words.startsWith(QStringLiteral("α "))) << words.toStdString();
@@ -398,7 +400,7 @@ TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
     }
     QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
     const auto [low, high] = view->anglePlot()->xInterval();
-    EXPECT_NEAR(high, 1.1 * 219.0 / rpm, 1.0);
+    EXPECT_NEAR(high, 1.1 * 219.0 / units::rpm, 1.0);
     EXPECT_LT(low, high);
 }
 
@@ -421,7 +423,7 @@ TEST_F(BalanceShaftViewsTest, RemediesMakeTheTorqueFit) {
     QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("use_matching_speed")),
                       Qt::LeftButton);
     EXPECT_EQ(model->result().inertia_check.consistent, true);
-    EXPECT_NEAR(model->input().angular_speed / rpm, 2600.0, 30.0);
+    EXPECT_NEAR(model->input().angular_speed / units::rpm, 2600.0, 30.0);
     model->history()->undo();
     ASSERT_EQ(model->result().inertia_check.consistent, false);
     QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("rebuild_torque")),

@@ -76,7 +76,7 @@ TEST(InertiaMomentsModel, StartsWithThePapersEngine) {
     EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-2-4-5-3"));
     EXPECT_NEAR(model.bankAngleDeg(), 15.0, 1e-12);
     EXPECT_NEAR(model.offsetMm(), 12.51, 1e-12);
-    EXPECT_NEAR(model.input().angular_speed / rpm, 6200.0, 1e-9);
+    EXPECT_NEAR(model.input().angular_speed / units::rpm, 6200.0, 1e-9);
     // Fig. 6: first order up to 440 N·m, second up to 1060.
     EXPECT_NEAR(inertia_moments::amplitude(model.result().two_term.order(1).moment.horizontal()),
                 440.5, 0.1);
@@ -125,7 +125,7 @@ TEST(InertiaMomentsModel, SlidersChangeTheInputInTheirUnits) {
     EXPECT_EQ(changed.size(), 4);
     EXPECT_NEAR(model.input().layout->bank_angle / degree, 20.5, 1e-12);
     EXPECT_NEAR(model.input().layout->offset, 0.008, 1e-15);
-    EXPECT_NEAR(model.input().angular_speed, 3000.0 * rpm, 1e-12);
+    EXPECT_NEAR(model.input().angular_speed, 3000.0 * units::rpm, 1e-12);
     EXPECT_NEAR(model.input().reference_position, 0.0123, 1e-15);
     EXPECT_EQ(model.inputJson()["reference_position_mm"], 12.3);
     // Even firing follows the bank angle: 2nd crankpin at 360 − 144 − γ − 2 φ_TDC.
@@ -333,9 +333,9 @@ TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
     Json good = before;
     good["speed_rpm"] = 1000;
     model.loadInput(good, {});
-    EXPECT_NEAR(model.result().engine.angular_speed, 1000.0 * rpm, 1e-9);
+    EXPECT_NEAR(model.result().engine.angular_speed, 1000.0 * units::rpm, 1e-9);
     model.history()->undo();
-    EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * rpm, 1e-9);
+    EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * units::rpm, 1e-9);
 }
 
 TEST(EngineCurves, AreTheVectorsOfTheResult) {

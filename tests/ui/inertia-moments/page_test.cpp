@@ -97,7 +97,7 @@ TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
     drag(page.sliders()->offset()->slider(), -30);
     EXPECT_LT(model->offsetMm(), 12.0);
     drag(page.sliders()->speed()->slider(), -30);
-    EXPECT_LT(model->input().angular_speed / rpm, 6100.0);
+    EXPECT_LT(model->input().angular_speed / units::rpm, 6100.0);
     drag(page.sliders()->reference()->slider(), 20);
     EXPECT_GT(model->input().reference_position / units::mm, 2.0);
     QTest::keyClick(page.sliders()->speed()->slider(), Qt::Key_Right);

@@ -8,6 +8,7 @@
 #include <QSet>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/field_index.h"
 #include "scenes/scenes.h"
 #include "shell/scene_list.h"

@@ -127,7 +127,7 @@ void SpeedStudyModel::take(Study study, const QString& trouble) {
 SpeedStudyModel::Curves SpeedStudyModel::curves() const {
     Curves curves;
     for (const SpeedStudy::Point& point : study_.study->points()) {
-        curves.speed.push_back(point.angular_speed / rpm);
+        curves.speed.push_back(point.angular_speed / units::rpm);
         curves.rangeAngle.push_back(point.buildable_range_angle.value_or(point.best_range_angle) /
                                     degree);
         curves.rmsAngle.push_back(point.buildable_rms_angle.value_or(point.best_rms_angle) /
@@ -151,8 +151,8 @@ SpeedStudyModel::Map SpeedStudyModel::map() const {
     const auto [least, most] = std::minmax_element(map.relative.begin(), map.relative.end());
     map.least = *least;
     map.most = *most;
-    map.lowest = points.front().angular_speed / rpm;
-    map.highest = points.back().angular_speed / rpm;
+    map.lowest = points.front().angular_speed / units::rpm;
+    map.highest = points.back().angular_speed / units::rpm;
     for (const double angle : angles) {
         map.canBuild.push_back(buildable().contains(angle * degree));
     }
@@ -201,7 +201,7 @@ QString SpeedStudyModel::answer() const {
 void SpeedStudyModel::pick(double angleDeg, double speed) {
     model_->pickShaftAngleDeg(angleDeg);
     if (model_->input().torque.is_computed()) {
-        model_->setSpeed(std::round(speed / 10.0) * 10.0 * rpm);
+        model_->setSpeed(std::round(speed / 10.0) * 10.0 * units::rpm);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/scene.h"
 #include "case-file/case_file.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -382,7 +383,7 @@ std::optional<std::vector<double>> BobWeightsModel::readDrills(const QString& ty
         auto value = readFormNumber(word);
         const double factor = shownUnit(field::diameters.unit).factor;
         if (value && factor != 1.0) {
-            value = rounded_to(*value / factor, 6);
+            value = rounded_to_digits(*value / factor, 6);
         }
         if (!value || !field::diameters.range.contains(*value)) {
             return std::nullopt;

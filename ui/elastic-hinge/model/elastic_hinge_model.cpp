@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/scene.h"
@@ -64,20 +65,6 @@ ResultCell preloadUp(double length) {
     const double parts = std::pow(10.0, decimals);
     const double shown = std::ceil(shownValue(length, units::mm) * parts - 1e-9) / parts;
     return {shown, number(shown, decimals)};
-}
-
-/// The largest of 1, 2, 5, 10, … that is not above the value, at least 1.
-double roundFactor(double value) {
-    if (!(value > 1.0)) {
-        return 1.0;
-    }
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {5.0, 2.0}) {
-        if (step * decade <= value * (1 + 1e-12)) {
-            return step * decade;
-        }
-    }
-    return decade;
 }
 
 std::vector<double> readList(const QString& key, const QString& value) {
@@ -270,7 +257,7 @@ double ElasticHingeModel::exaggeration() const {
         return 1.0;
     }
     // The relief then fills about a fifth of the radius.
-    return roundFactor(0.2 * guide.summary().min_radius / guide.relief);
+    return round_step(std::max(1.0, 0.2 * guide.summary().min_radius / guide.relief));
 }
 
 void ElasticHingeModel::setExaggeration(std::optional<double> factor) {

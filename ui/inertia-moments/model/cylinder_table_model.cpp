@@ -6,9 +6,9 @@
 #include <array>
 
 #include "case-file/case_file.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/range.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/error_text.h"
@@ -74,7 +74,8 @@ std::optional<double> ownNumber(const Field& field, const QString& text) {
     const ShownUnit unit = shownUnit(field.unit);
     const double factor = unit.factor;
     const auto number = readTypedNumber(text, unit.name).value;
-    return number && factor != 1.0 ? std::optional(rounded_to(*number / factor, exact)) : number;
+    return number && factor != 1.0 ? std::optional(rounded_to_digits(*number / factor, exact))
+                                   : number;
 }
 
 /// Writes a cell's text into a cylinder.

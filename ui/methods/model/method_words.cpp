@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "plot/model/ticks.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -89,7 +89,7 @@ QString nanosecondsText(double nanoseconds) {
     }
     const int decimals =
         std::clamp(2 - static_cast<int>(std::floor(std::log10(nanoseconds))), 0, 3);
-    return QLocale().toString(rounded_to(nanoseconds, 3), 'f', decimals);
+    return QLocale().toString(rounded_to_digits(nanoseconds, 3), 'f', decimals);
 }
 
 QString errorNumber(double error) {

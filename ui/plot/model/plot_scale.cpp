@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "case-file/range.h"
+#include "case-file/decimal.h"
 #include "plot/model/ticks.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -26,7 +26,7 @@ void PlotScale::setSpec(const plot::Axis& axis) {
 
 double PlotScale::number(double value) const {
     // There and back again makes no tick at the end of the axis fall off it.
-    return spec.factor == 1.0 ? value : rounded_to(spec.factor * value, 12);
+    return spec.factor == 1.0 ? value : rounded_to_digits(spec.factor * value, 12);
 }
 
 void PlotScale::fit(double least, double most) {

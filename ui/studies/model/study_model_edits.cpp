@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case-file/case_file.h"
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
@@ -95,7 +96,7 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
                 ? 1.0
                 : input->shown.factor;
         constexpr int digits = 12;
-        varied.size = factor == 1.0 ? *number : rounded_to(*number / factor, digits);
+        varied.size = factor == 1.0 ? *number : rounded_to_digits(*number / factor, digits);
         (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
     change(tr("Tolerance"), next);
