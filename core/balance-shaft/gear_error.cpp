@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "balance-shaft/play_range.h"
-#include "numerics/angle.h"
+#include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -43,7 +43,6 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     const double angle = shaft_angle + result.phase_error;
     result.range = solver.range(angle);
     result.rms = solver.rms(angle);
-    result.equivalent_angle = wrap_turn(angle);
 
     // The pitch radius is l/2, so half the play is the angle (b/2)/(l/2).
     result.play = distance > 0.0 ? std::min(input.gears.backlash / distance, pi) : 0.0;

@@ -20,8 +20,6 @@ struct GearError {
     double rms = 0.0;             ///< N·m
     double right_range = 0.0;     ///< of the shaft in its right place, N·m
     double right_rms = 0.0;       ///< N·m
-    /// α that makes M_ups with the error what it is now without it, rad, 0…2π.
-    double equivalent_angle = 0.0;
 
     double play = 0.0;            ///< half of the angle that the play leaves, rad
     double play_force = 0.0;      ///< largest residual force at the ends of the play, N

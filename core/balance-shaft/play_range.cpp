@@ -32,7 +32,7 @@ Bound<double> most_of(const Interval& interval, double amplitude) {
 PlayRange play_range(const CycleExtrema& extrema, double from, double to) {
     const auto evaluate = [&](double alpha) { return range_cut(extrema, alpha); };
     const Cut<double> first = evaluate(from);
-    PlayRange result{first.value, first.value, from, from};
+    PlayRange result{first.value, first.value};
     const double amplitude = extrema.amplitude();
     if (!(to > from) || amplitude == 0.0) {
         return result;
@@ -50,14 +50,8 @@ PlayRange play_range(const CycleExtrema& extrema, double from, double to) {
         left = right;
     }
     const auto offer = [&](const Cut<double>& cut) {
-        if (cut.value < result.low) {
-            result.low = cut.value;
-            result.low_angle = cut.alpha;
-        }
-        if (cut.value > result.high) {
-            result.high = cut.value;
-            result.high_angle = cut.alpha;
-        }
+        result.low = std::min(result.low, cut.value);
+        result.high = std::max(result.high, cut.value);
     };
     for (const Interval& interval : open) {
         offer(interval[1]);

@@ -6,10 +6,8 @@ namespace ravnoves::balance_shaft {
 
 /// Least and largest range of M_up + M_s over an interval of α.
 struct PlayRange {
-    double low = 0.0;         ///< N·m
-    double high = 0.0;        ///< N·m
-    double low_angle = 0.0;   ///< α of the least, rad, in the interval
-    double high_angle = 0.0;  ///< α of the largest
+    double low = 0.0;   ///< N·m
+    double high = 0.0;  ///< N·m
 };
 
 /// Both to rounding, by branch and bound. The range R(α) is the largest of sinusoids of amplitude

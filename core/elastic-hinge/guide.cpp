@@ -73,7 +73,6 @@ struct BranchScan {
             if (against > sharpest) {
                 sharpest = against;
                 sharpest_at = phi;
-                summary.undercut_angle = point.angle;
             }
         }
         const double profile = profile_radius(point, branch, roller);
@@ -145,10 +144,6 @@ double Spring::preload() const {
 double GuidePoint::curvature() const {
     const double square = radius * radius + slope * slope;
     return (square + slope * slope - radius * second) / (square * std::sqrt(square));
-}
-
-double GuidePoint::pressure_angle() const {
-    return std::atan2(std::abs(slope), radius);
 }
 
 double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step) {
@@ -291,7 +286,6 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     const double lowest = std::sqrt(std::max(square - greatest, 0.0));
     const double highest = std::sqrt(square - least);
     guide.smallest_deflection = lowest;
-    guide.largest_deflection = highest;
     const double half_length = 0.5 * spring->free_length;
 
     guide.polar_angle.resize(n);

@@ -21,8 +21,6 @@ struct GuidePoint {
 
     /// Curvature of the path, 1/m; positive where it bends around the centre, as a circle does.
     double curvature() const;
-    /// Angle between the path's normal and the radius, rad, 0…π/2.
-    double pressure_angle() const;
 };
 
 /// A point in the guide's plane, m.
@@ -107,7 +105,6 @@ struct BranchSummary {
     /// The largest roller that follows the path without undercutting its profile, m. Empty: any.
     std::optional<double> largest_roller_radius;
     bool undercut = false;            ///< the input's roller is larger than that
-    double undercut_angle = 0.0;      ///< polar angle of the sharpest place, rad
     double profile_min_radius = 0.0;  ///< of the profile for the input's roller, m
     double profile_max_radius = 0.0;
     double max_pressure_angle = 0.0;  ///< rad
@@ -139,8 +136,7 @@ struct Guide {
     double spring_travel = 0.0;         ///< change of the spring's length over the turn, m
     double largest_spring_force = 0.0;  ///< N
     double smallest_spring_force = 0.0;
-    double smallest_deflection = 0.0;  ///< min |ℓ₀/2 − ρ|, m
-    double largest_deflection = 0.0;
+    double smallest_deflection = 0.0;    ///< min |ℓ₀/2 − ρ|, m
     double largest_moment = 0.0;         ///< of the hinge, N·m
     Branch branch = Branch::compressed;  ///< that ρ₀ lies on
     BranchSummary compressed;
