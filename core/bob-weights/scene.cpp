@@ -5,6 +5,7 @@
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
 #include "case-file/json.h"
+#include "numerics/demand.h"
 
 namespace ravnoves::bob_weights {
 
@@ -103,8 +104,11 @@ Json weigh_in_json(const Input& input, const Result& result) {
 }  // namespace
 
 Json write_result(const Input& input, const Result& result) {
+    RAVNOVES_DEMAND(
+        result.first_order && result.reciprocating && result.rotating && result.bob_weight,
+        "what is written is the result of a whole input");
     const double factor = result.factor + input.factor.overbalance;
-    const FirstOrder& left = result.first_order.value();
+    const FirstOrder& left = *result.first_order;
     Json lines = Json::array();
     for (const Line& line : result.lines) {
         lines.push_back({{"part", line.part->field.key},
@@ -112,10 +116,10 @@ Json write_result(const Input& input, const Result& result) {
                          {"mass_g", line.mass / units::gram},
                          {"product_g", line.product() / units::gram}});
     }
-    Json json{{"reciprocating_g", result.reciprocating.value() / units::gram},
-              {"rotating_g", result.rotating.value() / units::gram},
+    Json json{{"reciprocating_g", *result.reciprocating / units::gram},
+              {"rotating_g", *result.rotating / units::gram},
               {"reciprocating_percent", result.factor / units::percent},
-              {"bobweight_g", result.bob_weight.value() / units::gram},
+              {"bobweight_g", *result.bob_weight / units::gram},
               {"bobweights", input.engine.crankpins()},
               {"lines", std::move(lines)},
               {"theory",

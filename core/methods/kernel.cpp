@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "methods/definition.h"
+#include "numerics/demand.h"
 
 namespace ravnoves::methods {
 
@@ -14,9 +14,8 @@ template <typename List, typename Key>
 std::size_t index_of(const List& list, std::string_view wanted, const Key& key, const char* what) {
     const auto found = std::find_if(list.begin(), list.end(),
                                     [&](const auto& item) { return key(item) == wanted; });
-    if (found == list.end()) {
-        throw std::out_of_range(std::string("no ") + what + " '" + std::string(wanted) + "'");
-    }
+    RAVNOVES_DEMAND(found != list.end(),
+                    std::string("there is a ") + what + " '" + std::string(wanted) + "'");
     return static_cast<std::size_t>(found - list.begin());
 }
 

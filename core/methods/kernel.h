@@ -120,7 +120,7 @@ struct Kernel {
     std::vector<SweepInfo> sweeps;  ///< the first is the one that charts begin with
     std::function<std::unique_ptr<Problem>(std::size_t sweep, double value)> problem;
 
-    std::size_t find_method(std::string_view id) const;  ///< @throws std::out_of_range
+    std::size_t find_method(std::string_view id) const;  ///< that must be there
     std::size_t find_setting(std::size_t method, std::string_view label) const;  ///< likewise
     std::size_t find_sweep(std::string_view id) const;                           ///< likewise
     std::size_t chosen_method() const { return find_method(choice.method); }

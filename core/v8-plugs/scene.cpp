@@ -6,6 +6,7 @@
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
 #include "case-file/json.h"
+#include "numerics/demand.h"
 #include "v8-plugs/solver.h"
 
 namespace ravnoves::v8_plugs {
@@ -173,10 +174,12 @@ Json plane_json(const PlaneVerdict& plane) {
 }  // namespace
 
 Json write_result(const Input& input, const Result& result) {
-    const PlugSet& plugs = result.plugs.value();
-    const double excess = result.unbalanced_mass.value();
+    RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass && result.advice,
+                    "what is written is the result of a whole input");
+    const PlugSet& plugs = *result.plugs;
+    const double excess = *result.unbalanced_mass;
     const Coefficients coefficients = plugs.coefficients();
-    const Advice& advice = result.advice.value();
+    const Advice& advice = *result.advice;
 
     Json json{{"unbalanced_mass_g", excess / units::gram},
               {"unbalance_g_mm", excess * plugs.crank_radius / units::gram_mm},
