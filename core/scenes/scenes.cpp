@@ -82,25 +82,10 @@ std::filesystem::path plain_path(const std::filesystem::path& path) {
     return plain.has_filename() ? plain : plain.parent_path();
 }
 
-/// The files that it names change no formula.
-std::vector<Formula> formulas_of_balance_shaft(const Json& input) {
-    return balance_shaft::formulas(read_fields<balance_shaft::Input>(input));
-}
-
-std::vector<Formula> formulas_of_elastic_hinge(const Json& input) {
-    return elastic_hinge::formulas(elastic_hinge::read_input(input));
-}
-
-std::vector<Formula> formulas_of_v8_plugs(const Json& input) {
-    return v8_plugs::formulas(v8_plugs::read_input(input, Completeness::as_is));
-}
-
-std::vector<Formula> formulas_of_bob_weights(const Json& input) {
-    return bob_weights::formulas(bob_weights::read_input(input, Completeness::as_is));
-}
-
-std::vector<Formula> formulas_of_inertia_moments(const Json& input) {
-    return inertia_moments::formulas(inertia_moments::read_input(input));
+/// Of what was read field by field: rules that join fields, and files that it names, change none.
+template <typename Input>
+std::vector<Formula> formulas_of(const Json& input) {
+    return formulas(read_fields<Input>(input, Completeness::as_is));
 }
 
 }  // namespace
@@ -108,15 +93,16 @@ std::vector<Formula> formulas_of_inertia_moments(const Json& input) {
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
-        SceneSolver{"balance-shaft", balance_shaft::solve_scene, formulas_of_balance_shaft,
+        SceneSolver{"balance-shaft", balance_shaft::solve_scene, formulas_of<balance_shaft::Input>,
                     balance_shaft::left_out},
-        SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of_elastic_hinge,
+        SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of<elastic_hinge::Input>,
                     elastic_hinge::left_out},
-        SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of_v8_plugs, v8_plugs::left_out},
-        SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of_bob_weights,
+        SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of<v8_plugs::Input>,
+                    v8_plugs::left_out},
+        SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of<bob_weights::Input>,
                     bob_weights::left_out},
-        SceneSolver{"inertia-moments", inertia_moments::solve_scene, formulas_of_inertia_moments,
-                    inertia_moments::left_out},
+        SceneSolver{"inertia-moments", inertia_moments::solve_scene,
+                    formulas_of<inertia_moments::Input>, inertia_moments::left_out},
     };
     return scenes;
 }
