@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bob-weights/factor_theory.h"
+#include "workshop/tolerance.h"
 
 namespace ravnoves::bob_weights {
 
@@ -55,11 +56,7 @@ std::vector<Formula> formulas(const Input& input) {
                        "the point, ρ density; of a slug the difference of the densities")});
     }
     if (input.tolerance && input.tolerance->by_grade) {
-        list.push_back({CORE_TEXT("v8-plugs", "Permissible residual unbalance"), "U = 1000 m G / ω",
-                        "iso-21940-11", "",
-                        CORE_TEXT("v8-plugs",
-                                  "g·mm with the mass m in kg, the grade G in mm/s and "
-                                  "the service speed ω in rad/s")});
+        list.push_back(workshop::permissible_unbalance_formula());
     }
     return list;
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "workshop/tolerance.h"
+
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -87,11 +89,7 @@ std::vector<Formula> formulas(const Input& input) {
                               "d distance by which the metal bored off lies beyond the "
                               "centre of mass of the plug")});
     if (input.balancing && input.balancing->grade) {
-        list.push_back({CORE_TEXT("v8-plugs", "Permissible residual unbalance"), "U = 1000 m G / ω",
-                        "iso-21940-11", "",
-                        CORE_TEXT("v8-plugs",
-                                  "g·mm with the mass m in kg, the grade G in mm/s and "
-                                  "the service speed ω in rad/s")});
+        list.push_back(workshop::permissible_unbalance_formula());
     }
     return list;
 }

@@ -23,4 +23,12 @@ std::span<const BalanceGrade> balance_grades() {
     return grades;
 }
 
+Formula permissible_unbalance_formula() {
+    return {CORE_TEXT("workshop", "Permissible residual unbalance"), "U = 1000 m G / ω",
+            "iso-21940-11", "",
+            CORE_TEXT("workshop",
+                      "g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in "
+                      "rad/s")};
+}
+
 }  // namespace ravnoves::workshop

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "bibliography/formula.h"
 #include "case-file/field.h"
 
 namespace ravnoves::workshop {
@@ -23,6 +24,9 @@ std::span<const BalanceGrade> balance_grades();
 constexpr double permissible_unbalance(double rotor_mass, double grade, double service_speed) {
     return rotor_mass * grade / service_speed;
 }
+
+/// The same as a report prints it.
+Formula permissible_unbalance_formula();
 
 namespace field {
 

@@ -8688,10 +8688,6 @@ but nothing can be built</source>
         <translation>По допускам обеих плоскостей</translation>
     </message>
     <message>
-        <source>To the full diameter; the cone of the drill&apos;s point lies beyond</source>
-        <translation>До полного диаметра; конус сверла лежит глубже</translation>
-    </message>
-    <message>
         <source>Readings hold</source>
         <translation>Показания верны</translation>
     </message>
@@ -16996,14 +16992,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>d — насколько снятый металл лежит дальше центра масс пробки</translation>
     </message>
     <message>
-        <source>Permissible residual unbalance</source>
-        <translation>Допустимый остаточный дисбаланс</translation>
-    </message>
-    <message>
-        <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
-        <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
-    </message>
-    <message>
         <source>The crankshaft is rigid.</source>
         <translation>Коленчатый вал жёсткий.</translation>
     </message>
@@ -17073,6 +17061,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>must be the numbers 1 to %1, each once</source>
         <translation>должны быть номера от 1 до %1, каждый один раз</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance</source>
+        <translation>Допустимый остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
+        <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
     </message>
 </context>
 </TS>

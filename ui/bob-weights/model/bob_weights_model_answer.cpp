@@ -182,8 +182,7 @@ Results BobWeightsModel::holeResults() const {
     return {
         columnsOf(
             bob_text::holeHead(Words()),
-            {tr("To the full diameter; the cone of the drill's point lies beyond"),
-             tr("From the machine's zero mark"),
+            {shownText(field::maximum_depth.hint), tr("From the machine's zero mark"),
              tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
                 "steel weighed")}),
         bob_text::holes(Words(), solution())};
