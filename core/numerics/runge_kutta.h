@@ -83,7 +83,7 @@ void implicit_step(const ImplicitTable<S>& table, const Acceleration& f, double 
 }
 
 /// The method of order 8 of Dormand and Prince with error estimates of orders 5 and 3 and step
-/// control, DOP853 of Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I".
+/// control, DOP853 of [hairer-norsett-wanner].
 class Dop853 {
   public:
     /// @param tolerance  of a step: rad, and part of `speed`

@@ -9,7 +9,7 @@
 namespace ravnoves::studies {
 
 /// Uniform numbers in (0, 1) that depend on seed, sample, stream and place alone: Philox4x32-10
-/// (Salmon et al. 2011).
+/// [salmon].
 class CounterRandom {
   public:
     explicit CounterRandom(std::uint64_t seed) : seed_(seed) {}
@@ -25,7 +25,7 @@ class CounterRandom {
 ///
 /// Monte Carlo: CounterRandom. Latin hypercube: for each input a permutation of the samples by a
 /// Feistel network, so nothing is stored. Sobol: Boost.Random's points, each coordinate scrambled
-/// by a hash that approximates Owen's (Burley 2020): without bias, for smooth functions with an
+/// by a hash that approximates Owen's [burley]: without bias, for smooth functions with an
 /// error near N^−1.5.
 class Sampler {
   public:

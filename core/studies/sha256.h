@@ -5,7 +5,7 @@
 
 namespace ravnoves::studies {
 
-/// SHA-256 (FIPS 180-4) of bytes, as 64 hexadecimal digits.
+/// SHA-256 [fips-180-4] of bytes, as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
 }  // namespace ravnoves::studies

@@ -4010,12 +4010,8 @@
         <translation>Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров</translation>
     </message>
     <message>
-        <source>%1, &quot;%2&quot;</source>
-        <translation>%1, «%2»</translation>
-    </message>
-    <message>
-        <source>%1, &quot;%2&quot;, %3</source>
-        <translation>%1, «%2», %3</translation>
+        <source>%1, &quot;%2&quot;, %3, %4</source>
+        <translation>%1, «%2», %3, %4</translation>
     </message>
     <message>
         <source>is nested more than %1 levels deep</source>
@@ -4516,6 +4512,18 @@
     <message>
         <source>Input/output error</source>
         <translation>ошибка ввода-вывода</translation>
+    </message>
+    <message>
+        <source>Problemy mashinostroeniya i nadezhnosti mashin, no. 5</source>
+        <translation>Проблемы машиностроения и надёжности машин, № 5</translation>
+    </message>
+    <message>
+        <source>Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5</source>
+        <translation>Известия высших учебных заведений. Машиностроение, № 5</translation>
+    </message>
+    <message>
+        <source>pp. %1</source>
+        <translation>с. %1</translation>
     </message>
 </context>
 <context>
