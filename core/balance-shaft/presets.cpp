@@ -26,4 +26,8 @@ Input preset_tmz_650d() {
     return input;
 }
 
+std::vector<Preset<Input>> presets() {
+    return {{"TMZ-650D", preset_tmz_650d()}};
+}
+
 }  // namespace ravnoves::balance_shaft

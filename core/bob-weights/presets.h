@@ -1,17 +1,13 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "bob-weights/input.h"
-#include "case-file/message.h"
+#include "case-file/preset.h"
 
 namespace ravnoves::bob_weights {
 
-/// An engine to begin with; its masses are to be weighed.
-struct Preset {
-    Text name;
-    Engine engine;
-};
-std::span<const Preset> presets();
+/// Engines to begin with; their masses are to be weighed.
+std::vector<Preset<Input>> presets();
 
 }  // namespace ravnoves::bob_weights

@@ -18,4 +18,8 @@ Input preset_zotov() {
     return input;
 }
 
+std::vector<Preset<Input>> presets() {
+    return {{CORE_TEXT("elastic-hinge", "Zotov and Sviridov 2021"), preset_zotov()}};
+}
+
 }  // namespace ravnoves::elastic_hinge

@@ -126,4 +126,13 @@ Input preset_radial(int cylinders) {
     return input;
 }
 
+std::vector<Preset<Input>> presets() {
+    std::vector<Preset<Input>> list{{"Volkswagen VR5", preset_vw_vr5()}};
+    for (const int count : radial_counts) {
+        list.push_back({{CORE_TEXT("inertia-moments", "Radial engine, %1 cylinders"), count},
+                        preset_radial(count)});
+    }
+    return list;
+}
+
 }  // namespace ravnoves::inertia_moments

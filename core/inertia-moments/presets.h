@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "case-file/preset.h"
 #include "inertia-moments/input.h"
 
 namespace ravnoves::inertia_moments {
@@ -22,6 +24,9 @@ inline constexpr std::array radial_counts{3, 5, 7, 9};
 /// way of the second order is there, switched off.
 /// @param cylinders  one of radial_counts
 Input preset_radial(int cylinders);
+
+/// The engine of the paper and the radials.
+std::vector<Preset<Input>> presets();
 
 /// End webs half a spacing beyond the outer crankpins of these cylinders, at the crank's radius.
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius);

@@ -9,18 +9,23 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/formulas.h"
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "bob-weights/formulas.h"
+#include "bob-weights/presets.h"
 #include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "elastic-hinge/formulas.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/formulas.h"
+#include "inertia-moments/presets.h"
 #include "inertia-moments/scene.h"
 #include "numerics/demand.h"
 #include "v8-plugs/formulas.h"
+#include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
 
 namespace ravnoves {
@@ -88,21 +93,31 @@ std::vector<Formula> formulas_of(const Json& input) {
     return formulas(read_fields<Input>(input, Completeness::as_is));
 }
 
+template <auto presets>
+std::vector<Preset<Json>> written() {
+    std::vector<Preset<Json>> list;
+    for (const auto& [title, input] : presets()) {
+        list.push_back({title, write_input(input)});
+    }
+    return list;
+}
+
 }  // namespace
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
         SceneSolver{"balance-shaft", balance_shaft::solve_scene, formulas_of<balance_shaft::Input>,
-                    balance_shaft::left_out},
+                    balance_shaft::left_out, written<balance_shaft::presets>},
         SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of<elastic_hinge::Input>,
-                    elastic_hinge::left_out},
+                    elastic_hinge::left_out, written<elastic_hinge::presets>},
         SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of<v8_plugs::Input>,
-                    v8_plugs::left_out},
+                    v8_plugs::left_out, written<v8_plugs::presets>},
         SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of<bob_weights::Input>,
-                    bob_weights::left_out},
+                    bob_weights::left_out, written<bob_weights::presets>},
         SceneSolver{"inertia-moments", inertia_moments::solve_scene,
-                    formulas_of<inertia_moments::Input>, inertia_moments::left_out},
+                    formulas_of<inertia_moments::Input>, inertia_moments::left_out,
+                    written<inertia_moments::presets>},
     };
     return scenes;
 }

@@ -9,6 +9,7 @@
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
 #include "case-file/json_fwd.h"
+#include "case-file/preset.h"
 #include "case-file/wanted.h"
 
 namespace ravnoves {
@@ -25,6 +26,7 @@ struct SceneSolver {
     /// What its result rests on. @throws InputError as solve()
     std::vector<Formula> (*formulas)(const Json& input);
     std::span<const Text> (*left_out)();
+    std::vector<Preset<Json>> (*presets)();  ///< "input" objects to begin with
 };
 
 /// The scenes that have a solver, in the order of the navigation.

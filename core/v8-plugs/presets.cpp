@@ -92,4 +92,19 @@ PlugSheet printed_plug(std::string_view preset) {
     return sheet;
 }
 
+std::vector<Preset<Input>> presets() {
+    std::vector<Preset<Input>> list;
+    for (const Engine& engine : engine_presets()) {
+        Input input;
+        input.preset = engine.name;
+        input.engine = engine;
+        if (const PlugSheet printed = printed_plug(engine.name); printed != PlugSheet{}) {
+            input.plug = printed;
+        }
+        const double litres = std::stod(engine.name);
+        list.push_back({{CORE_TEXT("V8", "V-8 of %1 litres"), litres}, std::move(input)});
+    }
+    return list;
+}
+
 }  // namespace ravnoves::v8_plugs

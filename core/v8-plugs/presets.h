@@ -2,13 +2,15 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "case-file/preset.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/input.h"
 
 namespace ravnoves::v8_plugs {
 
-/// A preset: an engine of the paper. Only what the paper prints is filled in; m_j, m_R and the oil
+/// The engines of the paper. Only what the paper prints is filled in; m_j, m_R and the oil
 /// are empty everywhere. m_p of the 4.25 l engine is lost in the print: 2.79 g follows from
 /// Δm_yra and from Δm_yhr alike (Tables 2 and 3).
 std::span<const Engine> engine_presets();
@@ -20,5 +22,8 @@ const Engine* find_preset(std::string_view name);
 /// of which it prints none. The bore stays empty: the table's letters stand on a drawing that the
 /// print does not show well enough to tell which of them is the bore.
 PlugSheet printed_plug(std::string_view preset);
+
+/// The engines with their plugs.
+std::vector<Preset<Input>> presets();
 
 }  // namespace ravnoves::v8_plugs

@@ -2056,6 +2056,10 @@
         <source>Typed on sheet 1, but the weights are to count, and no column of them is whole yet: %1.</source>
         <translation>Введено на листе 1, но считаются взвешивания, а ни одна их колонка ещё не полна: %1.</translation>
     </message>
+    <message>
+        <source>V-8 of %1 litres</source>
+        <translation>V-8, %1 л</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
@@ -5140,6 +5144,10 @@
         <source>at lambda = 1 the mechanism locks</source>
         <translation>при λ = 1 механизм заклинивает</translation>
     </message>
+    <message>
+        <source>Zotov and Sviridov 2021</source>
+        <translation>Зотов и Свиридов 2021</translation>
+    </message>
 </context>
 <context>
     <name>inertia-moments</name>
@@ -5958,6 +5966,10 @@
     <message>
         <source>must be given for one cylinder (%1) on a crank whose throws carry different numbers of rods</source>
         <translation>нужно задать для одного цилиндра (%1): на коленах этого вала разное число шатунов</translation>
+    </message>
+    <message>
+        <source>Radial engine, %1 cylinders</source>
+        <translation>Звезда, цилиндров: %1</translation>
     </message>
 </context>
 <context>
@@ -9221,10 +9233,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ElasticHingeModel</name>
     <message>
-        <source>Zotov and Sviridov 2021</source>
-        <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
         <source>None: %1.</source>
         <translation>Нет: %1.</translation>
     </message>
@@ -12446,18 +12454,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 </context>
 <context>
     <name>ravnoves::NewCases</name>
-    <message>
-        <source>Zotov and Sviridov 2021</source>
-        <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
-        <source>V-8 of %1 litres</source>
-        <translation>V-8, %1 л</translation>
-    </message>
-    <message>
-        <source>Radial engine, %1 cylinders</source>
-        <translation>Звезда, цилиндров: %1</translation>
-    </message>
     <message>
         <source>Preset: %1</source>
         <translation>Образец: %1</translation>

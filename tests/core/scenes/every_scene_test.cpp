@@ -276,5 +276,17 @@ TEST(Scenes, HaveAnExampleAndALineHere) {
     EXPECT_EQ(listed, solved);
 }
 
+TEST(Scenes, HavePresetsThatReadBack) {
+    for (const SceneSolver& each : scene_solvers()) {
+        const auto presets = each.presets();
+        EXPECT_FALSE(presets.empty()) << each.name;
+        std::set<std::string> titles;
+        for (const auto& [title, input] : presets) {
+            EXPECT_TRUE(titles.insert(title.english()).second) << title.english();
+            EXPECT_FALSE(each.formulas(input).empty()) << title.english();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves

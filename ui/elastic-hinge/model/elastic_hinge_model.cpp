@@ -84,7 +84,7 @@ std::vector<double> readList(const QString& key, const QString& value) {
 }  // namespace
 
 QString ElasticHingeScene::defaultTitle() {
-    return ElasticHingeModel::tr("Zotov and Sviridov 2021");
+    return messageText(elastic_hinge::presets().front().title);
 }
 
 Input ElasticHingeScene::read(const Json& input, const CaseContext& /*context*/) {
