@@ -4,9 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <thread>
 
@@ -15,6 +13,7 @@
 #include "numerics/constants.h"
 #include "studies/sampler.h"
 #include "studies/study_run.h"
+#include "studies/workers.h"
 
 namespace ravnoves::studies {
 
@@ -58,28 +57,9 @@ class AngleTable {
         angles_.insert(angles_.end(), angles.begin(), angles.end());
         columns_.resize(angles_.size(), std::vector<double>(count_));
         std::atomic<bool> stopped{false};
-        std::exception_ptr fault;
-        std::mutex guard;
-        const auto work = [&](std::size_t worker) {
-            try {
-                fill(worker, first, stopped);
-            } catch (...) {
-                const std::lock_guard lock(guard);
-                fault = std::current_exception();
-                stopped = true;
-            }
-        };
-        std::vector<std::thread> others;
-        for (std::size_t i = 1; i < responses_.size(); ++i) {
-            others.emplace_back(work, i);
-        }
-        work(0);
-        for (std::thread& other : others) {
-            other.join();
-        }
-        if (fault) {
-            std::rethrow_exception(fault);
-        }
+        run_workers(
+            responses_.size(), [&](std::size_t worker) { fill(worker, first, stopped); },
+            [&] { stopped = true; });
         return !stopped;
     }
 

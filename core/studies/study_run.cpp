@@ -4,15 +4,14 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <mutex>
 #include <thread>
 #include <tuple>
 
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 #include "studies/sampler.h"
+#include "studies/workers.h"
 
 namespace ravnoves::studies {
 
@@ -269,36 +268,18 @@ void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from
     std::atomic<std::uint64_t> next{from};
     const std::uint64_t taken =
         std::clamp<std::uint64_t>((to - from) / (8 * workers.size()), 1, block);
-    std::exception_ptr fault;
-    std::mutex guard;
-    const auto work = [&](Worker& worker) {
-        try {
-            for (;;) {
-                const std::uint64_t start = next.fetch_add(taken);
-                if (start >= to) {
-                    return;
-                }
-                for (std::uint64_t i = start; i < std::min(start + taken, to); ++i) {
-                    visit(worker, i);
-                }
+    const auto work = [&](std::size_t i) {
+        for (;;) {
+            const std::uint64_t start = next.fetch_add(taken);
+            if (start >= to) {
+                return;
             }
-        } catch (...) {
-            const std::lock_guard lock(guard);
-            fault = std::current_exception();
-            next = to;
+            for (std::uint64_t k = start; k < std::min(start + taken, to); ++k) {
+                visit(*workers[i], k);
+            }
         }
     };
-    std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < workers.size(); ++i) {
-        threads.emplace_back([&, i] { work(*workers[i]); });
-    }
-    work(*workers.front());
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    if (fault) {
-        std::rethrow_exception(fault);
-    }
+    run_workers(workers.size(), work, [&] { next = to; });
 }
 
 /// 360° or, where a value says so, the 720° of a four-stroke cycle; 0 of what is no angle.
