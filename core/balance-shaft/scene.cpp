@@ -517,14 +517,11 @@ Json write_wanted(const Result& result, const Wanted& wanted) {
                     {"height_mm", result.envelope.height() / units::mm}};
     });
     object.put("notes", [&] {
-        Json notes = Json::array();
-        for (const Message& note : result.notes) {
-            notes.push_back(note.english());
-        }
+        std::vector<std::string> notes = english(result.notes);
         if (!result.assumed_sizes.empty()) {
             notes.push_back(result.assumed_sizes.english());
         }
-        return notes;
+        return Json(notes);
     });
     object.put("inertia_check", [&] { return write(result.inertia_check); });
     object.put("spectrum", [&] { return write_spectrum(result); });

@@ -80,6 +80,15 @@ std::string Message::english() const {
     return text;
 }
 
+std::vector<std::string> english(const std::vector<Message>& messages) {
+    std::vector<std::string> sentences;
+    sentences.reserve(messages.size());
+    for (const Message& message : messages) {
+        sentences.push_back(message.english());
+    }
+    return sentences;
+}
+
 SaidMessages::SaidMessages() : around_(listener) {
     listener = this;
 }

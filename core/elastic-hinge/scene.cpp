@@ -205,13 +205,9 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (input.motion && wanted.wants("/motion")) {
         json["motion"] = write_motions(input, result);
     }
-    Json notes = Json::array();
-    for (const auto* list : {&result.notes, &result.guide_notes}) {
-        for (const Message& note : *list) {
-            notes.push_back(note.english());
-        }
-    }
-    json["notes"] = notes;
+    std::vector<Message> notes = result.notes;
+    notes.insert(notes.end(), result.guide_notes.begin(), result.guide_notes.end());
+    json["notes"] = english(notes);
     if (!wanted.wants("/curves")) {
         return json;
     }

@@ -243,10 +243,7 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     } else if (!result.firing_trouble.empty()) {
         json["firing_reason"] = result.firing_trouble.english();
     }
-    json["notes"] = Json::array();
-    for (const Message& note : result.notes) {
-        json["notes"].push_back(note.english());
-    }
+    json["notes"] = english(result.notes);
     if (!result.shafts.empty()) {
         Json shafts = Json::array();
         for (const ShaftDesign& design : result.shafts) {
