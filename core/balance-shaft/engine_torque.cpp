@@ -47,6 +47,41 @@ std::vector<double> torque_knots(const CylinderGas& gas) {
 
 }  // namespace
 
+void fill_cylinder(Input& input) {
+    if (!input.rod_length) {
+        input.rod_length = input.effective_rod_length();
+    }
+    if (!(input.torque.cylinder.bore > 0.0)) {
+        input.torque.cylinder.bore =
+            input.envelope.cylinder_bore.value_or(2.0 * input.crank_radius);
+    }
+}
+
+void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque) {
+    using Kind = TorqueSource::Kind;
+    // The table is that of its file, as long as nobody changes it.
+    input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
+    input.strokes = input.strokes_of_torque();
+    if (!input.torque.is_computed()) {
+        // What was filled in for a computed torque goes with it.
+        const auto length = std::exchange(input.rod_length, std::nullopt);
+        if (length != input.effective_rod_length()) {
+            input.rod_length = length;
+        }
+        return;
+    }
+    fill_cylinder(input);
+    GasCycle& cycle = input.torque.cycle;
+    if (kind == Kind::cycle && !cycle.heat && !cycle.imep) {
+        cycle.combustion_start = 352.0 * degree;
+        cycle.combustion_duration = 60.0 * degree;
+        // Mean torque × cycle = work per cycle.
+        const double radius = 0.5 * input.torque.cylinder.bore;
+        const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
+        cycle.imep = std::max(0.0, mean_torque) * input.cycle_deg() * degree / displacement;
+    }
+}
+
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     const SliderCrank<double> crank = slider_crank(input);
     const double top = crank.top_dead_centre();

@@ -37,6 +37,17 @@ bool is_pair(const Engine& engine) {
     return engine.rods_per_pin == 2 || engine.pin_split != 0.0;
 }
 
+ForcePath force_path(const FirstOrder& force) {
+    constexpr int steps = 180;
+    ForcePath path;
+    for (int i = 0; i <= steps; ++i) {
+        const double phi = two_pi * i / steps;
+        path.across.push_back((force.forward - force.backward) * std::sin(phi));
+        path.upright.push_back((force.forward + force.backward) * std::cos(phi));
+    }
+    return path;
+}
+
 FirstOrder first_order(const Engine& engine, double factor, double reciprocating_mass) {
     return {reciprocating_mass * (1.0 - 2.0 * factor) * forward_share(engine),
             reciprocating_mass * backward_share(engine)};

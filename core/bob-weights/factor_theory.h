@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bob-weights/input.h"
 #include "case-file/message.h"
 
@@ -24,6 +26,13 @@ struct FirstOrder {
     double across() const { return std::abs(forward - backward); }
     double greatest() const { return std::abs(forward) + std::abs(backward); }
 };
+
+/// Where the force points as the throw turns from upright, a closed curve; kg at the crank radius.
+struct ForcePath {
+    std::vector<double> across;
+    std::vector<double> upright;
+};
+ForcePath force_path(const FirstOrder& force);
 
 /// How many cylinders the force is of: both of a throw, or one.
 bool is_pair(const Engine& engine);

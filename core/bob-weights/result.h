@@ -71,6 +71,7 @@ struct Result {
     std::optional<double> rotating;       ///< of one cylinder, kg
     std::optional<double> bob_weight;     ///< kg
     std::optional<FirstOrder> first_order;
+    std::optional<FirstOrder> first_order_bare;  ///< without counterweights
     std::vector<double> crankpins;  ///< each one's own bob weight, of the parts weighed; kg
     std::vector<Matching> matching;
     std::optional<workshop::Matched> placing;          ///< which set goes to which cylinder

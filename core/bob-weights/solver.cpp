@@ -6,6 +6,7 @@
 
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
+#include "case-file/input_error.h"
 #include "workshop/kilograms.h"
 #include "workshop/tolerance.h"
 
@@ -67,6 +68,7 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
         result.rotating = rotating;
         result.bob_weight = sum;
         result.first_order = first_order(input.engine, factor, reciprocating);
+        result.first_order_bare = first_order(input.engine, 0.0, reciprocating);
     }
 }
 
@@ -374,6 +376,23 @@ void solve_correction(const Input& input, Result& result) {
     result.correction = {in_plane(0), in_plane(1)};
 }
 
+/// Where engine and factor contradict each other there is no bob weight, nor what needs one.
+void leave_out_contradictory(const Input& input, Result& result) {
+    try {
+        check_bob_weight(input);
+    } catch (const InputError&) {
+        result.lines.clear();
+        result.bob_weight.reset();
+        result.first_order.reset();
+        result.first_order_bare.reset();
+        result.crankpins.clear();
+        result.correction.reset();
+        for (auto& run : result.runs) {
+            run.read_with.reset();  // there is no weight that it could be compared with
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<bool> RunResult::passes() const {
@@ -461,6 +480,7 @@ Result solve(const Input& given, const workshop::SetFinder& find) {
         result.permissible = plane_limits(*input.tolerance, positions);
     }
     solve_correction(input, result);
+    leave_out_contradictory(input, result);
     return result;
 }
 

@@ -5,7 +5,7 @@
 
 namespace ravnoves::bob_weights {
 
-/// Computes whatever the input allows.
+/// Computes whatever the input allows, also where check_input() does not let it pass.
 /// @param find  which set goes to which cylinder
 Result solve(const Input& given, const workshop::SetFinder& find = workshop::best_placing);
 

@@ -184,6 +184,12 @@ void check_size(const Input& input, const Engine& engine) {
 
 }  // namespace
 
+RigidRod usual_rod(const Input& input) {
+    const double length = input.rod_length();
+    const double mass = 0.8 * input.reciprocating_mass;
+    return {mass, length / 3.0, mass * length * length * 2.0 / 9.0};
+}
+
 void check_input(const Input& input) {
     check_fields(input);
     // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.

@@ -144,6 +144,10 @@ void visit_fields(FieldVisitor& visitor, Shaft& shaft);
 void visit_fields(FieldVisitor& visitor, EndWebs& webs);
 void visit_fields(FieldVisitor& visitor, Input& input);
 
+/// A rod that its two masses would be: a third of its length from the big end, 0.8 of the
+/// reciprocating mass.
+RigidRod usual_rod(const Input& input);
+
 /// Checks ranges, the layout, locking, and that forces and moments stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would
 void check_input(const Input& input);

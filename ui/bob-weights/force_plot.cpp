@@ -1,6 +1,7 @@
 #include "bob-weights/force_plot.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "bob-weights/model/bob_weights_model.h"
 #include "text/number_text.h"
@@ -13,17 +14,11 @@ namespace {
 
 enum ForceCurve { withoutWeights, leftOver };
 
-/// The ellipse over a turn, g.
-std::pair<std::vector<double>, std::vector<double>> ellipse(const FirstOrder& force) {
-    constexpr int steps = 180;
-    std::vector<double> across;
-    std::vector<double> upright;
-    for (int i = 0; i <= steps; ++i) {
-        const double phi = two_pi * i / steps;
-        across.push_back((force.forward - force.backward) * std::sin(phi) / units::gram);
-        upright.push_back((force.forward + force.backward) * std::cos(phi) / units::gram);
+std::vector<double> inGrams(std::vector<double> masses) {
+    for (double& mass : masses) {
+        mass = mass / units::gram;
     }
-    return {std::move(across), std::move(upright)};
+    return masses;
 }
 
 }  // namespace
@@ -55,13 +50,14 @@ void ForcePlot::showForce() {
         setCurve(leftOver, {}, {});
         return;
     }
-    const FirstOrder bare = first_order(model_->input().engine, 0.0, *result.reciprocating);
-    auto [x, y] = ellipse(bare);
-    setCurve(withoutWeights, std::move(x), std::move(y));
-    auto [leftX, leftY] = ellipse(*result.first_order);
-    setCurve(leftOver, std::move(leftX), std::move(leftY));
+    for (const auto& [curve, force] : {std::pair{withoutWeights, *result.first_order_bare},
+                                       std::pair{leftOver, *result.first_order}}) {
+        ForcePath path = force_path(force);
+        setCurve(curve, inGrams(std::move(path.across)), inGrams(std::move(path.upright)));
+    }
     const double reach =
-        1.15 * std::max(bare.greatest(), result.first_order->greatest()) / units::gram;
+        1.15 * std::max(result.first_order_bare->greatest(), result.first_order->greatest()) /
+        units::gram;
     // The axes stay while the masses change a little.
     if (reach > 0.0 && (reach > reach_ || reach < 0.6 * reach_)) {
         reach_ = 1.1 * reach;

@@ -190,11 +190,7 @@ void EngineForm::addRod() {
             model_->edit(tr("Rigid rod"), [on](Input& input) {
                 input.rod.reset();
                 if (on) {
-                    // As two masses would be: a third of the length from the big end.
-                    const double length = input.rod_length();
-                    const double mass = 0.8 * input.reciprocating_mass;
-                    input.rod = inertia_moments::RigidRod{mass, length / 3.0,
-                                                          mass * length * length * 2.0 / 9.0};
+                    input.rod = inertia_moments::usual_rod(input);
                 }
             });
             model_->finishDrag();

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
@@ -90,46 +91,9 @@ bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) 
     return true;
 }
 
-namespace {
-
-/// Gives a computed torque what it needs and the input lacks.
-void fillCylinder(Input& input) {
-    if (!input.rod_length) {
-        input.rod_length = input.effective_rod_length();
-    }
-    if (!(input.torque.cylinder.bore > 0.0)) {
-        input.torque.cylinder.bore =
-            input.envelope.cylinder_bore.value_or(2.0 * input.crank_radius);
-    }
-}
-
-}  // namespace
-
 QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind) {
-    using Kind = balance_shaft::TorqueSource::Kind;
     return edit(tr("Torque source"), [&](Input& input) {
-        // The table is that of its file, as long as nobody changes it.
-        input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
-        input.strokes = input.strokes_of_torque();
-        if (!input.torque.is_computed()) {
-            // What was filled in for a computed torque goes with it.
-            const auto length = std::exchange(input.rod_length, std::nullopt);
-            if (length != input.effective_rod_length()) {
-                input.rod_length = length;
-            }
-            return;
-        }
-        fillCylinder(input);
-        balance_shaft::GasCycle& cycle = input.torque.cycle;
-        if (kind == Kind::cycle && !cycle.heat && !cycle.imep) {
-            cycle.combustion_start = 352.0 * degree;
-            cycle.combustion_duration = 60.0 * degree;
-            // The load of the torque that was there: mean torque × cycle = work per cycle.
-            const double radius = 0.5 * input.torque.cylinder.bore;
-            const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
-            cycle.imep =
-                std::max(0.0, -result().M_up.mean) * input.cycle_deg() * degree / displacement;
-        }
+        balance_shaft::take_torque_kind(input, kind, -result().M_up.mean);
     });
 }
 
@@ -183,7 +147,7 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
             input.torque.trace = read.trace;
             input.torque.trace_csv = path.toStdString();
             input.strokes = input.strokes_of_torque();
-            fillCylinder(input);
+            balance_shaft::fill_cylinder(input);
         });
     } catch (const InputError& error) {
         why = errorText(error);

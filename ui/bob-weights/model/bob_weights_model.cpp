@@ -59,23 +59,10 @@ Json BobWeightsScene::write(const Input& input) {
 }
 
 Result BobWeightsScene::solve(const Input& input) const {
-    Result result = placing == nullptr ? bob_weights::solve(input)
-                                       : bob_weights::solve(input, [this](const auto& search) {
-                                             return placing->find(search);
-                                         });
-    try {
-        check_bob_weight(input);
-    } catch (const InputError&) {
-        result.lines.clear();
-        result.bob_weight.reset();
-        result.first_order.reset();
-        result.crankpins.clear();
-        result.correction.reset();
-        for (auto& run : result.runs) {
-            run.read_with.reset();  // there is no weight that it could be compared with
-        }
-    }
-    return result;
+    return placing == nullptr ? bob_weights::solve(input)
+                              : bob_weights::solve(input, [this](const auto& search) {
+                                    return placing->find(search);
+                                });
 }
 
 Json BobWeightsScene::solvedJson(const Json& input, const CaseContext& context) {
