@@ -4,8 +4,8 @@
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
 #   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
-#   files, numerics, drawing, bibliography) includes nothing that stands on it, nor does a scene
-#   include the methods or the registry.
+#   files, numerics, drawing, bibliography, workshop) includes nothing that stands on it, nor does
+#   a scene include the methods or the registry.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
