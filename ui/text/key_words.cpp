@@ -1,7 +1,6 @@
 #include "text/key_words.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 namespace ravnoves {
 
@@ -113,22 +112,45 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "weights"),
 };
 
+struct Suffix {
+    const char* text;
+    const Unit& unit;
+};
+/// The longer ones first.
+constexpr Suffix suffixes[]{
+    {"_N_m", units::N_per_m},   {"_Nm", units::N_m},          {"_g_mm", units::gram_mm},
+    {"_kg_m2", units::kg_m2},   {"_kg_m3", units::kg_m3},     {"_kg_m", units::kg_m},
+    {"_mm_s", units::mm_per_s}, {"_rad_s", units::rad_per_s}, {"_kg", units::kg},
+    {"_mm", units::mm},         {"_deg", units::degree},      {"_rad", units::radian},
+    {"_rpm", units::rpm},       {"_bar", units::bar},         {"_MPa", units::MPa},
+    {"_GPa", units::GPa},       {"_cm2", units::cm2},         {"_um", units::micrometre},
+    {"_kW", units::kW},         {"_g", units::gram},          {"_N", units::newton},
+    {"_J", units::joule},       {"_percent", units::percent}, {"_m", units::metre},
+    {"_s", units::second}};
+
 }  // namespace
+
+Unit takeUnit(QString& key) {
+    for (const auto& [suffix, unit] : suffixes) {
+        const QLatin1String end(suffix);
+        const qsizetype rest = key.size() - end.size();
+        const bool isSymbol = rest == 1 && unit == units::second;  // M_s
+        if (rest > 0 && !isSymbol && key.endsWith(end)) {
+            key.chop(end.size());
+            return unit;
+        }
+    }
+    return units::none;
+}
 
 QString keyInWords(const std::string& key) {
     if (key == "csv") {
         return QCoreApplication::translate("Keys", "file");
     }
-    static const QStringList units{
-        QStringLiteral("deg"), QStringLiteral("rad"),  QStringLiteral("s"),   QStringLiteral("mm"),
-        QStringLiteral("m"),   QStringLiteral("N"),    QStringLiteral("Nm"),  QStringLiteral("kg"),
-        QStringLiteral("g"),   QStringLiteral("rpm"),  QStringLiteral("bar"), QStringLiteral("K"),
-        QStringLiteral("J"),   QStringLiteral("kgmm2")};
-    QStringList parts = QString::fromStdString(key).split(QLatin1Char('_'));
-    while (parts.size() > 1 && units.contains(parts.last())) {
-        parts.removeLast();
-    }
-    return QCoreApplication::translate("Keys", parts.join(QLatin1Char(' ')).toUtf8().constData());
+    QString words = QString::fromStdString(key);
+    takeUnit(words);
+    words.replace(QLatin1Char('_'), QLatin1Char(' '));
+    return QCoreApplication::translate("Keys", words.toUtf8().constData());
 }
 
 }  // namespace ravnoves

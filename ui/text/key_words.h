@@ -3,7 +3,13 @@
 #include <QString>
 #include <string>
 
+#include "numerics/units.h"
+
 namespace ravnoves {
+
+/// The unit that a key ends in, cut off it: of "shaft_angle_deg" degrees, and "shaft_angle" is
+/// left.
+Unit takeUnit(QString& key);
 
 /// A key of a case file in words, in the user's language and without the unit that it ends in:
 /// "shaft_angle_deg" as "shaft angle". For what has no name in a form: objects, lists, and what

@@ -198,14 +198,6 @@ struct ResultWords {
     };
 };
 
-/// How keys end, and the units that this means; the longer ones first.
-constexpr std::pair<const char*, const char*> suffixes[]{
-    {"_N_m", "N/m"},   {"_Nm", "N·m"},    {"_g_mm", "g·mm"},   {"_kg_m2", "kg·m²"},
-    {"_kg_m", "kg·m"}, {"_mm_s", "mm/s"}, {"_rad_s", "rad/s"}, {"_kg", "kg"},
-    {"_mm", "mm"},     {"_deg", "°"},     {"_rpm", "min⁻¹"},   {"_MPa", "MPa"},
-    {"_cm2", "cm²"},   {"_um", "µm"},     {"_g", "g"},         {"_N", "N"},
-    {"_J", "J"},       {"_percent", "%"}, {"_m", "m"}};
-
 QString wordOf(const QString& key) {
     static const QHash<QString, const char*> known = [] {
         QHash<QString, const char*> all;
@@ -238,12 +230,8 @@ ResultName resultName(const std::string& pointer) {
     QStringList parts;
     for (QString key :
          QString::fromStdString(pointer).split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
-        for (const auto& [suffix, unit] : suffixes) {
-            if (key.endsWith(QLatin1String(suffix)) && key.size() > qsizetype(qstrlen(suffix))) {
-                key.chop(static_cast<qsizetype>(qstrlen(suffix)));
-                name.unit = unitText(unit);  // that of the last key that has one
-                break;
-            }
+        if (const Unit unit = takeUnit(key); unit != units::none) {
+            name.unit = unitText(unit.name);  // that of the last key that has one
         }
         const QString word = wordOf(key);
         if (!word.isEmpty() && (parts.isEmpty() || parts.last() != word)) {
