@@ -230,6 +230,67 @@ double GuideShape::greatest_angle() const {
     return scale_ > 0.0 ? range.max_angle : range.min_angle;
 }
 
+namespace {
+
+/// Of the hinge over a turn, N·m.
+/// @param step  of the demands, rad
+double largest_moment(const Design& design, Hinge hinge, const std::vector<Demand>& demands,
+                      double step) {
+    const auto hinge_moment = [](const Demand& demand) {
+        return std::abs(demand.moment * demand.dpolar);
+    };
+    double largest = 0.0;
+    double largest_at = 0.0;
+    for (std::size_t i = 0; i < demands.size(); ++i) {
+        if (const double moment = hinge_moment(demands[i]); moment > largest) {
+            largest = moment;
+            largest_at = step * static_cast<double>(i);
+        }
+    }
+    if (largest > 0.0) {
+        const auto moment_at = [&](double phi) { return hinge_moment(design.demand(hinge, phi)); };
+        largest = std::max(largest, greatest_near(moment_at, largest_at, step).second);
+    }
+    return largest;
+}
+
+/// Why there is no guide where the preload is too small.
+Message preload_reason(const Guide& guide) {
+    const Message reason{
+        CORE_TEXT("elastic-hinge",
+                  "from a crank angle of %1 the spring would have to give out more energy than "
+                  "it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least "
+                  "%4"),
+        number(guide.first_missing_angle, units::degree), number(guide.worst_angle, units::degree),
+        number(guide.preload, units::mm), number_up(guide.minimum_preload, units::mm)};
+    if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
+        return {CORE_TEXT("elastic-hinge", "%1, or the stiffness at least %2 with this preload"),
+                reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
+    }
+    return reason;
+}
+
+/// What the waves of the input's profile error do.
+/// @param moment      the hinge's largest, N·m
+/// @param deflection  the spring's largest |ℓ₀/2 − ρ|, m
+/// @param steepest    largest ρ′² + (n d)², m²
+ProfileError profile_error(const Input& input, const Spring& spring, double moment,
+                           double deflection, double steepest) {
+    const double amplitude = input.profile_error;
+    const double waves = input.profile_error_waves;
+    ProfileError error;
+    error.amplitude = amplitude;
+    error.waves = input.profile_error_waves;
+    // Π = 2c (d + η)²: its error is 2c (2 d η + η²), that of the moment the derivative of it.
+    error.torque =
+        4.0 * spring.stiffness * amplitude * (std::sqrt(steepest) + 0.5 * waves * amplitude);
+    error.energy = 2.0 * spring.stiffness * amplitude * (2.0 * deflection + amplitude);
+    error.relative = moment > 0.0 ? error.torque / moment : 0.0;
+    return error;
+}
+
+}  // namespace
+
 Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
                  const std::optional<Spring>& spring, const Input& input,
                  const std::vector<Demand>& demands) {
@@ -264,23 +325,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     }
     const std::size_t n = demands.size();
     const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
-    const auto hinge_moment = [](const Demand& demand) {
-        return std::abs(demand.moment * demand.dpolar);
-    };
-    double largest_at = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (const double moment = hinge_moment(demands[i]); moment > guide.largest_moment) {
-            guide.largest_moment = moment;
-            largest_at = step * static_cast<double>(i);
-        }
-    }
-    if (guide.largest_moment > 0.0) {
-        const auto moment_at = [&](double phi) {
-            return hinge_moment(shape->design().demand(hinge, phi));
-        };
-        guide.largest_moment =
-            std::max(guide.largest_moment, greatest_near(moment_at, largest_at, step).second);
-    }
+    guide.largest_moment = largest_moment(shape->design(), hinge, demands, step);
 
     const bool exists = greatest <= square + shape->rounding();
     const double lowest = std::sqrt(std::max(square - greatest, 0.0));
@@ -335,19 +380,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         if (!missing) {
             guide.first_missing_angle = guide.worst_angle;
         }
-        guide.reason = {
-            CORE_TEXT("elastic-hinge",
-                      "from a crank angle of %1 the spring would have to give out more energy than "
-                      "it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least "
-                      "%4"),
-            number(guide.first_missing_angle, units::degree),
-            number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
-            number_up(guide.minimum_preload, units::mm)};
-        if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
-            guide.reason = {
-                CORE_TEXT("elastic-hinge", "%1, or the stiffness at least %2 with this preload"),
-                guide.reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
-        }
+        guide.reason = preload_reason(guide);
         return guide;
     }
 
@@ -373,15 +406,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         guide.compressed.exists = true;
     }
 
-    const double amplitude = input.profile_error;
-    guide.error.amplitude = amplitude;
-    guide.error.waves = input.profile_error_waves;
-    // Π = 2c (d + η)²: its error is 2c (2 d η + η²), that of the moment the derivative of it.
-    guide.error.torque =
-        4.0 * spring->stiffness * amplitude * (std::sqrt(steepest_error) + 0.5 * waves * amplitude);
-    guide.error.energy = 2.0 * spring->stiffness * amplitude * (2.0 * highest + amplitude);
-    guide.error.relative =
-        guide.largest_moment > 0.0 ? guide.error.torque / guide.largest_moment : 0.0;
+    guide.error = profile_error(input, *spring, guide.largest_moment, highest, steepest_error);
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;
