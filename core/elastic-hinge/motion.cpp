@@ -306,59 +306,134 @@ double Motion::speed_at(double seconds) const {
     return state_at(*this, seconds)[1];
 }
 
-Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
-                const MotionSetup& setup, const MotionProgress& progress) {
-    check_setup(*design, crank_guide, setup);
-    const System system(*design, crank_guide, setup);
-    Motion motion;
+namespace {
 
-    const Place first = system.at(setup.start_angle);
-    const double acceleration = first.acceleration(setup.start_speed);
-    if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design->mechanism()) > 0.0)) {
-        throw InputError(
-            "/input", CORE_TEXT("elastic-hinge",
-                                "must give the crank and the rod together some mass for a motion"));
+/// A motion from its start to its end, cell by cell.
+class Run {
+  public:
+    Run(const Design& design, const Guide& guide, const MotionSetup& setup,
+        const MotionProgress& progress)
+        : design_(design), setup_(setup), progress_(progress), system_(design, guide, setup) {
+        const Place first = system_.at(setup.start_angle);
+        const double acceleration = first.acceleration(setup.start_speed);
+        if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design.mechanism()) > 0.0)) {
+            throw InputError("/input",
+                             CORE_TEXT("elastic-hinge",
+                                       "must give the crank and the rod together some mass for a "
+                                       "motion"));
+        }
+        if (!(longest_ > 0.0)) {
+            // A time in which something happens: of one radian at the start's speed or
+            // acceleration.
+            const double rate =
+                std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
+                          1e-6 * design.angular_speed(), 1e-9});
+            longest_ = 50.0 * (setup.turns * two_pi + 1.0) / rate;
+        }
+        motion_.min_speed = setup.start_speed;
+        motion_.max_speed = setup.start_speed;
+        record(0.0, setup.start_angle, setup.start_speed, acceleration);
+        level_ = {0.5 * first.inertia * setup.start_speed * setup.start_speed, first.potential};
+        start_potential_ = first.potential;
+        scale_ = level_.kinetic;
+        // From rest the crank goes where it is accelerated to.
+        side_ = (setup.start_speed != 0.0 ? setup.start_speed : acceleration) < 0.0 ? -1.0 : 1.0;
     }
-    const double wanted = setup.turns * two_pi;
 
-    // A time in which something happens: of one radian at the start's speed or acceleration.
-    const double rate = std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
-                                  1e-6 * design->angular_speed(), 1e-9});
-    double longest = setup.longest_time;
-    if (!(longest > 0.0)) {
-        longest = 50.0 * (setup.turns * two_pi + 1.0) / rate;
+    Motion to_end() {
+        while (!done_) {
+            check_work(system_.asked(), design_, setup_, phi_ - setup_.start_angle);
+            Cell cell;
+            cell.begin = phi_;
+            cell.from_rest = at_rest_;
+            // Shorter ones are lost in the rounding of the angle.
+            const double rounding = std::numeric_limits<double>::epsilon() * std::abs(phi_);
+            const double shortest_cell = forced_ * std::max(1e-11, 64.0 * rounding);
+            // Cells end at whole turns.
+            const double slack = 1e-12 + rounding;
+            const double gone = std::abs(phi_ - base_) / two_pi;
+            const double to_turn = (std::floor(gone + slack) + 1.0 - gone) * two_pi;
+            const double to_stop = std::isnan(stop_) ? 2.0 * to_turn : side_ * (stop_ - phi_);
+            if (!(to_stop > 0.0) && !at_rest_) {
+                stand();
+                continue;
+            }
+            cell.to_rest = std::min(span_, to_turn) > 0.999 * to_stop;
+            if (cell.to_rest && at_rest_) {  // not at both ends
+                cell.to_rest = false;
+                span_ = 0.5 * to_stop;
+            }
+            cell.span = side_ * (cell.to_rest ? to_stop : std::min(span_, to_turn));
+            double reached = 1.0;
+            const bool filled = fill(system_, level_, cell, reached);
+            // Rounding may spoil the last places before a stop; a stop well before one is another.
+            if (!filled && (std::isnan(stop_) || side_ * (reached - phi_) < 0.9 * to_stop)) {
+                if (find_stop(cell, reached)) {
+                    continue;
+                }
+            }
+            if (filled && !std::isfinite(cell.last_terms)) {
+                throw std::runtime_error("the motion left the range of numbers");
+            }
+            if (!filled || cell.last_terms > setup_.tolerance + cell.noise) {
+                if (std::abs(cell.span) > shortest_cell) {
+                    span_ = 0.5 * std::abs(cell.span);
+                    continue;
+                }
+                if (!filled && !at_rest_) {
+                    stand();
+                    continue;
+                }
+                if (!filled) {  // nothing drives it
+                    record(longest_, phi_, 0.0, 0.0);
+                    motion_.end =
+                        setup_.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+                    break;
+                }
+                forced_ *= 2.0;
+            } else {
+                forced_ = std::max(0.5 * forced_, 1.0);
+            }
+            // A cell that a turn's end cut short says nothing of how long the next one may be.
+            const bool has_room = cell.last_terms < 1e-3 * setup_.tolerance + cell.noise;
+            span_ = std::min(std::max(span_, (has_room ? 2.0 : 1.0) * std::abs(cell.span)),
+                             longest_cell);
+            pass(cell, 0.0);
+            at_rest_ = false;
+            if (done_) {
+                break;
+            }
+            if (cell.to_rest) {
+                stand();
+                continue;
+            }
+            if (setup_.crank_torque != 0.0) {
+                continue;  // else every turn is like the first
+            }
+            turn_.push_back(cell);
+            repeat_turn(slack);
+        }
+        finish();
+        return std::move(motion_);
     }
 
-    motion.min_speed = setup.start_speed;
-    motion.max_speed = setup.start_speed;
-    const auto take_speed = [&](double speed) {
-        motion.min_speed = std::min(motion.min_speed, speed);
-        motion.max_speed = std::max(motion.max_speed, speed);
-    };
-    const auto record = [&](double time, double angle, double speed, double acceleration) {
-        motion.time.push_back(time);
-        motion.crank_angle.push_back(angle);
-        motion.speed.push_back(speed);
-        motion.acceleration.push_back(acceleration);
+  private:
+    void take_speed(double speed) {
+        motion_.min_speed = std::min(motion_.min_speed, speed);
+        motion_.max_speed = std::max(motion_.max_speed, speed);
+    }
+
+    void record(double time, double angle, double speed, double acceleration) {
+        motion_.time.push_back(time);
+        motion_.crank_angle.push_back(angle);
+        motion_.speed.push_back(speed);
+        motion_.acceleration.push_back(acceleration);
         take_speed(speed);
-    };
-    record(0.0, setup.start_angle, setup.start_speed, acceleration);
+    }
 
-    Level level{0.5 * first.inertia * setup.start_speed * setup.start_speed, first.potential};
-    // From rest the crank goes where it is accelerated to.
-    double side = (setup.start_speed != 0.0 ? setup.start_speed : acceleration) < 0.0 ? -1.0 : 1.0;
-    bool at_rest = setup.start_speed == 0.0;
-    double phi = setup.start_angle;
-    double time = 0.0;
-    double work = 0.0;
-    double drift = 0.0;
-    double scale = level.kinetic;
-    bool done = false;
-
-    // Takes the speed where it is greatest or least between two nodes.
-    std::optional<Node> last_node;
-    const auto take_node = [&](const Node& node) {
-        const auto last = std::exchange(last_node, node);
+    /// Takes the speed where it is greatest or least between two nodes.
+    void take_node(const Node& node) {
+        const auto last = std::exchange(last_node_, node);
         if (!last || (last->acceleration < 0.0) == (node.acceleration < 0.0)) {
             take_speed(node.speed);
             return;
@@ -366,40 +441,40 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         const double reach = std::max(std::abs(last->acceleration), std::abs(node.acceleration)) *
                              std::abs((node.angle - last->angle) / node.speed);
         const bool counts =
-            node.speed + reach > motion.max_speed || node.speed - reach < motion.min_speed;
+            node.speed + reach > motion_.max_speed || node.speed - reach < motion_.min_speed;
         if (counts && reach > 1e-13 * std::abs(node.speed)) {
             std::uintmax_t tries = 60;
             const auto bracket = boost::math::tools::toms748_solve(
                 [&](double angle) {
-                    const Place place = system.at(angle);
-                    return place.acceleration(level.speed(place));
+                    const Place place = system_.at(angle);
+                    return place.acceleration(level_.speed(place));
                 },
                 std::min(last->angle, node.angle), std::max(last->angle, node.angle),
                 last->angle < node.angle ? last->acceleration : node.acceleration,
                 last->angle < node.angle ? node.acceleration : last->acceleration,
                 boost::math::tools::eps_tolerance<double>(40), tries);
-            take_speed(side * level.speed(system.at(bracket.second)));
+            take_speed(side_ * level_.speed(system_.at(bracket.second)));
         }
         take_speed(node.speed);
-    };
+    }
 
-    const double sample_angle = two_pi / std::max(setup.samples_per_turn, 4);
-    const auto take_samples = [&](Cell& cell, double end, int parts) {
+    void take_samples(Cell& cell, double end, int parts) {
         cell.samples.clear();
         for (int part = 1; part <= parts; ++part) {
             const double x = part == parts ? end : -1.0 + (end + 1.0) * part / parts;
             const double angle = cell.angle(x);
-            const Place place = system.at(angle);
-            const double speed = cell.slope(x) > 0.0 ? side * level.speed(place) : 0.0;
+            const Place place = system_.at(angle);
+            const double speed = cell.slope(x) > 0.0 ? side_ * level_.speed(place) : 0.0;
             cell.samples.push_back({{angle, speed, place.acceleration(speed)}, cell.seconds(x)});
         }
-    };
-    // What is read between samples has to be as good as they are.
-    const auto sample = [&](Cell& cell, double end) {
+    }
+
+    /// What is read between samples has to be as good as they are.
+    void sample(Cell& cell, double end) {
         constexpr double fewest = 8.0;
         constexpr double most = 1000.0;
         const double parts = std::clamp(
-            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle), fewest, most);
+            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle_), fewest, most);
         take_samples(cell, end, static_cast<int>(parts));
         double error = 0.0;
         double fastest = 0.0;
@@ -413,208 +488,182 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
             fastest = std::max(fastest, std::abs(speed));
         }
         // Of order 5; beyond four times as many it is the time's error that is seen.
-        const double allowed = 0.25 * std::max(setup.tolerance, 1e-8) * fastest;
+        const double allowed = 0.25 * std::max(setup_.tolerance, 1e-8) * fastest;
         if (error > allowed) {
             const double finer = std::min(1.1 * std::pow(error / allowed, 0.2), 4.0);
             take_samples(cell, end, static_cast<int>(std::min(std::ceil(finer * parts), most)));
         }
-    };
-    constexpr std::size_t most_samples = 20'000'000;
-    // Goes through a cell, new or used again some turns further, as far as angle and time allow.
-    const auto pass = [&](Cell& cell, double turns_before) {
+    }
+
+    /// Goes through a cell, new or used again some turns further, as far as angle and time allow.
+    void pass(Cell& cell, double turns_before) {
         double end = 1.0;
-        const double left = wanted - side * (phi - setup.start_angle);
-        if (left <= std::abs(cell.span) + 1e-15 * wanted) {
+        const double left = wanted_ - side_ * (phi_ - setup_.start_angle);
+        if (left <= std::abs(cell.span) + 1e-15 * wanted_) {
             end = std::min(cell.place(std::clamp(left / std::abs(cell.span), 0.0, 1.0)), 1.0);
-            motion.end = MotionEnd::completed;
-            done = true;
+            motion_.end = MotionEnd::completed;
+            done_ = true;
         }
-        const bool at_limit = time + cell.seconds(end) >= longest;
+        const bool at_limit = time_ + cell.seconds(end) >= longest_;
         if (at_limit) {
             std::uintmax_t tries = 60;
             end = boost::math::tools::toms748_solve(
-                      [&](double x) { return time + cell.seconds(x) - longest; }, -1.0, end,
-                      time - longest, time + cell.seconds(end) - longest,
+                      [&](double x) { return time_ + cell.seconds(x) - longest_; }, -1.0, end,
+                      time_ - longest_, time_ + cell.seconds(end) - longest_,
                       boost::math::tools::eps_tolerance<double>(50), tries)
                       .second;
-            motion.end = setup.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
-            done = true;
+            motion_.end = setup_.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+            done_ = true;
         }
         if (turns_before == 0.0) {
             for (std::size_t j = 0; j < cell_points && points()[j] <= end; ++j) {
                 take_node(cell.nodes[j]);
             }
-            work += cell.work;
-            scale = std::max(scale, cell.energy);
-            drift = std::max(drift, std::abs(work + (cell.potential - first.potential)));
+            work_ += cell.work;
+            scale_ = std::max(scale_, cell.energy);
+            drift_ = std::max(drift_, std::abs(work_ + (cell.potential - start_potential_)));
         }
         if (turns_before == 0.0 || end < 1.0) {
             sample(cell, end);
         }
         for (const Sample& point : cell.samples) {
-            record(time + point.seconds, side * two_pi * turns_before + point.angle, point.speed,
+            record(time_ + point.seconds, side_ * two_pi * turns_before + point.angle, point.speed,
                    point.acceleration);
         }
         if (at_limit) {
-            motion.time.back() = longest;
+            motion_.time.back() = longest_;
         }
-        time = motion.time.back();
-        phi = motion.crank_angle.back();
-        ++motion.steps;
-        if (motion.time.size() >= most_samples && !done) {
-            motion.end = MotionEnd::too_slow;
-            done = true;
+        time_ = motion_.time.back();
+        phi_ = motion_.crank_angle.back();
+        ++motion_.steps;
+        if (motion_.time.size() >= most_samples && !done_) {
+            motion_.end = MotionEnd::too_slow;
+            done_ = true;
         }
-        if (progress && (done || motion.steps % 256 == 0)) {
+        if (progress_ && (done_ || motion_.steps % 256 == 0)) {
             const double part =
-                done ? 1.0 : std::max(std::abs(phi - setup.start_angle) / wanted, time / longest);
-            if (!progress(std::min(part, 1.0)) && !done) {
-                motion.end = MotionEnd::cancelled;
-                done = true;
+                done_ ? 1.0
+                      : std::max(std::abs(phi_ - setup_.start_angle) / wanted_, time_ / longest_);
+            if (!progress_(std::min(part, 1.0)) && !done_) {
+                motion_.end = MotionEnd::cancelled;
+                done_ = true;
             }
         }
-    };
+    }
 
-    // Without a moment on the crank every turn is like the first.
-    const bool repeats = setup.crank_torque == 0.0;
-    std::vector<Cell> turn;
-    constexpr double longest_cell = two_pi / 4.0;
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    double span = two_pi / 8.0;
-    double stop = nowhere;  // the angle at which the crank will stop, where that is known
-    double base = phi;      // the angle from which it goes this way
-    double forced = 1.0;    // grows where even the shortest cells are not smooth
-    // The crank has stopped: that ends the motion, or it goes where it is accelerated to.
-    const auto stand = [&] {
-        const Place place = system.at(phi);
-        side = place.moment < 0.0 ? -1.0 : 1.0;
-        level = {0.0, place.potential};
-        at_rest = true;
-        base = phi;
-        turn.clear();
-        last_node.reset();
-        stop = nowhere;
-        span = longest_cell;
-        if (setup.stop_at_reversal) {
-            motion.end = MotionEnd::reversed;
-            done = true;
+    /// The crank has stopped: that ends the motion, or it goes where it is accelerated to.
+    void stand() {
+        const Place place = system_.at(phi_);
+        side_ = place.moment < 0.0 ? -1.0 : 1.0;
+        level_ = {0.0, place.potential};
+        at_rest_ = true;
+        base_ = phi_;
+        turn_.clear();
+        last_node_.reset();
+        stop_ = nowhere;
+        span_ = longest_cell;
+        if (setup_.stop_at_reversal) {
+            motion_.end = MotionEnd::reversed;
+            done_ = true;
         }
-    };
-    while (!done) {
-        check_work(system.asked(), *design, setup, phi - setup.start_angle);
-        Cell cell;
-        cell.begin = phi;
-        cell.from_rest = at_rest;
-        // Shorter ones are lost in the rounding of the angle.
-        const double rounding = std::numeric_limits<double>::epsilon() * std::abs(phi);
-        const double shortest_cell = forced * std::max(1e-11, 64.0 * rounding);
-        // Cells end at whole turns.
-        const double slack = 1e-12 + rounding;
-        const double gone = std::abs(phi - base) / two_pi;
-        const double to_turn = (std::floor(gone + slack) + 1.0 - gone) * two_pi;
-        const double to_stop = std::isnan(stop) ? 2.0 * to_turn : side * (stop - phi);
-        if (!(to_stop > 0.0) && !at_rest) {
-            stand();
-            continue;
+    }
+
+    /// Where the crank stops on the way through a cell: after the last point that moves.
+    /// @param reached  an angle that it does not reach
+    bool find_stop(const Cell& cell, double reached) {
+        const auto kinetic = [&](double angle) { return level_.at(system_.at(angle)); };
+        double from = phi_;
+        for (std::size_t j = 0; j < cell_points; ++j) {
+            const double angle = cell.angle(points()[j]);
+            from = side_ * (reached - angle) > 0.0 ? angle : from;
         }
-        cell.to_rest = std::min(span, to_turn) > 0.999 * to_stop;
-        if (cell.to_rest && at_rest) {  // not at both ends
-            cell.to_rest = false;
-            span = 0.5 * to_stop;
+        const double a = kinetic(from);
+        const double b = kinetic(reached);
+        if (a > 0.0 && b < 0.0) {
+            std::uintmax_t tries = 80;
+            const auto bracket = boost::math::tools::toms748_solve(
+                kinetic, std::min(from, reached), std::max(from, reached), side_ > 0.0 ? a : b,
+                side_ > 0.0 ? b : a, boost::math::tools::eps_tolerance<double>(52), tries);
+            stop_ = side_ > 0.0 ? bracket.first : bracket.second;
+            return true;
         }
-        cell.span = side * (cell.to_rest ? to_stop : std::min(span, to_turn));
-        double reached = 1.0;
-        const bool filled = fill(system, level, cell, reached);
-        // Rounding may spoil the last places before a stop; a stop well before one is another.
-        if (!filled && (std::isnan(stop) || side * (reached - phi) < 0.9 * to_stop)) {
-            // The crank stops on the way: after the last point that moves.
-            const auto kinetic = [&](double angle) { return level.at(system.at(angle)); };
-            double from = phi;
-            for (std::size_t j = 0; j < cell_points; ++j) {
-                const double angle = cell.angle(points()[j]);
-                from = side * (reached - angle) > 0.0 ? angle : from;
-            }
-            const double a = kinetic(from);
-            const double b = kinetic(reached);
-            if (a > 0.0 && b < 0.0) {
-                std::uintmax_t tries = 80;
-                const auto bracket = boost::math::tools::toms748_solve(
-                    kinetic, std::min(from, reached), std::max(from, reached), side > 0.0 ? a : b,
-                    side > 0.0 ? b : a, boost::math::tools::eps_tolerance<double>(52), tries);
-                stop = side > 0.0 ? bracket.first : bracket.second;
-                continue;
+        return false;
+    }
+
+    /// Goes on by the cells of a turn that is whole.
+    void repeat_turn(double slack) {
+        const double turned = std::abs(phi_ - turn_.front().begin);
+        for (double turns = 1.0; !done_ && turned > two_pi * (1.0 - slack); ++turns) {
+            for (std::size_t i = 0; i < turn_.size() && !done_; ++i) {
+                pass(turn_[i], turns);
             }
         }
-        if (filled && !std::isfinite(cell.last_terms)) {
-            throw std::runtime_error("the motion left the range of numbers");
-        }
-        if (!filled || cell.last_terms > setup.tolerance + cell.noise) {
-            if (std::abs(cell.span) > shortest_cell) {
-                span = 0.5 * std::abs(cell.span);
-                continue;
-            }
-            if (!filled && !at_rest) {
-                stand();
-                continue;
-            }
-            if (!filled) {  // nothing drives it
-                record(longest, phi, 0.0, 0.0);
-                motion.end = setup.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+    }
+
+    /// What the motion comes to, and why it ended.
+    void finish() {
+        const double turned = motion_.crank_angle.back() - setup_.start_angle;
+        motion_.mean_speed = motion_.time.back() > 0.0 ? turned / motion_.time.back() : 0.0;
+        motion_.ripple = motion_.mean_speed != 0.0 ? (motion_.max_speed - motion_.min_speed) /
+                                                         std::abs(motion_.mean_speed)
+                                                   : 0.0;
+        motion_.energy_drift = scale_ > 0.0 ? drift_ / scale_ : 0.0;
+        motion_.evaluations = system_.asked();
+        switch (motion_.end) {
+            case MotionEnd::completed:
                 break;
-            }
-            forced *= 2.0;
-        } else {
-            forced = std::max(0.5 * forced, 1.0);
-        }
-        // A cell that a turn's end cut short says nothing of how long the next one may be.
-        const bool has_room = cell.last_terms < 1e-3 * setup.tolerance + cell.noise;
-        span = std::min(std::max(span, (has_room ? 2.0 : 1.0) * std::abs(cell.span)), longest_cell);
-        pass(cell, 0.0);
-        at_rest = false;
-        if (done) {
-            break;
-        }
-        if (cell.to_rest) {
-            stand();
-            continue;
-        }
-        if (!repeats) {
-            continue;
-        }
-        turn.push_back(cell);
-        const double turned = std::abs(phi - turn.front().begin);
-        for (double turns = 1.0; !done && turned > two_pi * (1.0 - slack); ++turns) {
-            for (std::size_t i = 0; i < turn.size() && !done; ++i) {
-                pass(turn[i], turns);
-            }
+            case MotionEnd::reversed:
+                motion_.reason = {CORE_TEXT("elastic-hinge",
+                                            "the crank stops after %1 turns and would turn back"),
+                                  turns_of(turned)};
+                break;
+            case MotionEnd::too_slow:
+                motion_.reason = {CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
+                                  turns_of(turned), Number{motion_.time.back(), units::second, 6}};
+                break;
+            case MotionEnd::cancelled:
+                motion_.reason = {CORE_TEXT("elastic-hinge", "cancelled after %1 turns"),
+                                  turns_of(turned)};
+                break;
         }
     }
 
-    const double turned = motion.crank_angle.back() - setup.start_angle;
-    motion.mean_speed = motion.time.back() > 0.0 ? turned / motion.time.back() : 0.0;
-    motion.ripple = motion.mean_speed != 0.0
-                        ? (motion.max_speed - motion.min_speed) / std::abs(motion.mean_speed)
-                        : 0.0;
-    motion.energy_drift = scale > 0.0 ? drift / scale : 0.0;
-    motion.evaluations = system.asked();
-    switch (motion.end) {
-        case MotionEnd::completed:
-            break;
-        case MotionEnd::reversed:
-            motion.reason = {
-                CORE_TEXT("elastic-hinge", "the crank stops after %1 turns and would turn back"),
-                turns_of(turned)};
-            break;
-        case MotionEnd::too_slow:
-            motion.reason = {CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
-                             turns_of(turned), Number{motion.time.back(), units::second, 6}};
-            break;
-        case MotionEnd::cancelled:
-            motion.reason = {CORE_TEXT("elastic-hinge", "cancelled after %1 turns"),
-                             turns_of(turned)};
-            break;
-    }
-    return motion;
+    static constexpr std::size_t most_samples = 20'000'000;
+    static constexpr double longest_cell = two_pi / 4.0;
+    static constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+    const Design& design_;
+    const MotionSetup& setup_;
+    const MotionProgress& progress_;
+    System system_;
+    Motion motion_;
+    double wanted_ = setup_.turns * two_pi;
+    double longest_ = setup_.longest_time;  ///< time, s
+    double sample_angle_ = two_pi / std::max(setup_.samples_per_turn, 4);
+    Level level_{};
+    double start_potential_ = 0.0;
+    double side_ = 1.0;  ///< which way the crank goes
+    bool at_rest_ = setup_.start_speed == 0.0;
+    double phi_ = setup_.start_angle;
+    double time_ = 0.0;
+    double work_ = 0.0;
+    double drift_ = 0.0;
+    double scale_ = 0.0;
+    bool done_ = false;
+    std::optional<Node> last_node_;
+    std::vector<Cell> turn_;
+    double span_ = two_pi / 8.0;
+    double stop_ = nowhere;  ///< the angle at which the crank will stop, where that is known
+    double base_ = phi_;     ///< the angle from which it goes this way
+    double forced_ = 1.0;    ///< grows where even the shortest cells are not smooth
+};
+
+}  // namespace
+
+Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
+                const MotionSetup& setup, const MotionProgress& progress) {
+    check_setup(*design, crank_guide, setup);
+    return Run(*design, crank_guide, setup, progress).to_end();
 }
 
 double side_force(const Mechanism<double>& m, double phi, double speed, double acceleration,
