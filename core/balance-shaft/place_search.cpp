@@ -122,6 +122,10 @@ class Search {
         double operator()(const Place& place) const {
             return at.value + at.gradient.dot(place - from);
         }
+        /// Where it is at most a value.
+        HalfPlane below(double value) const {
+            return {-at.gradient, at.value - value - at.gradient.dot(from)};
+        }
     };
 
     static Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
@@ -132,6 +136,23 @@ class Search {
             }
         }
         return polygon[least];
+    }
+
+    /// The lowest of the corners; what makes it too large by the curvature of the size is cut off.
+    Place lowest_allowed(PlacePolygon polygon, const Tangent& tangent) const {
+        Place place = lowest(polygon, tangent);
+        constexpr int tries = 3;
+        for (int i = 0; i < tries && !is_small_enough(place); ++i) {
+            const BoxSize box = places_.box(place);
+            const Place gradient = box.width * box.by_height + box.height * box.by_width;
+            const double excess = box.width * box.height - *question_.largest_size;
+            polygon.cut({-gradient, excess - gradient.dot(place)});
+            if (polygon.size() == 0) {
+                break;
+            }
+            place = lowest(polygon, tangent);
+        }
+        return place;
     }
 
     static double least_of_larger(const PlacePolygon& polygon, const Tangent& one,
@@ -208,7 +229,7 @@ class Search {
             for (const HalfPlane& line : cuts.inner) {
                 surely.cut(line);
             }
-            const Place candidate = lowest(surely.size() > 0 ? surely : all, here);
+            const Place candidate = lowest_allowed(surely.size() > 0 ? surely : all, here);
             const Tangent there{candidate, ask(candidate)};
             offer(candidate, &there.at);
             if (cuts.outer.empty()) {
@@ -222,7 +243,15 @@ class Search {
                 best_.gap = std::max(best_.gap, best_.value - bound);
                 continue;
             }
-            // What the lines leave is halved across its longer side.
+            // Where a tangent plane lies above the best value, no place is better.
+            const double better = best_.value - tolerance;
+            all.cut(here.below(better + here.at.bend * r * r));
+            all.cut(there.below(better + 4.0 * there.at.bend * r * r));
+            best_.gap = std::max(best_.gap, tolerance);
+            if (all.size() == 0) {
+                continue;
+            }
+            // What the lines leave is searched, halved across its longer side where it is large.
             Place low = all[0];
             Place high = all[0];
             for (std::size_t i = 1; i < all.size(); ++i) {
@@ -231,6 +260,11 @@ class Search {
             }
             const Place half = (high - low) / 2.0;
             const Place middle = (high + low) / 2.0;
+            if (half.norm() < r / 2.0) {
+                open.push_back({middle, half, bound});
+                std::push_heap(open.begin(), open.end());
+                continue;
+            }
             const bool across = half.x() >= half.y();
             const Place child(across ? half.x() / 2.0 : half.x(),
                               across ? half.y() : half.y() / 2.0);

@@ -38,7 +38,8 @@ struct PlaceFound {
 
 /// By branch and bound over rectangles of the front view: what can be built in one lies between
 /// lines (ShaftPlaces::find_cuts), and so does the criterion over its tangent plane, both to the
-/// second order in the rectangle's size. Empty where nothing can be built.
+/// second order in the rectangle's size. So what these lines and the best value leave of a
+/// rectangle shrinks quadratically about the best place. Empty where nothing can be built.
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
 /// The least value of a convex criterion over the whole plane, by cutting planes: the least that

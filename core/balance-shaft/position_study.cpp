@@ -363,6 +363,16 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             question.largest_size = k == 0 ? smallest->value * (1.0 + same)
                                            : (levels[widest].size + levels[widest + 1].size) / 2.0;
             question.start = levels[widest].place;
+            // The best place that is known to be small enough, of whichever weight.
+            double least = levels[widest].value;
+            for (const FrontPosition& one : front) {
+                const double value =
+                    weight * one.criteria.range + (1.0 - weight) * one.criteria.rms;
+                if (one.criteria.size <= *question.largest_size && value < least) {
+                    least = value;
+                    question.start = Eigen::Vector2d(one.position.x, one.position.y);
+                }
+            }
             const auto found = search_places(prepared.places, question);
             if (!found) {
                 break;
