@@ -42,7 +42,57 @@ std::string fill_pattern(std::string_view pattern, const std::vector<std::string
     return text;
 }
 
+Message::Message() = default;
+Message::Message(std::string verbatim) : verbatim_(std::move(verbatim)) {}
+Message::Message(std::string_view verbatim) : verbatim_(verbatim) {}
+Message::Message(const char* verbatim) : verbatim_(verbatim) {}
+Message::Message(Text pattern) : pattern_(pattern) {}
 Message::Message(Number number) : pattern_{"", "%1"}, arguments_{number} {}
+Message::Message(const Message& other) = default;
+Message::Message(Message&& other) noexcept = default;
+Message& Message::operator=(const Message& other) = default;
+Message& Message::operator=(Message&& other) noexcept = default;
+Message::~Message() = default;
+
+void Message::reserve(std::size_t arguments) {
+    arguments_.reserve(arguments);
+}
+void Message::add(double value) {
+    arguments_.emplace_back(Number{value});
+}
+void Message::add(int value) {
+    add(static_cast<double>(value));
+}
+void Message::add(std::size_t value) {
+    add(static_cast<double>(value));
+}
+void Message::add(const Number& value) {
+    arguments_.emplace_back(value);
+}
+void Message::add(Text value) {
+    arguments_.emplace_back(Message(value));
+}
+void Message::add(const char* value) {
+    add(std::string(value));
+}
+void Message::add(std::string_view value) {
+    add(std::string(value));
+}
+void Message::add(const std::string& value) {
+    arguments_.emplace_back(value);
+}
+void Message::add(std::string&& value) {
+    arguments_.emplace_back(std::move(value));
+}
+void Message::add(const Message& value) {
+    arguments_.emplace_back(value);
+}
+void Message::add(Message&& value) {
+    arguments_.emplace_back(std::move(value));
+}
+void Message::add(const Argument& value) {
+    arguments_.push_back(value);
+}
 
 Message joined(Message a, Message b) {
     return {Text{"", "%1, %2"}, std::move(a), std::move(b)};
