@@ -4,13 +4,13 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -22,9 +22,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     auto* holder = new QWidget(this);
     holder->setMinimumWidth(Theme::withText(338));
     holder->setMaximumWidth(Theme::withText(440));
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder);
 
     picture_ = new MechanismView(model_);
     auto* picturePanel = new PicturePanel(
@@ -35,9 +33,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
-    auto* answerColumn = new QVBoxLayout(answer);
-    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    answerColumn->setSpacing(Theme::gap);
+    QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
     criteria_ = new ResultTable(answer);
     criteria_->setAccessibleName(tr("Criteria of the three moments"));
     answerColumn->addWidget(criteria_);

@@ -2,13 +2,11 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <cmath>
 
 #include "balance-shaft/buildable_bands.h"
@@ -24,6 +22,7 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -42,14 +41,10 @@ constexpr int chartPair = 420;  ///< designed pixels of two charts beside each o
 
 QWidget* BalanceShaftPage::buildPlots() {
     auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder);
 
     auto* bar = new Panel(holder);
-    auto* barRow = new QHBoxLayout(bar);
-    barRow->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    barRow->setSpacing(Theme::margin);
+    QHBoxLayout* barRow = rowIn(bar, Theme::margin, barMargins);
     angle_ = new FieldSlider(
         model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
         {.label = tr("Shaft angle &α"),
@@ -94,9 +89,7 @@ QWidget* BalanceShaftPage::buildPlots() {
 
 QWidget* BalanceShaftPage::buildMoments() {
     auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
     const QString crankAxis = tr("φ, °");
     const QString angleAxis = tr("α, °");
     const QString newtonMetre = tr("N·m");

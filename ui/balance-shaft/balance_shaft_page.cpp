@@ -1,22 +1,20 @@
 #include "balance-shaft/balance_shaft_page.h"
 
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
 
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
     QTabWidget* inputs = buildInputs();
-    whole->addWidget(new PageColumns(
+    columnIn(this)->addWidget(new PageColumns(
         {.inputs = inputs, .tabs = inputs, .plots = buildPlots(), .results = buildAnswer()}, this));
 
     bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),

@@ -8,6 +8,7 @@
 #include "balance-shaft/model/shown_curves.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -52,8 +53,7 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     indicator_->setYAxis(PlotView::Side::Left, {tr("bar")});
     loop_ = indicator_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
     auto* panel = new Panel(plots);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    QVBoxLayout* column = columnIn(panel, -1, tableMargins);
     table_ = new ResultTable(panel);
     table_->setAccessibleName(tr("Work, pressures and power of the cycle"));
     table_->setColumns({tr("Cycle"), tr("Value"), tr("Unit")});

@@ -1,6 +1,5 @@
 #include "balance-shaft/envelope_view.h"
 
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -10,14 +9,13 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
 EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     sizes_ = new PlotView(tr("Overall size over α"), this);
     sizes_->setXAxis({tr("α, °"), 0.0, 360.0, true});
     sizes_->setYAxis(PlotView::Side::Left, {tr("mm")});

@@ -1,13 +1,12 @@
 #include "balance-shaft/flywheel_view.h"
 
-#include <QVBoxLayout>
-
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -19,9 +18,7 @@ namespace field = balance_shaft::field;
 
 FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     plot_ = new PlotView(tr("Excess energy over the cycle"), this);
     plot_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
     plot_->setYAxis(PlotView::Side::Left, {tr("J")});
@@ -36,13 +33,10 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     constexpr int pairWidth = 600;
     auto* lower = new FoldingRow(pairWidth, this);
     auto* formPanel = new Panel(this);
-    auto* formColumn = new QVBoxLayout(formPanel);
-    formColumn->setContentsMargins(0, 0, 0, 0);
-    formColumn->addWidget(buildForm());
+    columnIn(formPanel)->addWidget(buildForm());
     lower->add(formPanel);
     auto* answerPanel = new Panel(this);
-    auto* answerColumn = new QVBoxLayout(answerPanel);
-    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
     table_ = new ResultTable(answerPanel);
     table_->setAccessibleName(tr("Excess work, fluctuation and moment of inertia"));
     table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});

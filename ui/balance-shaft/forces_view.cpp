@@ -7,6 +7,7 @@
 #include "theme/theme.h"
 #include "widgets/field_slider.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -104,8 +105,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
 
 QWidget* ForcesView::inPanel(QWidget* widget) {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(0, 0, 0, 0);
+    QVBoxLayout* column = columnIn(panel, -1);
     column->addWidget(widget);
     return panel;
 }
@@ -116,7 +116,7 @@ ResultTable* ForcesView::addTable(FoldingRow* row, const QString& name,
     table->setAccessibleName(name);
     table->setColumns(columns);
     QWidget* panel = inPanel(table);
-    panel->layout()->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    panel->layout()->setContentsMargins(tableMargins);
     static_cast<QVBoxLayout*>(panel->layout())->addStretch();
     row->add(panel);
     return table;

@@ -1,7 +1,5 @@
 #include "balance-shaft/orders_view.h"
 
-#include <QVBoxLayout>
-
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shown_curves.h"
 #include "plot/plot_view.h"
@@ -9,15 +7,14 @@
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 
 OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     plot_ = new PlotView(tr("Order spectrum of the moment"), this);
     plot_->setXAxis({tr("order (per turn of the crank)"), 0.0, 12.5});
     plot_->setYAxis(PlotView::Side::Left, {tr("N·m")});
@@ -36,8 +33,7 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     column->addWidget(plot_, 3);
 
     auto* panel = new Panel(this);
-    auto* inside = new QVBoxLayout(panel);
-    inside->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    QVBoxLayout* inside = columnIn(panel, -1, tableMargins);
     inside->addWidget(captionLabel(
         tr("A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank "
            "speed changes order 1 alone; the best RMS is where it opposes that order."),

@@ -20,6 +20,7 @@
 #include "widgets/drawing.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -204,17 +205,14 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(new RelievedShaftModel(model, this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
     column->addWidget(upper, 3);
     upper->add(buildForm(model), 1);
 
     auto* answerPanel = new Panel(this);
-    auto* answerColumn = new QVBoxLayout(answerPanel);
-    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
     verdict_ = captionLabel({}, answerPanel);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answerColumn->addWidget(verdict_);

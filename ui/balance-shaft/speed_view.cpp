@@ -19,6 +19,7 @@
 #include "theme/theme.h"
 #include "widgets/field_slider.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 
@@ -54,17 +55,13 @@ Broken brokenAtZero(const std::vector<double>& speed, const std::vector<double>&
 
 SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), study_(new SpeedStudyModel(model, this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
 
     auto* bar = new Panel(this);
-    auto* barColumn = new QVBoxLayout(bar);
-    barColumn->setContentsMargins(0, 0, 0, 0);
+    QVBoxLayout* barColumn = columnIn(bar, 0);
     auto* barRow = new FoldingRow(pairWidth, bar);
     barRow->add(buildSliders());
     barRow->add(buildForm());
-    barColumn->setSpacing(0);
     barColumn->addWidget(barRow);
     barColumn->addWidget(buildProgress());
     column->addWidget(bar);
@@ -94,8 +91,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
 
     auto* panel = new Panel(this);
     words_ = panel;
-    auto* row = new QHBoxLayout(panel);
-    row->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+    QHBoxLayout* row = rowIn(panel, -1, panelMargins);
     answer_ = new QLabel(panel);
     answer_->setWordWrap(true);
     answer_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -17,6 +17,7 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -44,9 +45,7 @@ int pageOf(TorqueSource::Kind kind) {
 
 TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout* column = columnIn(this, 0, tabMargins);
     auto* source = new FormSection({}, this);
     source->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
     choice_ = new QComboBox(source);
@@ -124,9 +123,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
     checkText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(checkText_);
     remedies_ = new QWidget(check_);
-    auto* row = new QHBoxLayout(remedies_);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::gap);
+    QHBoxLayout* row = rowIn(remedies_, Theme::gap);
     auto* speed = new QPushButton(tr("Use its speed"), remedies_);
     speed->setObjectName(QStringLiteral("use_matching_speed"));
     speed->setToolTip(

@@ -1,8 +1,6 @@
 #include "bob-weights/bob_answer.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "bob-weights/force_plot.h"
 #include "bob-weights/model/bob_text.h"
@@ -11,6 +9,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -34,19 +33,10 @@ void sayOrHide(QLabel* label, const QString& text) {
     label->setVisible(!text.isEmpty());
 }
 
-QVBoxLayout* columnIn(QWidget* panel) {
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->setSpacing(Theme::gap);
-    return column;
-}
-
 }  // namespace
 
 BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this);
     column->addWidget(buildHead());
     column->addWidget(buildCorrection());
     auto* row = new FoldingRow(linesBesideForce, this);
@@ -55,9 +45,7 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
     column->addWidget(row, 1);
     linesAndForce_ = row;
     auto* pictures = new QWidget(this);
-    auto* beside = new QHBoxLayout(pictures);
-    beside->setContentsMargins(0, 0, 0, 0);
-    beside->setSpacing(Theme::space);
+    QHBoxLayout* beside = rowIn(pictures);
     beside->addWidget(new PlaneView(model_, 0, pictures));
     beside->addWidget(new PlaneView(model_, 1, pictures));
     column->addWidget(pictures, 1);
@@ -67,7 +55,7 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
 
 QWidget* BobAnswer::buildHead() {
     auto* panel = new Panel(this);
-    QVBoxLayout* column = columnIn(panel);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     headline_ = answerLabel(panel, "headline", Theme::displaySize, true);
     hang_ = answerLabel(panel, "hang", Theme::titleSize);
     verdict_ = answerLabel(panel, "verdict", Theme::titleSize);
@@ -84,7 +72,7 @@ QWidget* BobAnswer::buildHead() {
 
 QWidget* BobAnswer::buildLines() {
     auto* panel = new Panel(this);
-    QVBoxLayout* column = columnIn(panel);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight, line by line"), panel));
     lines_ = new ResultTable(panel);
     lines_->setAccessibleName(tr("Bob weight, line by line"));
@@ -95,7 +83,7 @@ QWidget* BobAnswer::buildLines() {
 
 QWidget* BobAnswer::buildCorrection() {
     auto* panel = new Panel(this);
-    QVBoxLayout* column = columnIn(panel);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Correction"), panel));
     const auto table = [&](const QString& name) {
         auto* made = new ResultTable(panel);

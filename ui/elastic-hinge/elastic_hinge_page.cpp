@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <cmath>
 
 #include "elastic-hinge/fields.h"
@@ -21,6 +20,7 @@
 #include "widgets/apart.h"
 #include "widgets/field_slider.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -41,11 +41,9 @@ constexpr int boxWidth = 122;  ///< pixels, for "20000.0 kN/m"
 
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
     QWidget* inputs = buildInputs();
     plots_ = new HingePlots(model_, this);
-    whole->addWidget(new PageColumns(
+    columnIn(this)->addWidget(new PageColumns(
         {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this));
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
@@ -67,9 +65,7 @@ QList<QAction*> ElasticHingePage::sceneActions() {
 
 QWidget* ElasticHingePage::buildSliders() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     const auto lambdaEnds = [this] {
         return std::pair(0.05, model_->input().kinematics == Kinematics::series ? 1.0 : 0.99);
     };
@@ -113,9 +109,7 @@ QWidget* ElasticHingePage::buildSliders() {
 QWidget* ElasticHingePage::buildInputs() {
     auto* holder = new QWidget(this);
     holder->setFixedWidth(PageColumns::inputsWidth());
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder);
     column->addWidget(buildSliders());
 
     forms_ = new QTabWidget(holder);
@@ -138,9 +132,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     auto* holder = new QWidget(this);
     holder->setMinimumWidth(Theme::withText(300));
     holder->setMaximumWidth(Theme::withText(460));
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder);
 
     picture_ = new HingeMechanismView(model_);
     auto* picturePanel = new PicturePanel(
@@ -166,9 +158,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
-    auto* answerColumn = new QVBoxLayout(answer);
-    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    answerColumn->setSpacing(Theme::gap);
+    QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
     verdict_ = new QLabel(answer);
     verdict_->setWordWrap(true);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);

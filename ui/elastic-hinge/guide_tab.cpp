@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "elastic-hinge/model/guide_picture.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/value_slider.h"
 
@@ -90,9 +90,7 @@ void GuideTab::buildBar() {
     addBar()->addWidget(bar);
     const auto addPart = [bar](int share) {
         auto* part = new QWidget(bar);
-        auto* row = new QHBoxLayout(part);
-        row->setContentsMargins(0, 0, 0, 0);
-        row->setSpacing(Theme::space);
+        QHBoxLayout* row = rowIn(part);
         bar->add(part, share);
         return row;
     };

@@ -1,10 +1,10 @@
 #include "elastic-hinge/hinge_plots.h"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 
@@ -18,9 +18,7 @@ HingePlotTab::HingePlotTab(ElasticHingeModel* model, QWidget* parent)
 
 QHBoxLayout* HingePlotTab::addBar() {
     auto* bar = new Panel(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    row->setSpacing(Theme::space);
+    QHBoxLayout* row = rowIn(bar, Theme::space, barMargins);
     column_->addWidget(bar);
     return row;
 }

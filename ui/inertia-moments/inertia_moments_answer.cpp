@@ -10,6 +10,7 @@
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -22,9 +23,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     : QWidget(parent), model_(model) {
     setMinimumWidth(Theme::withText(332));
     setMaximumWidth(Theme::withText(480));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this);
 
     picture_ = new EngineView(model_);
     picturePanel_ = new PicturePanel(

@@ -17,6 +17,7 @@
 #include "numerics/constants.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -50,12 +51,8 @@ void showTrace(PlotView* plot, int curve, const engine_curves::Trace& trace) {
 
 InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model), orders_(new QWidget(this)), tabs_(new FittedTabs(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
-    auto* both = new QVBoxLayout(orders_);
-    both->setContentsMargins(0, 0, 0, 0);
-    both->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this);
+    QVBoxLayout* both = columnIn(orders_);
     addMoments();
     for (PlotView* plot : moments_) {
         both->addWidget(plot);

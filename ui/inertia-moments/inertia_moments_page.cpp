@@ -1,13 +1,13 @@
 #include "inertia-moments/inertia_moments_page.h"
 
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "inertia-moments/cylinder_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -16,20 +16,18 @@ using Tabs = InertiaMomentsModel::Tabs;
 
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<InertiaMomentsModel>(kept)) {
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
     QTabWidget* inputs = makeInputs();
     sliders_ = new EngineSliders(model_, this);
     charts_ = new InertiaMomentsCharts(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
     // The sliders over plots and picture: they need length.
-    whole->addWidget(new PageColumns({.inputs = inputs,
-                                      .tabs = inputs,
-                                      .plots = scrolled(charts_, this),
-                                      .results = answer_,
-                                      .resultShare = 3,
-                                      .top = sliders_},
-                                     this));
+    columnIn(this)->addWidget(new PageColumns({.inputs = inputs,
+                                               .tabs = inputs,
+                                               .plots = scrolled(charts_, this),
+                                               .results = answer_,
+                                               .resultShare = 3,
+                                               .top = sliders_},
+                                              this));
 
     followTabs(inputs, Tabs::Inputs);
     followTabs(charts_->tabs(), Tabs::Charts);

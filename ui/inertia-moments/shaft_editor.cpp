@@ -16,6 +16,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -112,9 +113,7 @@ class ShaftRow : public QWidget {
 
     NumberField* addNumber(QHBoxLayout* line, const Field& field, const char* objectName) {
         auto* holder = new QWidget(this);
-        auto* pair = new QHBoxLayout(holder);
-        pair->setContentsMargins(0, 0, 0, 0);
-        pair->setSpacing(Theme::gap);
+        QHBoxLayout* pair = rowIn(holder, Theme::gap);
         auto* target = new NumberField(field, holder);
         name(target, field, objectName);
         target->setHint(shownText(field.hint));
@@ -141,9 +140,7 @@ class ShaftRow : public QWidget {
 
 ShaftEditor::ShaftEditor(InertiaMomentsModel* model, Form* form)
     : QWidget(form), model_(model), form_(form) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout* column = columnIn(this, 0);
     list_ = new QVBoxLayout;
     list_->setSpacing(0);
     column->addLayout(list_);

@@ -3,7 +3,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QResizeEvent>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -96,10 +96,8 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
 }  // namespace
 
 MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
     auto* row = new FoldingRow(pairWidth, this);
-    column->addWidget(row);
+    columnIn(this)->addWidget(row);
     work_ = new PlotView(tr("Time and error"), this);
     work_->setObjectName(QStringLiteral("work_plot"));
     stability_ = new PlotView(tr("Error along the hard parameter"), this);

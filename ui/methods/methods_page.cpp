@@ -29,6 +29,7 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -102,12 +103,8 @@ QString paragraph(const QString& heading, const QString& text) {
 
 MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<MethodsModel>(kept)) {
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
     auto* left = new QWidget(this);
-    auto* column = new QVBoxLayout(left);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(left);
     column->addWidget(buildChoice());
     column->addWidget(buildWords(), 1);
     // Tabs only where there is no room for the results beside it.
@@ -117,7 +114,7 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     inputs->setFocusPolicy(Qt::NoFocus);  // it would hand the focus to its hidden bar
     inputs->setFixedWidth(PageColumns::inputsWidth());
     inputs->addTab(left, tr("Quantity"));
-    whole->addWidget(new PageColumns(
+    columnIn(this)->addWidget(new PageColumns(
         {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, this));
 
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
@@ -202,9 +199,7 @@ QWidget* MethodsPage::buildChoice() {
 
 QWidget* MethodsPage::buildMeasuring() {
     auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(holder, Theme::gap);
     auto* row = new QHBoxLayout;
     row->setSpacing(Theme::space);
     again_ = new QPushButton(tr("&Measure again"), holder);
@@ -252,9 +247,7 @@ QWidget* MethodsPage::buildResults() {
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
     auto* charts = new QWidget(tabs_);
-    auto* column = new QVBoxLayout(charts);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(charts, Theme::space, tabMargins);
     plots_ = new MethodPlots(model_, charts);
     column->addWidget(plots_, 3);
     auto* panel = new Panel(charts);

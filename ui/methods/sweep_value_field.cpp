@@ -1,6 +1,5 @@
 #include "methods/sweep_value_field.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -11,6 +10,7 @@
 #include "case-file/range.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -36,9 +36,7 @@ double roundedForHand(const methods::SweepInfo& sweep, double value) {
 }
 
 SweepValueField::SweepValueField(QWidget* parent) : QWidget(parent) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::space);
+    QHBoxLayout* row = rowIn(this);
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setObjectName(QStringLiteral("value_slider"));
     slider_->setRange(0, sliderSteps);

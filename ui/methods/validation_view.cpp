@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -23,6 +22,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/panel.h"
 #include "widgets/whole_rows.h"
 
@@ -70,9 +70,7 @@ class VerdictDelegate : public QStyledItemDelegate {
 
 ValidationView::ValidationView(QWidget* parent)
     : QWidget(parent), model_(new ValidationModel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     counts_ = headingLabel({}, this);
     counts_->setObjectName(QStringLiteral("counts"));
     counts_->setWordWrap(true);
@@ -125,9 +123,7 @@ QWidget* ValidationView::buildTable() {
 
 QWidget* ValidationView::buildFilters() {
     auto* holder = new QWidget(this);
-    auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::space);
+    QHBoxLayout* row = rowIn(holder);
     papers_ = new QComboBox(holder);
     papers_->setObjectName(QStringLiteral("paper_filter"));
     papers_->setAccessibleName(tr("Paper"));

@@ -13,13 +13,13 @@
 #include <QSvgRenderer>
 #include <QTextBrowser>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -74,9 +74,7 @@ class WrappedTitles : public QStyledItemDelegate {
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
     setSizeGripEnabled(true);
     resizeWithText(this, 980, 680);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout* column = columnIn(this, 0);
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);

@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -32,6 +31,7 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "workshop/scale_button.h"
 
 namespace ravnoves {
@@ -56,9 +56,7 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
 
 void MainWindow::buildNavigation() {
     auto* centre = new QWidget(this);
-    auto* row = new QHBoxLayout(centre);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    QHBoxLayout* row = rowIn(centre, 0);
 
     startAction_ = new QAction(themedIcon(QStringLiteral("start")), tr("Start"), this);
     startAction_->setCheckable(true);

@@ -1,19 +1,17 @@
 #include "shell/notice_bar.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
 NoticeBar::NoticeBar(const QString& name, QWidget* parent)
     : Panel(parent), text_(new QLabel(this)) {
     setObjectName(name);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    row->setSpacing(Theme::space);
+    QHBoxLayout* row = rowIn(this, Theme::space, barMargins);
     text_->setWordWrap(true);
     row->addWidget(text_, 1);
     hide();

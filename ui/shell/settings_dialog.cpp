@@ -6,13 +6,13 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QVBoxLayout>
 
 #include "numerics/units.h"
 #include "text/language.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -23,9 +23,7 @@ using Choices = QList<std::pair<QString, QVariant>>;
 }  // namespace
 
 SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSizeConstraint(QLayout::SetFixedSize);
+    columnIn(this)->setSizeConstraint(QLayout::SetFixedSize);
     build();
     connect(&Preferences::instance(), &Preferences::changed, this, &SettingsDialog::build);
 }

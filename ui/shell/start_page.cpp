@@ -16,6 +16,7 @@
 #include "shell/scene_list.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -160,9 +161,7 @@ class StartLine : public StartButton {
 
 /// A heading, and the column below it.
 QVBoxLayout* column(QWidget* box, const QString& heading) {
-    auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    QVBoxLayout* layout = columnIn(box, 0);
     auto* label = new QLabel(heading, box);
     QFont bold = label->font();
     bold.setBold(true);
@@ -175,13 +174,11 @@ QVBoxLayout* column(QWidget* box, const QString& heading) {
 }  // namespace
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
-    auto* outside = new QVBoxLayout(this);
-    outside->setContentsMargins(0, 0, 0, 0);
     auto* scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus);
-    outside->addWidget(scroll);
+    columnIn(this)->addWidget(scroll);
     auto* content = new QWidget(scroll);
     scroll->setWidget(content);
     auto* layout = new QVBoxLayout(content);

@@ -1,7 +1,6 @@
 #include "v8-plugs/answer_view.h"
 
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -12,6 +11,7 @@
 #include "v8-plugs/plug_view.h"
 #include "v8-plugs/shift_plot.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -39,16 +39,12 @@ void say(QLabel* label, const QString& text) {
 }  // namespace
 
 AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this);
     column->addWidget(buildAdvice());
 
     auto* lower = new FoldingRow(besideEachOther, this);
     auto* leftHolder = new QWidget(lower);
-    auto* left = new QVBoxLayout(leftHolder);
-    left->setContentsMargins(0, 0, 0, 0);
-    left->setSpacing(Theme::space);
+    QVBoxLayout* left = columnIn(leftHolder);
     left->addWidget(buildBobWeights());
     left->addWidget(new PlugView(model_, this), 1);
     lower->add(leftHolder, 7);
@@ -62,9 +58,7 @@ AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), 
 
 QWidget* AnswerView::buildAdvice() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     advice_ = namedLabel(panel, "advice", Theme::displaySize, true);
     refused_ = namedLabel(panel, "refused", Theme::baseSize, true);
     refused_->hide();
@@ -89,9 +83,7 @@ QWidget* AnswerView::buildAdvice() {
 
 QWidget* AnswerView::buildBobWeights() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
     bobWeights_ = new ResultTable(panel);
     bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
@@ -109,9 +101,7 @@ QWidget* AnswerView::buildBobWeights() {
 
 QWidget* AnswerView::buildPlots() {
     auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(holder);
     compensation_ = new CompensationPlot(holder);
     column->addWidget(compensation_, 1);
     shift_ = new ShiftPlot(holder);

@@ -1,13 +1,13 @@
 #include "v8-plugs/engine_sheet.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -76,8 +76,7 @@ void EngineSheet::addValues(EngineGroup group) {
 
 void EngineSheet::addOwnEngineButtons() {
     auto* buttons = new QWidget(this);
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
+    QHBoxLayout* row = rowIn(buttons, -1);
     const auto button = [&](const QString& name, const QString& label) {
         auto* made = new QPushButton(label, this);
         made->setObjectName(name);

@@ -10,7 +10,6 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -20,6 +19,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
@@ -67,9 +67,7 @@ class TroubleDelegate final : public QStyledItemDelegate {
 TableEditor::TableEditor(EditableTable* table, const QString& name, const QString& addTip,
                          const QString& removeTip, QWidget* parent)
     : QWidget(parent), table_(table), tools_(new QHBoxLayout) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(this, Theme::gap, panelMargins);
     caption_ = captionLabel({}, this);
     column->addWidget(caption_);
     tools_->setSpacing(2);

@@ -1,20 +1,19 @@
 #include "workshop/journal_banner.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <algorithm>
 
 #include "theme/theme.h"
+#include "widgets/layouts.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/sheet_form.h"
 
 namespace ravnoves {
 
 JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), desk_(desk) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
+    QHBoxLayout* row = rowIn(this, -1, barMargins);
     text_ = SheetForm::wrapped(this, Theme::baseSize, true);
     text_->setObjectName(QStringLiteral("banner"));
     row->addWidget(text_, 1);

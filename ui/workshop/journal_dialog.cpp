@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +16,7 @@
 #include "widgets/dialog_size.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "workshop/checked_field.h"
 #include "workshop/model/verdict.h"
@@ -74,9 +74,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     const auto folding = [&] { return new FoldingRow(0, this); };
     const auto partOf = [](FoldingRow* whole, int share) {
         auto* part = new QWidget(whole);
-        auto* layout = new QHBoxLayout(part);
-        layout->setContentsMargins(0, 0, 0, 0);
-        layout->setSpacing(Theme::space);
+        QHBoxLayout* layout = rowIn(part);
         whole->add(part, share);
         return layout;
     };

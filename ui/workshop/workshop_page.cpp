@@ -14,7 +14,6 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
-#include <QVBoxLayout>
 
 #include "shell/refused_entries.h"
 #include "text/language.h"
@@ -23,6 +22,7 @@
 #include "widgets/entry_field.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "workshop/job_card.h"
@@ -42,9 +42,7 @@ constexpr int narrowestSheet = 280;
 }  // namespace
 
 void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout* column = columnIn(this, 0);
     banner_ = new JournalBanner(desk(), this);
     column->addWidget(banner_);
     sheets_ = new FittedTabs(this);

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QHBoxLayout>
+#include <QMargins>
+#include <QVBoxLayout>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+// Margins of what lies on a page, beside none at all.
+inline constexpr QMargins tabMargins(0, Theme::space, 0, 0);  ///< below the titles of tabs
+inline constexpr QMargins panelMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+inline constexpr QMargins barMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
+/// Of a panel with a table, which has margins of its own.
+inline constexpr QMargins tableMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+
+/// A column over all of a widget.
+/// @param spacing  −1: the style's
+inline QVBoxLayout* columnIn(QWidget* widget, int spacing = Theme::space,
+                             const QMargins& margins = {}) {
+    auto* column = new QVBoxLayout(widget);
+    column->setContentsMargins(margins);
+    column->setSpacing(spacing);
+    return column;
+}
+
+/// The same beside each other.
+inline QHBoxLayout* rowIn(QWidget* widget, int spacing = Theme::space,
+                          const QMargins& margins = {}) {
+    auto* row = new QHBoxLayout(widget);
+    row->setContentsMargins(margins);
+    row->setSpacing(spacing);
+    return row;
+}
+
+}  // namespace ravnoves
