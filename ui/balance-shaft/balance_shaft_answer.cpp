@@ -34,8 +34,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    criteria_ = new ResultTable(answer);
-    criteria_->setAccessibleName(tr("Criteria of the three moments"));
+    criteria_ = new ResultTable(tr("Criteria of the three moments"), answer);
     answerColumn->addWidget(criteria_);
 
     auto* best = new QGridLayout;
@@ -64,12 +63,10 @@ QWidget* BalanceShaftPage::buildAnswer() {
     connect(goRms_, &QPushButton::clicked, model_, &BalanceShaftModel::goToBestRms);
     answerColumn->addLayout(best);
 
-    quantities_ = new ResultTable(answer);
-    quantities_->setAccessibleName(tr("Forces, masses and sizes"));
+    quantities_ = new ResultTable(tr("Forces, masses and sizes"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = captionLabel({}, answer);
-    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    notes_ = copyableCaption("", answer);
     auto* apart = new Apart(notes_, answer);
     notesArea_ = scrolled(apart, answer);
     const int line = notes_->fontMetrics().lineSpacing();

@@ -54,8 +54,7 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     loop_ = indicator_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
     auto* panel = new Panel(plots);
     QVBoxLayout* column = columnIn(panel, -1, tableMargins);
-    table_ = new ResultTable(panel);
-    table_->setAccessibleName(tr("Work, pressures and power of the cycle"));
+    table_ = new ResultTable(tr("Work, pressures and power of the cycle"), panel);
     table_->setColumns({tr("Cycle"), tr("Value"), tr("Unit")});
     column->addWidget(table_);
     grid->addWidget(torque_, 0, 0, 1, 2);

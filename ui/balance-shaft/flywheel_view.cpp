@@ -37,8 +37,7 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     lower->add(formPanel);
     auto* answerPanel = new Panel(this);
     QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
-    table_ = new ResultTable(answerPanel);
-    table_->setAccessibleName(tr("Excess work, fluctuation and moment of inertia"));
+    table_ = new ResultTable(tr("Excess work, fluctuation and moment of inertia"), answerPanel);
     table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});
     answerColumn->addWidget(table_);
     answerColumn->addStretch();

@@ -112,8 +112,7 @@ QWidget* ForcesView::inPanel(QWidget* widget) {
 
 ResultTable* ForcesView::addTable(FoldingRow* row, const QString& name,
                                   const ResultColumns& columns) {
-    auto* table = new ResultTable(this);
-    table->setAccessibleName(name);
+    auto* table = new ResultTable(name, this);
     table->setColumns(columns);
     QWidget* panel = inPanel(table);
     panel->layout()->setContentsMargins(tableMargins);

@@ -38,8 +38,7 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
         tr("A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank "
            "speed changes order 1 alone; the best RMS is where it opposes that order."),
         panel));
-    table_ = new ResultTable(panel);
-    table_->setAccessibleName(tr("Order spectrum"));
+    table_ = new ResultTable(tr("Order spectrum"), panel);
     const ResultColumn phase(tr("phase, °"),
                              tr("Of the moment to the left: amplitude × sin(kφ + phase)"));
     table_->setColumns(

@@ -213,11 +213,9 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
 
     auto* answerPanel = new Panel(this);
     QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
-    verdict_ = captionLabel({}, answerPanel);
-    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    verdict_ = copyableCaption("", answerPanel);
     answerColumn->addWidget(verdict_);
-    table_ = new ResultTable(answerPanel);
-    table_->setAccessibleName(tr("Sizes and masses of the shaft"));
+    table_ = new ResultTable(tr("Sizes and masses of the shaft"), answerPanel);
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
     table_->setShownRows(9);
     answerColumn->addWidget(table_, 1);

@@ -119,8 +119,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
     auto* column = new QVBoxLayout(check_);
     column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    checkText_ = captionLabel({}, check_);
-    checkText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    checkText_ = copyableCaption("", check_);
     column->addWidget(checkText_);
     remedies_ = new QWidget(check_);
     QHBoxLayout* row = rowIn(remedies_, Theme::gap);

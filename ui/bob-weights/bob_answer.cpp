@@ -6,7 +6,6 @@
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "bob-weights/plane_view.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
@@ -14,24 +13,12 @@
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "workshop/model/verdict.h"
-#include "workshop/sheet_form.h"
 
 namespace ravnoves {
 
 namespace {
 
 constexpr int linesBesideForce = 560;  ///< designed pixels that both need
-
-QLabel* answerLabel(QWidget* parent, const char* name, int pixelSize, bool bold = false) {
-    QLabel* label = SheetForm::wrapped(parent, pixelSize, bold);
-    label->setObjectName(QLatin1String(name));
-    return label;
-}
-
-void sayOrHide(QLabel* label, const QString& text) {
-    label->setText(unbroken(text));
-    label->setVisible(!text.isEmpty());
-}
 
 }  // namespace
 
@@ -56,13 +43,13 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
 QWidget* BobAnswer::buildHead() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
-    headline_ = answerLabel(panel, "headline", Theme::displaySize, true);
-    hang_ = answerLabel(panel, "hang", Theme::titleSize);
-    verdict_ = answerLabel(panel, "verdict", Theme::titleSize);
-    factor_ = answerLabel(panel, "factor", Theme::baseSize);
-    limits_ = answerLabel(panel, "limits", Theme::baseSize);
-    troubles_ = answerLabel(panel, "troubles", Theme::baseSize, true);
-    refused_ = answerLabel(panel, "refused", Theme::baseSize, true);
+    headline_ = copyableLabel("headline", Theme::displaySize, panel, true);
+    hang_ = copyableLabel("hang", Theme::titleSize, panel);
+    verdict_ = copyableLabel("verdict", Theme::titleSize, panel);
+    factor_ = copyableLabel("factor", Theme::baseSize, panel);
+    limits_ = copyableLabel("limits", Theme::baseSize, panel);
+    troubles_ = copyableLabel("troubles", Theme::baseSize, panel, true);
+    refused_ = copyableLabel("refused", Theme::baseSize, panel, true);
     refused_->hide();
     for (QLabel* label : {headline_, refused_, hang_, verdict_, factor_, limits_, troubles_}) {
         column->addWidget(label);
@@ -74,8 +61,7 @@ QWidget* BobAnswer::buildLines() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight, line by line"), panel));
-    lines_ = new ResultTable(panel);
-    lines_->setAccessibleName(tr("Bob weight, line by line"));
+    lines_ = new ResultTable(tr("Bob weight, line by line"), panel);
     column->addWidget(lines_);
     column->addStretch();
     return panel;
@@ -86,8 +72,7 @@ QWidget* BobAnswer::buildCorrection() {
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Correction"), panel));
     const auto table = [&](const QString& name) {
-        auto* made = new ResultTable(panel);
-        made->setAccessibleName(name);
+        auto* made = new ResultTable(name, panel);
         column->addWidget(made);
         return made;
     };
@@ -133,12 +118,9 @@ void BobAnswer::showAnswer() {
     colourText(troubles_, &Theme::warning);
     lines_->setResults(model_->lineResults());
     linesAndForce_->setVisible(known);
-    runs_->setResults(model_->runResults());
-    planes_->setResults(model_->planeResults());
-    holes_->setResults(model_->holeResults());
-    holes_->setVisible(holes_->rowCount() > 0);
-    runs_->setVisible(runs_->rowCount() > 0);
-    planes_->setVisible(planes_->rowCount() > 0);
+    runs_->setOrHide(model_->runResults());
+    planes_->setOrHide(model_->planeResults());
+    holes_->setOrHide(model_->holeResults());
     sayOrHide(movedNote_, bob_text::movedNote(Words(), model_->input(), model_->solution()));
     sayOrHide(holeNote_, model_->holeNote());
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);

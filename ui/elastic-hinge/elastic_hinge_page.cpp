@@ -175,12 +175,10 @@ QWidget* ElasticHingePage::buildAnswer() {
     mend->addWidget(takePreload_);
     mend->addWidget(takeStiffness_);
     answerColumn->addLayout(mend);
-    quantities_ = new ResultTable(answer);
-    quantities_->setAccessibleName(tr("What the design gives"));
+    quantities_ = new ResultTable(tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = captionLabel({}, answer);
-    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    notes_ = copyableCaption("", answer);
     answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;

@@ -75,8 +75,7 @@ PlotView* addSpeedPlot(HingePlotTab* tab) {
 HingePlotTab* makeMotionTab(ElasticHingeModel* model, QWidget* parent) {
     auto* tab = new HingePlotTab(model, parent);
     QHBoxLayout* bar = tab->addBar();
-    QLabel* text = captionLabel({}, tab);
-    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QLabel* text = copyableCaption("", tab);
     bar->addWidget(text, 1);
     addProgress(bar, model->runner());
     PlotView* speed = addSpeedPlot(tab);

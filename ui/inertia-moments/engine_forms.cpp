@@ -141,9 +141,7 @@ void EngineForm::addFiringOrder() {
     order->setHint(shownText(field::firing_order.hint));
     current()->addWidget(shownText(field::firing_order.label), order);
     order->setModel(model_);
-    QLabel* misfit = captionLabel({}, current());
-    misfit->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    misfit->setObjectName(QStringLiteral("firing_misfit"));
+    QLabel* misfit = copyableCaption("firing_misfit", current());
     current()->addWide(misfit);
     follow([this, order, misfit] {
         order->setValue(model_->firingOrder());

@@ -50,9 +50,8 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
-    warning_ = captionLabel({}, panel);
+    warning_ = copyableCaption("", panel);
     warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
-    warning_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answerColumn->addWidget(new Apart(warning_, panel));
     column->addWidget(panel, 5);
 
@@ -63,8 +62,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
 }
 
 void InertiaMomentsAnswer::addTable(const QString& title, const QString& name, Find results) {
-    auto* table = new ResultTable(tabs_);
-    table->setAccessibleName(name);
+    auto* table = new ResultTable(name, tabs_);
     table->setResults((model_->*results)());
     table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);

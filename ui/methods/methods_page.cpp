@@ -254,9 +254,8 @@ QWidget* MethodsPage::buildResults() {
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
     inside->setSpacing(Theme::gap);
-    table_ = new ResultTable(panel);
+    table_ = new ResultTable(tr("Methods as measured"), panel);
     table_->setObjectName(QStringLiteral("methods_table"));
-    table_->setAccessibleName(tr("Methods as measured"));
     table_->setShownRows(6);  // further ones never cost a chart
     table_->setWordWrap(true);
     table_->viewport()->installEventFilter(this);

@@ -2,7 +2,6 @@
 
 #include <QLabel>
 
-#include "text/number_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/model/v8_plugs_model.h"
@@ -16,25 +15,12 @@
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "workshop/model/verdict.h"
-#include "workshop/sheet_form.h"
 
 namespace ravnoves {
 
 namespace {
 
 constexpr int besideEachOther = 520;  ///< designed pixels that bob weights and plots need
-
-QLabel* namedLabel(QWidget* parent, const char* name, int pixelSize, bool bold = false) {
-    QLabel* label = SheetForm::wrapped(parent, pixelSize, bold);
-    label->setObjectName(QLatin1String(name));
-    return label;
-}
-
-/// Shows a text, or nothing at all where there is none.
-void say(QLabel* label, const QString& text) {
-    label->setText(unbroken(text));
-    label->setVisible(!text.isEmpty());
-}
 
 }  // namespace
 
@@ -59,25 +45,19 @@ AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), 
 QWidget* AnswerView::buildAdvice() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
-    advice_ = namedLabel(panel, "advice", Theme::displaySize, true);
-    refused_ = namedLabel(panel, "refused", Theme::baseSize, true);
+    advice_ = copyableLabel("advice", Theme::displaySize, panel, true);
+    refused_ = copyableLabel("refused", Theme::baseSize, panel, true);
     refused_->hide();
-    boring_ = namedLabel(panel, "boring", Theme::titleSize);
-    hang_ = namedLabel(panel, "hang", Theme::titleSize, true);
-    plugs_ = namedLabel(panel, "plugs_while_hung", Theme::baseSize);
-    excess_ = namedLabel(panel, "excess", Theme::baseSize);
-    troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
-    options_ = new ResultTable(panel);
-    options_->setAccessibleName(tr("The options"));
-    // Each over the whole width.
-    column->addWidget(advice_);
-    column->addWidget(refused_);
-    column->addWidget(boring_);
-    column->addWidget(hang_);
-    column->addWidget(plugs_);
-    column->addWidget(excess_);
-    column->addWidget(troubles_);
-    column->addWidget(options_);
+    boring_ = copyableLabel("boring", Theme::titleSize, panel);
+    hang_ = copyableLabel("hang", Theme::titleSize, panel, true);
+    plugs_ = copyableLabel("plugs_while_hung", Theme::baseSize, panel);
+    excess_ = copyableLabel("excess", Theme::baseSize, panel);
+    troubles_ = copyableLabel("troubles", Theme::baseSize, panel);
+    options_ = new ResultTable(tr("The options"), panel);
+    for (QWidget* each :
+         QWidgetList{advice_, refused_, boring_, hang_, plugs_, excess_, troubles_, options_}) {
+        column->addWidget(each);  // over the whole width
+    }
     return panel;
 }
 
@@ -85,16 +65,11 @@ QWidget* AnswerView::buildBobWeights() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
-    bobWeights_ = new ResultTable(panel);
-    bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
+    bobWeights_ = new ResultTable(tr("Bob weight on each crankpin, line by line"), panel);
     column->addWidget(bobWeights_);
-    check_ = captionLabel({}, panel);
-    check_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    check_->setObjectName(QStringLiteral("check"));
+    check_ = copyableCaption("check", panel);
     column->addWidget(check_);
-    weighing_ = captionLabel({}, panel);
-    weighing_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    weighing_->setObjectName(QStringLiteral("weighing"));
+    weighing_ = copyableCaption("weighing", panel);
     column->addWidget(weighing_);
     return panel;
 }
@@ -106,8 +81,7 @@ QWidget* AnswerView::buildPlots() {
     column->addWidget(compensation_, 1);
     shift_ = new ShiftPlot(holder);
     column->addWidget(shift_, 1);
-    shiftNote_ = captionLabel({}, holder);
-    shiftNote_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    shiftNote_ = copyableCaption("", holder);
     column->addWidget(shiftNote_);
     return holder;
 }
@@ -131,22 +105,22 @@ void AnswerView::resizeEvent(QResizeEvent* event) {
 void AnswerView::showAnswer() {
     showAdvice();
     showBobWeights();
-    say(shiftNote_, model_->shiftText());
+    sayOrHide(shiftNote_, model_->shiftText());
     compensation_->showSolution(model_->solution());
     compensation_->setVisible(model_->solution().before.has_value());
     shift_->showRadius(model_->input().engine.crank_radius);
 }
 
 void AnswerView::setRefused(const QStringList& refused) {
-    say(refused_, refusedNote(Words(), refused));
+    sayOrHide(refused_, refusedNote(Words(), refused));
     showAdvice();
 }
 
 void AnswerView::showAdvice() {
     const bool isStale = !refused_->text().isEmpty();
     colourText(refused_, &Theme::warning);
-    say(excess_, model_->excessText());
-    say(advice_, model_->adviceText());
+    sayOrHide(excess_, model_->excessText());
+    sayOrHide(advice_, model_->adviceText());
     const auto& advice = model_->solution().advice;
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
@@ -158,13 +132,13 @@ void AnswerView::showAdvice() {
                         : doubtful ? &Theme::warning
                         : works    ? &Theme::text
                                    : &Theme::error);
-    say(boring_, model_->boringText());
-    say(hang_, model_->hangText());
-    say(plugs_, model_->plugsText());
+    sayOrHide(boring_, model_->boringText());
+    sayOrHide(hang_, model_->hangText());
+    sayOrHide(plugs_, model_->plugsText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
     excess_->setVisible(known);  // the room belongs to what is missing
-    say(troubles_, model_->troubles().join(QLatin1Char('\n')));
+    sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     troubles_->setToolTip(otherTip(model_->solution()));
     colourText(troubles_, &Theme::warning);
     options_->setResults(model_->optionResults(isNarrow_));
@@ -185,11 +159,11 @@ void AnswerView::showBobWeights() {
     QStringList said{model_->checkText(), model_->rodFactorText()};
     said.removeAll(QString());
     // What is missing stands above.
-    say(check_, !isKnown ? QString() : said.join(QLatin1Char('\n')));
+    sayOrHide(check_, !isKnown ? QString() : said.join(QLatin1Char('\n')));
     const bool doubtful = model_->solution().shift_that_matters() != nullptr;
     colourText(check_, doubtful ? &Theme::warning : &Theme::mutedText);
     const auto weighing = v8_text::weighingNote(Words(), model_->input());
-    say(weighing_, !isKnown ? QString() : weighing.text);
+    sayOrHide(weighing_, !isKnown ? QString() : weighing.text);
     colourText(weighing_, weighing.enough ? &Theme::mutedText : &Theme::warning);
 }
 

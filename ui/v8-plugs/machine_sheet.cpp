@@ -16,8 +16,7 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
         NumberField* field = number(reading);
         doubt(field, [this, field] { return !model_->solution().holds() && field->value(); });
     }
-    planes_ = new ResultTable(this);
-    planes_->setAccessibleName(tr("Correction planes"));
+    planes_ = new ResultTable(tr("Correction planes"), this);
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setResults(model_->planeResults()); });

@@ -67,8 +67,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
 void WeighInSheet::buildFindings() {
     addFindings([this] { return findings(); }, [this] { model_->moveParts(); },
                 [this] { model_->moveBack(); });
-    crankpins_ = new ResultTable(this);
-    crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
+    crankpins_ = new ResultTable(tr("Excess on each crankpin, as weighed and after moving"), this);
     crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOf(this)->addWidget(crankpins_);
     follow([this] {

@@ -401,6 +401,27 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
+QLabel* copyableCaption(const char* name, QWidget* parent) {
+    QLabel* label = captionLabel({}, parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bold) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setFont(Theme::font(pixelSize, bold));
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+void sayOrHide(QLabel* label, const QString& text) {
+    label->setText(unbroken(text));
+    label->setVisible(!text.isEmpty());
+}
+
 QLabel* headingLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setFont(Theme::font(Theme::baseSize, true));

@@ -73,6 +73,12 @@ using Ink = QColor (Theme::*)() const;
 void colourText(QLabel* label, Ink ink);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
+/// The same whose text can be copied.
+QLabel* copyableCaption(const char* name, QWidget* parent);
+/// A wrapping label whose text can be copied.
+QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bold = false);
+/// Shows a text, or no label at all where there is none.
+void sayOrHide(QLabel* label, const QString& text);
 /// A section heading in the type scale.
 QLabel* headingLabel(const QString& text, QWidget* parent = nullptr);
 

@@ -101,6 +101,11 @@ void ResultTable::setColumns(const ResultColumns& columns) {
     fitColumns();
 }
 
+void ResultTable::setOrHide(const Results& results) {
+    setResults(results);
+    setVisible(!results.rows.isEmpty());
+}
+
 void ResultTable::setResults(const Results& results) {
     if (!results.columns.isEmpty() && results.columns != headings_) {
         setColumns(results.columns);

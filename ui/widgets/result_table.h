@@ -23,6 +23,10 @@ class ResultTable : public WithWholeRows<QTableWidget> {
 
   public:
     explicit ResultTable(QWidget* parent = nullptr);
+    /// @param name  what it shows, for screen readers
+    ResultTable(const QString& name, QWidget* parent) : ResultTable(parent) {
+        setAccessibleName(name);
+    }
     ~ResultTable() override;
 
     /// Sets headings once; rows follow with setRows().
@@ -32,6 +36,8 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     void setRows(const ResultRows& rows);
     /// Both.
     void setResults(const Results& results);
+    /// The same; there is no table where there are no rows.
+    void setOrHide(const Results& results);
     /// Null where the cell holds no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);

@@ -14,8 +14,7 @@ namespace ravnoves {
 
 JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), desk_(desk) {
     QHBoxLayout* row = rowIn(this, -1, barMargins);
-    text_ = SheetForm::wrapped(this, Theme::baseSize, true);
-    text_->setObjectName(QStringLiteral("banner"));
+    text_ = copyableLabel("banner", Theme::baseSize, this, true);
     row->addWidget(text_, 1);
     const auto button = [&](const QString& name, const QString& text) {
         auto* made = new QPushButton(text, this);

@@ -200,8 +200,7 @@ bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
     if (step != 0 && next.isValid() && next.row() < rows_) {
         cells_[static_cast<std::size_t>(next.column()) * static_cast<std::size_t>(rows_) +
                static_cast<std::size_t>(next.row())]
-            ->setFocus(
-            Qt::TabFocusReason);
+            ->setFocus(Qt::TabFocusReason);
     }
     return step != 0;
 }
@@ -309,8 +308,7 @@ void MatchingSheet::addAngles() {
 }
 
 ResultTable* MatchingSheet::addTable(const QString& name) {
-    auto* table = new ResultTable(this);
-    table->setAccessibleName(name);
+    auto* table = new ResultTable(name, this);
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     columnOfSheet(this)->addWidget(table);
     return table;

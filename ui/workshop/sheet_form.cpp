@@ -44,14 +44,6 @@ NumberField* SheetForm::large(NumberField* field) {
     return ordered(field);
 }
 
-QLabel* SheetForm::wrapped(QWidget* parent, int pixelSize, bool bold) {
-    auto* label = new QLabel(parent);
-    label->setWordWrap(true);
-    label->setFont(Theme::font(pixelSize, bold));
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 QComboBox* SheetForm::choice(const char* pointer) {
     QComboBox* box = ordered(Form::choice(pointer));
     enlarge(box);
@@ -99,12 +91,9 @@ void SheetForm::checked(const Field& description, const CheckedText& text) {
 }
 
 QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
-    QLabel* label = wrapped(current(), pixelSize);
+    QLabel* label = copyableLabel("", pixelSize, current());
     current()->addWide(label);
-    follow([label, text = std::move(text)] {
-        label->setText(unbroken(text()));
-        label->setVisible(!label->text().isEmpty());
-    });
+    follow([label, text = std::move(text)] { sayOrHide(label, text()); });
     return label;
 }
 

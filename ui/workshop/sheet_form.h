@@ -27,9 +27,6 @@ class SheetForm : public Form {
     /// Its readings are of another bob weight: its tab is amber, and so are their fields.
     bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
 
-    /// A wrapping label whose text can be copied.
-    static QLabel* wrapped(QWidget* parent, int pixelSize, bool bold = false);
-
   protected:
     /// Rows as a Form's, large enough to be read at arm's length and hit with a gloved finger.
     template <typename... Arguments>
