@@ -8,6 +8,7 @@
 #include "bob-weights/model/bob_weights_model.h"
 #include "text/csv_format.h"
 #include "widgets/figure.h"
+#include "widgets/panel.h"
 
 namespace ravnoves {
 
@@ -64,8 +65,9 @@ QString PlaneView::table(const CsvFormat& format) const {
     if (result() == nullptr) {
         return {};
     }
-    QString text = format.line(bob_text::planeHead(words)) +
-                   format.line(bob_text::planes(words, solution).at(static_cast<int>(plane_)).texts());
+    QString text =
+        format.line(bob_text::planeHead(words)) +
+        format.line(bob_text::planes(words, solution).at(static_cast<int>(plane_)).texts());
     const auto holes = bob_text::holes(words, solution, plane_);
     text += holes.isEmpty() ? QString() : format.line(bob_text::holeHead(words));
     for (const ResultRow& hole : holes) {
@@ -88,19 +90,7 @@ QString PlaneView::caption() const {
 void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const Theme& theme = Theme::instance();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(theme.panel());
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    painter.setBrush(Qt::NoBrush);
-
-    const Words words;
-    const QFont titleFont = Theme::font(Theme::baseSize, true);
-    painter.setFont(titleFont);
-    painter.setPen(theme.text());
-    const QFontMetrics metrics(titleFont);
-    const QRect title(Theme::margin, Theme::space, width() - 2 * Theme::margin, metrics.height());
-    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, bob_text::planeName(words, plane_));
+    const QRect title = paintPanel(painter, rect(), bob_text::planeName(Words(), plane_));
     sayReference(painter, title);
     const QFont small = Theme::font(Theme::smallSize);
     painter.setFont(small);

@@ -6,6 +6,7 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_drawing.h"
 #include "widgets/figure.h"
+#include "widgets/panel.h"
 
 namespace ravnoves {
 
@@ -25,19 +26,7 @@ PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), mode
 void PlugView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const Theme& theme = Theme::instance();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(theme.panel());
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    painter.setBrush(Qt::NoBrush);
-
-    const QFont titleFont = Theme::font(Theme::baseSize, true);
-    painter.setFont(titleFont);
-    painter.setPen(theme.text());
-    const int titleHeight = QFontMetrics(titleFont).height();
-    const QRect title(Theme::margin, Theme::space, width() - 2 * Theme::margin, titleHeight);
-    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, tr("Plug"));
-
+    const QRect title = paintPanel(painter, rect(), tr("Plug"));
     const DrawingStyle style{theme.text(),    theme.mutedText(), theme.text(),
                              theme.warning(), Theme::font(),     1.6};
     const QRectF target(Theme::margin, title.bottom() + Theme::gap, width() - 2 * Theme::margin,
