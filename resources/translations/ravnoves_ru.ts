@@ -511,14 +511,6 @@
         <translation>угол, °</translation>
     </message>
     <message>
-        <source>passes</source>
-        <translation>годен</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>не годен</translation>
-    </message>
-    <message>
         <source>Front (pulley)</source>
         <translation>Передняя (шкив)</translation>
     </message>

@@ -111,7 +111,6 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
          words.translate("BobWeights", "rear, %1").arg(unit),
          words.translate("BobWeights", "rear, °"), words.translate("BobWeights", "Measured")},
         {}};
-    const QString byHand = QStringLiteral("…………………");
     const auto add = [&](std::size_t run, const auto& readings) {
         ResultRow row{bob_text::runName(words, run)};
         for (const auto& reading : readings) {
@@ -119,11 +118,11 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
                                       : byHand)
                 << (reading.angle ? words.digits(*reading.angle, units::degree, 1) : byHand);
         }
-        const auto passes = run < result.runs.size() ? result.runs[run].passes() : std::nullopt;
-        const QString other = run < result.runs.size() ? otherWord(result.runs[run]) : QString();
-        row << (!other.isEmpty() ? verdictText(words, other)
-                : passes         ? verdictText(words, verdictWord(passes, std::nullopt))
-                                 : byHand);
+        const QString verdict =
+            run < result.runs.size()
+                ? verdictText(words, readWord(result.runs[run], result.runs[run].passes()))
+                : QString();
+        row << (verdict.isEmpty() ? byHand : verdict);
         block.rows << row;
     };
     std::size_t run = 0;
@@ -151,20 +150,10 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
         return std::nullopt;
     }
     ResultRows rows;
-    const auto addSets = [&](const QString& name, const workshop::SetNumbers& numbers,
-                             const std::vector<int>* from) {
-        ResultRow row{name};
-        for (const int number : matching_text::setNumbers(numbers, cylinders, from)) {
-            row << QString::number(number);
-        }
-        rows << row;
-    };
     const auto* placing = result.placing ? &*result.placing : nullptr;
     if (input.weigh_in->is_moved() || (placing != nullptr && placing->moved > 0)) {
-        addSets(words.translate("JobCard", "Piston set from"), input.weigh_in->piston_sets,
-                placing != nullptr ? &placing->pistons : nullptr);
-        addSets(words.translate("JobCard", "Rod set from"), input.weigh_in->rod_sets,
-                placing != nullptr ? &placing->rods : nullptr);
+        rows = matching_text::setsOfCylinders(words, input.weigh_in->piston_sets,
+                                              input.weigh_in->rod_sets, cylinders, placing);
     }
     // Of what goes into a cylinder, as the sets above it.
     auto placed = *input.weigh_in;
@@ -198,13 +187,10 @@ QString BobCard::title() const {
 void BobCard::draw(CardPage& page) const {
     constexpr double gap = 2.5;
     constexpr double signaturesTop = 273.5;
-    const auto text = [](const std::string& value) { return QString::fromStdString(value); };
-    const workshop::JobHeader& job = input_.job;
     double y = cardHead(
         page, words(),
         {words().translate("BobWeights", "Job card: bob weights and correction"),
-         bob_text::engineName(words(), input_.engine), text(job.engine_number),
-         text(job.crankshaft_number), text(job.date), text(job.customer), text(job.technician),
+         bob_text::engineName(words(), input_.engine), input_.job,
          words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
@@ -266,7 +252,7 @@ void BobCard::draw(CardPage& page) const {
         Note{bob_text::warnings(words(), input_, solution_).join(QLatin1Char(' ')),
              CardPage::amber}};
     // What the tables have room for.
-    const QString typed = text(job.notes).simplified();
+    const QString typed = QString::fromStdString(input_.job.notes).simplified();
     double room = signaturesTop - y - cardNotesHeight(page, typed) - gap;
     for (const Note& note : notes) {
         room -= page.heightOf(note.text, notePoints, cardWidth);

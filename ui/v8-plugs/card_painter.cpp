@@ -58,18 +58,14 @@ QString CardPainter::engineName() const {
 }
 
 double CardPainter::head(double y) {
-    const auto text = [](const std::string& value) { return QString::fromStdString(value); };
-    const JobHeader& job = input_.job;
-    return cardHead(
-        sheet_, words_,
-        {words_.translate("JobCard", "Job card: crankpin plugs and bob weights"),
-         words_.translate("JobCard", "V-8 engine %1").arg(engineName()), text(job.engine_number),
-         text(job.crankshaft_number), text(job.date), text(job.customer), text(job.technician),
-         words_.translate("JobCard", "Work · crankshaft"),
-         words_.text(process_words[static_cast<int>(input_.process)].label) +
-             QStringLiteral(" · ") +
-             words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label)},
-        y);
+    return cardHead(sheet_, words_,
+                    {words_.translate("JobCard", "Job card: crankpin plugs and bob weights"),
+                     words_.translate("JobCard", "V-8 engine %1").arg(engineName()), input_.job,
+                     words_.translate("JobCard", "Work · crankshaft"),
+                     words_.text(process_words[static_cast<int>(input_.process)].label) +
+                         QStringLiteral(" · ") +
+                         words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label)},
+                    y);
 }
 
 double CardPainter::answer(double y) {

@@ -6,6 +6,7 @@
 #include "v8-plugs/card_painter.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
+#include "workshop/card_blocks.h"
 #include "workshop/model/verdict.h"
 #include "workshop/tolerance.h"
 
@@ -70,20 +71,12 @@ double CardPainter::weighIn(double y, double end) {
         }
     }
     if (solution_.assignment || input_.weigh_in->is_moved()) {
-        const auto add = [&](const QString& name, const std::vector<int>& numbers) {
-            QStringList row{name, QString()};
-            for (const int number : numbers) {
-                row << QString::number(number);
-            }
-            table.add({row, true, true});
-        };
-        const auto* moves = solution_.assignment ? &*solution_.assignment : nullptr;
-        add(words_.translate("JobCard", "Piston set from"),
-            matching_text::setNumbers(input_.weigh_in->piston_sets, cylinder_count,
-                                      moves != nullptr ? &moves->pistons : nullptr));
-        add(words_.translate("JobCard", "Rod set from"),
-            matching_text::setNumbers(input_.weigh_in->rod_sets, cylinder_count,
-                                      moves != nullptr ? &moves->rods : nullptr));
+        for (ResultRow& row : matching_text::setsOfCylinders(
+                 words_, input_.weigh_in->piston_sets, input_.weigh_in->rod_sets, cylinder_count,
+                 solution_.assignment ? &*solution_.assignment : nullptr)) {
+            row.insert(1, QString());  // under the nominal masses
+            table.add({row.texts(), true, true});
+        }
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
     const auto say = [&](const QString& text, const QColor& colour) {
@@ -181,15 +174,11 @@ void CardPainter::machine(double y) {
                 words_.translate("JobCard", "permissible, %1").arg(unitUnbalance()),
                 words_.translate("JobCard", "reading, %1").arg(unitUnbalance()),
                 words_.translate("JobCard", "angle, °"), words_.translate("JobCard", "verdict")});
-    const QString byHand = QStringLiteral("…………………");
     const auto row = [&](const QString& name, const PlaneVerdict& plane) {
         table.add(
             {{name, words_.digits(plane.permissible, units::gram_mm, 1),
               plane.reading ? words_.digits(*plane.reading, units::gram_mm, 1) : byHand, byHand,
-              !plane.passes        ? byHand
-              : !solution_.holds() ? verdictText(words_, otherWord(solution_))
-              : *plane.passes      ? words_.translate("JobCard", "passes")
-                                   : words_.translate("JobCard", "fails")}});
+              plane.passes ? verdictText(words_, readWord(solution_, plane.passes)) : byHand}});
     };
     row(words_.translate("JobCard", "Front (pulley)"), solution_.planes[0]);
     row(words_.translate("JobCard", "Rear (flywheel)"), solution_.planes[1]);

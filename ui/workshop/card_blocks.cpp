@@ -1,5 +1,7 @@
 #include "workshop/card_blocks.h"
 
+#include "workshop/model/job_desk.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,14 +27,15 @@ double cardHead(CardPage& page, const Words& words, const CardHead& head, double
     page.line(left, y, right, y, 0.5, CardPage::ink);
     y += 1.5;
     const double third = full / 3.0;
-    page.blank(left, y, third, words.translate("JobCard", "Engine number"), head.engineNumber);
+    const JournalJob job = JobDesk::entryOf(head.job);
+    page.blank(left, y, third, words.translate("JobCard", "Engine number"), job.engineNumber);
     page.blank(left + third, y, third, words.translate("JobCard", "Crankshaft number"),
-               head.crankshaftNumber);
+               job.crankshaftNumber);
     page.blank(left + 2 * third, y, third + 3, words.translate("JobCard", "Date"),
-               words.day(head.date));
+               words.day(QString::fromStdString(head.job.date)));
     y += 9.5;
-    page.blank(left, y, third, words.translate("JobCard", "Customer"), head.customer);
-    page.blank(left + third, y, third, words.translate("JobCard", "Technician"), head.technician);
+    page.blank(left, y, third, words.translate("JobCard", "Customer"), job.customer);
+    page.blank(left + third, y, third, words.translate("JobCard", "Technician"), job.technician);
     page.blank(left + 2 * third, y, third + 3, head.lastCaption, head.last);
     return y + 8.5;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "workshop/card_page.h"
+#include "workshop/job_header.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -12,11 +13,7 @@ namespace ravnoves {
 struct CardHead {
     QString title;
     QString engine;  ///< beside the title
-    QString engineNumber;
-    QString crankshaftNumber;
-    QString date;  ///< as the journal has it, ISO 8601
-    QString customer;
-    QString technician;
+    const workshop::JobHeader& job;
     QString lastCaption;  ///< of the place that is the scene's own
     QString last;
 };
@@ -31,6 +28,9 @@ struct CardAnswer {
     QString warning;  ///< makes the box amber
 };
 double cardAnswer(CardPage& page, const CardAnswer& answer, double y);
+
+/// What is left to be written by hand.
+inline const QString byHand = QStringLiteral("…………………");
 
 /// What the technician typed, and lines to write on down to `end`; nothing where there is no room.
 void cardNotes(CardPage& page, const Words& words, const QString& notes, double y, double end);

@@ -158,16 +158,11 @@ QString verdict(const Words& words, const Result& result) {
     if (!measured) {
         return {};
     }
-    if (!result.holds()) {
-        return words.translate("BobWeights", "%1, measured: %2.")
-            .arg(runName(words, result.runs.size() - 1),
-                 verdictText(words, otherWord(*result.newest())));
-    }
     QString said = words.translate("BobWeights", "%1, measured: %2.")
                        .arg(runName(words, result.runs.size() - 1),
-                            verdictText(words, verdictWord(measured, std::nullopt)));
+                            verdictText(words, readWord(result.runs.back(), measured)));
     const auto after = result.passes_after();
-    if (!*measured && after) {
+    if (result.holds() && !*measured && after) {
         said += QLatin1Char(' ') + words.translate("BobWeights", "After the correction: %1.")
                                        .arg(verdictText(words, verdictWord(after, std::nullopt)));
     }
@@ -379,9 +374,8 @@ ResultRows runs(const Words& words, const Result& result) {
                                 QStringLiteral(" ∠ ") + degreesOf(words, (*planes)[i].angle)
                           : noNumber;
         };
-        const QString verdict = verdictText(
-            words, result.runs[run].holds() ? verdictWord(result.runs[run].passes(), std::nullopt)
-                                            : otherWord(result.runs[run]));
+        const QString verdict =
+            verdictText(words, readWord(result.runs[run], result.runs[run].passes()));
         rows << ResultRow{runName(words, run), cell(0), cell(1),
                           verdict.isEmpty() ? noNumber : verdict};
     }

@@ -439,9 +439,8 @@ JournalJob BobWeightsModel::journalEntry() const {
         job.rearReading = reading(1);
     }
     if (!solution().runs.empty()) {
-        job.verdict = !solution().holds()
-                          ? otherWord(*solution().newest())
-                          : verdictWord(solution().runs.back().passes(), solution().passes_after());
+        const RunResult& newest = solution().runs.back();
+        job.verdict = readWord(newest, newest.passes(), solution().passes_after());
     }
     return job;
 }

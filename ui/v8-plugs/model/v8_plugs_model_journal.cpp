@@ -55,11 +55,7 @@ JournalJob V8PlugsModel::journalEntry() const {
         job.frontReading = grams(input().balancing->front_reading);
         job.rearReading = grams(input().balancing->rear_reading);
     }
-    if (const QString other = otherWord(solution()); !other.isEmpty()) {
-        job.verdict = other;
-    } else if (const auto passes = solution().passes()) {
-        job.verdict = *passes ? QStringLiteral("passes") : QStringLiteral("fails");
-    }
+    job.verdict = readWord(solution(), solution().passes());
     return job;
 }
 

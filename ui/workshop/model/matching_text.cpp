@@ -185,9 +185,19 @@ QStringList cylinderHead(const Words& words, std::size_t cylinders) {
     return head;
 }
 
-std::vector<int> setNumbers(const SetNumbers& numbers, std::size_t cylinders,
-                            const std::vector<int>* from) {
-    return whole_numbers(from != nullptr ? moved_numbers(numbers, *from) : numbers, cylinders);
+ResultRows setsOfCylinders(const Words& words, const SetNumbers& pistons, const SetNumbers& rods,
+                           std::size_t cylinders, const Matched* placing) {
+    const auto row = [&](const QString& name, const SetNumbers& numbers, auto Matched::*from) {
+        ResultRow cells{name};
+        for (const int number :
+             whole_numbers(placing != nullptr ? moved_numbers(numbers, placing->*from) : numbers,
+                           cylinders)) {
+            cells << QString::number(number);
+        }
+        return cells;
+    };
+    return {row(words.translate("JobCard", "Piston set from"), pistons, &Matched::pistons),
+            row(words.translate("JobCard", "Rod set from"), rods, &Matched::rods)};
 }
 
 namespace {
@@ -205,7 +215,7 @@ Results assignment(const Words& words, const Shown& shown) {
     const auto row = [](const QString& name, const SetNumbers& numbers,
                         const std::vector<int>& from, const QString& tip) {
         ResultRow cells({name}, tip);
-        for (const int number : setNumbers(numbers, from.size(), &from)) {
+        for (const int number : whole_numbers(moved_numbers(numbers, from), from.size())) {
             // A set that stays where it was weighed needs no number.
             const bool stays = number == static_cast<int>(cells.size());
             cells << (stays ? dot : QString::number(number));

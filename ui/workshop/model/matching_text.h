@@ -50,10 +50,11 @@ Results effects(const Words& words, const Shown& shown);
 QStringList cylinderHead(const Words& words, std::size_t cylinders);
 /// From which cylinder each set comes; a dot where it was weighed there.
 Results assignment(const Words& words, const Shown& shown);
-/// The number of the set that goes to each cylinder.
-/// @param from  null: as the sheet has them
-std::vector<int> setNumbers(const workshop::SetNumbers& numbers, std::size_t cylinders,
-                            const std::vector<int>* from);
+/// The number of the set that goes to each cylinder, a row of pistons and one of rods.
+/// @param placing  null: as the sheet has them
+ResultRows setsOfCylinders(const Words& words, const workshop::SetNumbers& pistons,
+                           const workshop::SetNumbers& rods, std::size_t cylinders,
+                           const workshop::Matched* placing);
 
 /// What to take off each part to reach the lightest of its column, for columns that differ.
 Results takeOff(const Words& words, std::size_t cylinders,

@@ -24,6 +24,13 @@ template <typename Read>
 QString otherWord(const Read& read) {
     return read.read_on ? otherCrankshaft : read.read_with ? otherBobWeight : QString();
 }
+/// The word of a run or the sheet: what it is of, else its verdict.
+template <typename Read>
+QString readWord(const Read& read, const std::optional<bool>& measured,
+                 const std::optional<bool>& corrected = {}) {
+    const QString other = otherWord(read);
+    return other.isEmpty() ? verdictWord(measured, corrected) : other;
+}
 /// What is to be done about them.
 QString otherBobWeightText(const Words& words, double then, double now);
 QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now);
