@@ -38,10 +38,6 @@ std::unique_ptr<JobCard> BobWeightsPage::card() {
                                      model_->desk()->cardWords());
 }
 
-QString BobWeightsPage::engineNumber() const {
-    return QString::fromStdString(model_->input().job.engine_number);
-}
-
 QString BobWeightsPage::emptySheet() {
     model_->newJob();
     return model_->carriedOver();

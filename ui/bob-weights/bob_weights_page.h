@@ -23,7 +23,6 @@ class BobWeightsPage : public WorkshopPage {
   protected:
     JobDesk* desk() const override;
     std::unique_ptr<JobCard> card() override;
-    QString engineNumber() const override;
     QString emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
     void showRefused(const QStringList& refused) override;

@@ -50,10 +50,6 @@ std::unique_ptr<JobCard> V8PlugsPage::card() {
                                        model_->desk()->cardWords());
 }
 
-QString V8PlugsPage::engineNumber() const {
-    return QString::fromStdString(model_->input().job.engine_number);
-}
-
 QString V8PlugsPage::emptySheet() {
     model_->newJob();
     return model_->carriedOver();

@@ -31,7 +31,6 @@ class V8PlugsPage : public WorkshopPage {
   protected:
     JobDesk* desk() const override;
     std::unique_ptr<JobCard> card() override;
-    QString engineNumber() const override;
     QString emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
     void showRefused(const QStringList& refused) override;

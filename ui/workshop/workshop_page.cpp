@@ -507,7 +507,7 @@ void WorkshopPage::exportCard() {
     if (!refusedEntriesAreKnown()) {
         return;
     }
-    QString name = engineNumber();
+    QString name = desk()->engineNumberOnSheet();
     for (QChar& c : name) {
         if (!c.isLetterOrNumber() && c != QLatin1Char('-')) {
             c = QLatin1Char('_');

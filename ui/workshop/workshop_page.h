@@ -49,7 +49,6 @@ class WorkshopPage : public ScenePage {
     // What differs from scene to scene.
     virtual JobDesk* desk() const = 0;
     virtual std::unique_ptr<JobCard> card() = 0;
-    virtual QString engineNumber() const = 0;
     /// Empties the sheet for the next job. @return what it keeps of the one before, as a sentence
     virtual QString emptySheet() = 0;
     /// Engine and result as the journal's list says them.

@@ -401,12 +401,7 @@ void BobWeightsModel::newJob() {
     forgetReadings(next);
     next.tolerance = input().tolerance;
     next.weigh_in = rulesAlone(input());
-    next.job.technician = input().job.technician;
-    desk()->beginJob([&] {
-        setTitle({});
-        // Undo must not bring another job's values under this job's number.
-        restart(next);
-    });
+    beginJob(std::move(next));
 }
 
 // ------------------------------------------------------------------------------------- journal

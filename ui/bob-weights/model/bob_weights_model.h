@@ -6,7 +6,6 @@
 #include "bob-weights/input.h"
 #include "bob-weights/solver.h"
 #include "text/result_row.h"
-#include "workshop/model/matching_text.h"
 #include "workshop/model/weigh_in_table.h"
 #include "workshop/model/workshop_model.h"
 
@@ -80,8 +79,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     WeighedColumn columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
-    /// Which sets to move; nothing where no column is weighed whole.
-    std::optional<matching_text::Shown> matchingShown() const;
+    std::optional<matching_text::Shown> matchingShown() const override;
     Results takeOffResults() const;
     /// The weights change places as the placing says.
     void moveParts();

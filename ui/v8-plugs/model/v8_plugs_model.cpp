@@ -248,13 +248,8 @@ void V8PlugsModel::newJob() {
     }
     next.balancing = input().balancing;
     forgetReadings(next);
-    next.job.technician = input().job.technician;
-    desk()->beginJob([&] {
-        setTitle({});
-        // Undo must not bring another job's values under this job's number.
-        carried_ = next;
-        restart(next);
-    });
+    carried_ = next;
+    beginJob(std::move(next));
 }
 
 QString V8PlugsModel::carriedOver() const {

@@ -98,9 +98,6 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     QString missingText() const;
     QString isoText() const;
     QString plugWeightText() const;
-    /// Which sets to move, and by which rules; empty where no column counts.
-    QString assignmentText() const;
-    QStringList assignmentRemarks() const;
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
@@ -108,9 +105,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     Results optionResults(bool isShort = false) const;
     Results bobWeightResults() const;
     Results planeResults() const;
-    Results assignmentResults() const;
-    /// What the placing makes of spread, force and couple.
-    Results effectResults() const;
+    std::optional<matching_text::Shown> matchingShown() const override;
     Results takeOffResults() const;
     void moveParts();
     /// The weights go back to where they were weighed.

@@ -113,16 +113,6 @@ QString V8PlugsModel::plugWeightText() const {
              v8_text::grams(words_, volume * input().plug->aluminium_density, 1));
 }
 
-QString V8PlugsModel::assignmentText() const {
-    const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::summary(words_, *shown) : QString();
-}
-
-QStringList V8PlugsModel::assignmentRemarks() const {
-    const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::remarks(words_, *shown) : QStringList();
-}
-
 QStringList V8PlugsModel::notCounted() const {
     return v8_text::notCounted(words_, input());
 }
@@ -243,14 +233,8 @@ Results V8PlugsModel::planeResults() const {
     return results;
 }
 
-Results V8PlugsModel::assignmentResults() const {
-    const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::assignment(words_, *shown) : Results();
-}
-
-Results V8PlugsModel::effectResults() const {
-    const auto shown = v8_text::matchingShown(input(), solution());
-    return shown ? matching_text::effects(words_, *shown) : Results();
+std::optional<matching_text::Shown> V8PlugsModel::matchingShown() const {
+    return v8_text::matchingShown(input(), solution());
 }
 
 Results V8PlugsModel::takeOffResults() const {

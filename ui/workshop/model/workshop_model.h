@@ -2,6 +2,7 @@
 
 #include "model/case_model.h"
 #include "workshop/model/job_desk.h"
+#include "workshop/model/matching_text.h"
 #include "workshop/model/placing_search.h"
 
 namespace ravnoves {
@@ -46,6 +47,15 @@ class WorkshopModel : public CaseModel<Scene> {
             title);
     }
 
+    // What is to be done with the weighed parts.
+    /// Which sets to move; nothing where no column counts.
+    virtual std::optional<matching_text::Shown> matchingShown() const = 0;
+    QString assignmentText() const { return ofMatching(matching_text::summary); }
+    QStringList assignmentRemarks() const { return ofMatching(matching_text::remarks); }
+    Results assignmentResults() const { return ofMatching(matching_text::assignment); }
+    /// What the placing makes of spread, force and couple.
+    Results effectResults() const { return ofMatching(matching_text::effects); }
+
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
 
@@ -76,10 +86,25 @@ class WorkshopModel : public CaseModel<Scene> {
             bobWeightAsLoaded_ = bobWeight();
         }
     }
+    /// The sheet of the next job, done by who did the one before.
+    void beginJob(Input next) {
+        next.job.technician = this->input().job.technician;
+        desk_.beginJob([&] {
+            this->setTitle({});
+            // Undo must not bring another job's values under this job's number.
+            this->restart(next);
+        });
+    }
     /// A job of the journal comes onto the sheet.
     virtual void takeJob(const CaseFile& file, bool isCopy);
 
   private:
+    template <typename Said>
+    Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&)) const {
+        const auto shown = matchingShown();
+        return shown ? say(Words(), *shown) : Said();
+    }
+
     // What the desk asks for, as JobDesk::Scene.
     virtual JournalJob journalEntry() const = 0;
     virtual bool hasNumbers() const = 0;
