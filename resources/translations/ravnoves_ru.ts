@@ -8559,10 +8559,6 @@ but nothing can be built</source>
         <source>Factor</source>
         <translation>Доля</translation>
     </message>
-    <message>
-        <source>Job</source>
-        <translation>Работа</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::BobMachineSheet</name>
@@ -11430,10 +11426,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 </context>
 <context>
     <name>ravnoves::JobSheet</name>
-    <message>
-        <source>Job</source>
-        <translation>Работа</translation>
-    </message>
     <message>
         <source>Work</source>
         <translation>Вид работы</translation>
@@ -15111,6 +15103,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>They are of this crankshaft, with the bob weight that there is now.</source>
         <translation>Они сняты с этого вала, с тем грузом, который указан сейчас.</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Работа</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,6 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 
@@ -38,18 +37,7 @@ BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(mod
     number("/factor/reciprocating_percent");
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
-    section(tr("Job"));
-    text("/job/engine_number");
-    text("/job/crankshaft_number");
-    text("/job/customer");
-    checked(field::date,
-            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
-             [this] { return QString::fromStdString(model_->input().job.date); },
-             [this](const QString& name, const QString& day) {
-                 model_->edit(name, [&](Input& input) { input.job.date = day.toStdString(); });
-             },
-             [](const QString& day) { return Words().day(day); }, false});
-    text("/job/technician");
+    addJob();
     finish();
 }
 
@@ -85,25 +73,11 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
 }
 
 BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
-    : MatchingSheet(
-          model,
-          [model] {
-              const auto& sheet = model->input().weigh_in;
-              return sheet ? sheet->matching : Rules();
-          },
-          [model](const QString& name, const std::function<void(Rules&)>& change) {
-              model->editWeights(name, [&](WeighIn& sheet) { change(sheet.matching); });
-          },
-          [model] {
-              const auto& sheet = model->input().weigh_in;
-              return sheet && sheet->is_moved();
-          },
-          parent),
-      model_(model) {
+    : MatchingSheet(model, parent) {
     section({});
     wide(choice("/weigh_in/cylinder_numbering"));
-    line(Theme::smallSize, [this] {
-        const int cylinders = model_->input().engine.cylinders;
+    line(Theme::smallSize, [model] {
+        const int cylinders = model->input().engine.cylinders;
         return cylinders > mostRows
                    ? tr("The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at "
                         "the first has room for all, or type the means on sheet 2.")
@@ -117,35 +91,17 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
                    this),
                mostRows, [model](workshop::Part part) { return model->columnNote(part); });
     section({});
-    line(Theme::baseSize, [this] { return model_->weighInText(); });
+    line(Theme::baseSize, [model] { return model->weighInText(); });
     addGoal(true);
-    addFindings([this] { return findings(); }, [this] { model_->moveParts(); },
-                [this] { model_->moveBack(); });
+    addFindings();
     finish();
-}
-
-MatchingSheet::Findings BobWeighInSheet::findings() const {
-    Findings found;
-    found.isSearching = model_->isSearching();
-    found.takeOff = model_->takeOffResults();
-    if (const auto shown = model_->matchingShown()) {
-        const Words words;
-        found.summary = (QStringList(matching_text::summary(words, *shown)) +
-                         matching_text::remarks(words, *shown))
-                            .join(QLatin1Char('\n'));
-        found.isAmber = !shown->matched.remark.empty();
-        found.canMove = shown->matched.moved > 0;
-        found.effects = matching_text::effects(words, *shown);
-        found.assignment = matching_text::assignment(words, *shown);
-    }
-    return found;
 }
 
 BobMachineSheet::BobMachineSheet(BobWeightsModel* model, QWidget* parent)
     : BobSheet(model, parent) {
     buildPlanes();
     buildRuns();
-    buildHold();
+    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); });
     buildTolerance();
     finish();
 }
@@ -287,14 +243,6 @@ void BobMachineSheet::buildRuns() {
             }
         });
     }
-}
-
-void BobMachineSheet::buildHold() {
-    line(Theme::baseSize, [this] {
-        return model_->otherRunText();
-    })->setObjectName(QStringLiteral("other_bob_weight"));
-    addHoldButton([this] { return !model_->otherRunText().isEmpty(); },
-                  [this] { model_->confirmReadings(); });
 }
 
 void BobMachineSheet::buildTolerance() {

@@ -44,11 +44,6 @@ class BobWeighInSheet : public MatchingSheet {
     static constexpr int mostRows = 16;  ///< further cylinders come by pasting a column
 
     explicit BobWeighInSheet(BobWeightsModel* model, QWidget* parent = nullptr);
-
-  private:
-    Findings findings() const;
-
-    BobWeightsModel* model_;
 };
 
 /// Sheet 4: what the machine reads in which planes, and what may remain.
@@ -64,7 +59,6 @@ class BobMachineSheet : public BobSheet {
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
     void buildPlanes();
     void buildRuns();
-    void buildHold();
     void buildTolerance();
 
     QComboBox* grades_ = nullptr;

@@ -7,25 +7,13 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
 JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
-    section(tr("Job"));
-    text("/job/engine_number");
-    text("/job/crankshaft_number");
-    text("/job/customer");
-    checked(field::date,
-            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
-             [this] { return QString::fromStdString(model_->input().job.date); },
-             [this](const QString& name, const QString& day) {
-                 model_->edit(name, [&](Input& input) { input.job.date = day.toStdString(); });
-             },
-             [](const QString& day) { return Words().day(day); }, false});
-    text("/job/technician");
+    addJob();
     buildWork();
     buildChanges();
     finish();

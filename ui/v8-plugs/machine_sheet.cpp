@@ -20,11 +20,7 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setResults(model_->planeResults()); });
-    line(Theme::baseSize, [this] {
-        return model_->otherReadingsText();
-    })->setObjectName(QStringLiteral("other_bob_weight"));
-    addHoldButton([this] { return !model_->solution().holds(); },
-                  [this] { model_->confirmReadings(); });
+    addHold([this] { return model_->otherReadingsText(); }, [this] { model_->confirmReadings(); });
     line(Theme::baseSize, [this] { return model_->isoText(); });
     line(Theme::smallSize, [this] {
         return model_->machineLimitsText();

@@ -5,21 +5,12 @@
 
 namespace ravnoves {
 
-class ResultTable;
-
 /// Sheet 3, the weigh-in: what is typed or weighed counts; what the parts make of the crankpins.
 class WeighInSheet : public MatchingSheet {
     Q_OBJECT
 
   public:
     explicit WeighInSheet(V8PlugsModel* model, QWidget* parent = nullptr);
-
-  private:
-    void buildFindings();
-    Findings findings() const;
-
-    V8PlugsModel* model_;
-    ResultTable* crankpins_;
 };
 
 }  // namespace ravnoves

@@ -73,6 +73,10 @@ class Form : public QWidget {
     /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
 
+  protected:
+    /// Where the sections stand, and what is to stand between them.
+    QVBoxLayout* column() const { return column_; }
+
   private:
     using Show = std::function<void(const FieldValue& value)>;
     struct Row {

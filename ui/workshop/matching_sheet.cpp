@@ -28,10 +28,6 @@ constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 constexpr int cellWidth = 44;
 constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
 
-QVBoxLayout* columnOfSheet(QWidget* sheet) {
-    return static_cast<QVBoxLayout*>(sheet->layout());
-}
-
 /// Nothing where a word is no angle.
 std::optional<std::vector<double>> readAngles(const QString& typed) {
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|°?\\s+"));
@@ -56,20 +52,11 @@ QString anglesText(const std::vector<double>& angles) {
 
 }  // namespace
 
-MatchingSheet::MatchingSheet(
-    SceneModel* model, std::function<Rules()> rules,
-    std::function<void(const QString&, const std::function<void(Rules&)>&)> edit,
-    std::function<bool()> isMoved, QWidget* parent)
-    : SheetForm(model, parent),
-      rules_(std::move(rules)),
-      edit_(std::move(edit)),
-      isMoved_(std::move(isMoved)) {}
-
 void MatchingSheet::addWeights(WeighInTable* table, int mostRows, const Note& note) {
     table_ = table;
     rows_ = table->firstCylinder() + mostRows;
     grid_ = new QGridLayout;
-    columnOfSheet(this)->addLayout(grid_);
+    column()->addLayout(grid_);
     grid_->setHorizontalSpacing(Theme::gap / 2);  // "1568.52" is seen whole
     grid_->setVerticalSpacing(2);
     grid_->setColumnMinimumWidth(0, Theme::withText(50));
@@ -91,7 +78,7 @@ void MatchingSheet::addWeights(WeighInTable* table, int mostRows, const Note& no
         addColumn(column, note);
     }
     addMoves(row);
-    columnOfSheet(this)->addWidget(trouble_);
+    column()->addWidget(trouble_);
 }
 
 /// A label of the grid; those above and to the left of the cells wrap.
@@ -310,12 +297,11 @@ void MatchingSheet::addAngles() {
 ResultTable* MatchingSheet::addTable(const QString& name) {
     auto* table = new ResultTable(name, this);
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    columnOfSheet(this)->addWidget(table);
+    column()->addWidget(table);
     return table;
 }
 
-void MatchingSheet::addFindings(std::function<Findings()> findings, std::function<void()> move,
-                                std::function<void()> moveBack) {
+void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     auto* summary = new QLabel(this);
     summary->setObjectName(QStringLiteral("weigh_in_summary"));
     summary->setWordWrap(true);
@@ -324,7 +310,7 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     button->setObjectName(QStringLiteral("move_parts"));
     button->setToolTip(tr("The weights change places on this sheet as the parts do."));
     button->setMinimumHeight(Theme::withText(cellHeight));
-    connect(button, &QPushButton::clicked, this, std::move(move));
+    connect(button, &QPushButton::clicked, this, move_);
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
     found->addWidget(button, 0, Qt::AlignTop);
@@ -332,14 +318,14 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
     back->setObjectName(QStringLiteral("move_back"));
     back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
     back->setMinimumHeight(Theme::withText(cellHeight));
-    connect(back, &QPushButton::clicked, this, std::move(moveBack));
+    connect(back, &QPushButton::clicked, this, moveBack_);
     found->addWidget(back, 0, Qt::AlignTop);
-    columnOfSheet(this)->addLayout(found);
+    column()->addLayout(found);
     ResultTable* effects = addTable(tr("What the placing makes of the differences"));
     ResultTable* assignment = addTable(tr("Which set goes to which cylinder"));
     ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"));
-    const auto show = [=, this, findings = std::move(findings)] {
-        const Findings now = findings();
+    const auto show = [=, this, notCounted = std::move(notCounted)] {
+        const Findings now = find_();
         back->setVisible(isMoved_());
         button->setEnabled(!now.isSearching);
         for (ResultTable* table : {effects, assignment, takeOff}) {
@@ -351,16 +337,15 @@ void MatchingSheet::addFindings(std::function<Findings()> findings, std::functio
             colourText(summary, &Theme::mutedText);
             return;
         }
-        summary->setText(now.summary);
-        colourText(summary, now.isAmber ? &Theme::warning : &Theme::text);
+        const QStringList gaps = notCounted ? notCounted() : QStringList();
+        QStringList said = gaps + now.summary;
+        said.removeAll(QString());
+        summary->setText(said.join(QLatin1Char('\n')));
+        colourText(summary, now.isAmber || !gaps.isEmpty() ? &Theme::warning : &Theme::text);
         button->setVisible(now.canMove);
-        const auto fill = [](ResultTable* table, const Results& found) {
-            table->setResults(found);
-            table->setVisible(!found.rows.isEmpty());
-        };
-        fill(effects, now.effects);
-        fill(assignment, now.assignment);
-        fill(takeOff, now.takeOff);
+        effects->setOrHide(now.effects);
+        assignment->setOrHide(now.assignment);
+        takeOff->setOrHide(now.takeOff);
     };
     follow(show);
 }

@@ -25,23 +25,26 @@ class MatchingSheet : public SheetForm {
   public:
     using Rules = workshop::MatchingRules;
 
-    /// @param isMoved  whether parts are elsewhere than they were weighed
-    MatchingSheet(SceneModel* model, std::function<Rules()> rules,
-                  std::function<void(const QString& name, const std::function<void(Rules&)>&)> edit,
-                  std::function<bool()> isMoved, QWidget* parent = nullptr);
+    /// @param model  a WorkshopModel with a weigh-in sheet
+    template <typename Model>
+    explicit MatchingSheet(Model* model, QWidget* parent = nullptr)
+        : SheetForm(model, parent),
+          rules_([model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet ? sheet->matching : Rules();
+          }),
+          edit_([model](const QString& name, const std::function<void(Rules&)>& change) {
+              model->editWeights(name, [&](auto& sheet) { change(sheet.matching); });
+          }),
+          isMoved_([model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet && sheet->is_moved();
+          }),
+          move_([model] { model->moveParts(); }),
+          moveBack_([model] { model->moveBack(); }),
+          find_([model] { return findingsOf(*model); }) {}
 
   protected:
-    /// What is shown below the weights.
-    struct Findings {
-        QString summary;
-        bool isAmber = false;
-        bool canMove = false;
-        bool isSearching = false;
-        Results effects;
-        Results assignment;
-        Results takeOff;
-    };
-
     using Note = std::function<WeighedColumn(workshop::Part)>;
     /// The grid of weights, with what stands below its columns and where their parts may go.
     /// @param mostRows  further cylinders come by pasting a column
@@ -49,12 +52,35 @@ class MatchingSheet : public SheetForm {
     /// What the parts are placed for, with what that needs.
     void addGoal(bool asksRadius);
     /// What comes out, and the buttons that move the weights on the sheet and back.
-    void addFindings(std::function<Findings()> findings, std::function<void()> move,
-                     std::function<void()> moveBack);
+    /// @param notCounted  of the weights: it is said first
+    void addFindings(std::function<QStringList()> notCounted = {});
+    ResultTable* addTable(const QString& name);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    /// What is shown below the weights.
+    struct Findings {
+        QStringList summary;
+        bool isAmber = false;
+        bool canMove = false;
+        bool isSearching = false;
+        Results effects;
+        Results assignment;
+        Results takeOff;
+    };
+    template <typename Model>
+    static Findings findingsOf(const Model& model) {
+        const auto shown = model.matchingShown();
+        return {QStringList(model.assignmentText()) + model.assignmentRemarks(),
+                shown && !shown->matched.remark.empty(),
+                shown && shown->matched.moved > 0,
+                model.isSearching(),
+                model.effectResults(),
+                model.assignmentResults(),
+                model.takeOffResults()};
+    }
+
     QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
     void addColumn(int column, const Note& note);
     NumberField* addCell(int row, int column);
@@ -64,11 +90,13 @@ class MatchingSheet : public SheetForm {
     /// key
     bool useKey(const QKeyEvent& key, const QModelIndex& cell);
     void addAngles();
-    ResultTable* addTable(const QString& name);
 
     std::function<Rules()> rules_;
     std::function<void(const QString&, const std::function<void(Rules&)>&)> edit_;
-    std::function<bool()> isMoved_;
+    std::function<bool()> isMoved_;  ///< parts are elsewhere than they were weighed
+    std::function<void()> move_;
+    std::function<void()> moveBack_;
+    std::function<Findings()> find_;
     WeighInTable* table_ = nullptr;
     QGridLayout* grid_ = nullptr;
     int rows_ = 0;                     ///< that have cells

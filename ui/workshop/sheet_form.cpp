@@ -13,6 +13,8 @@
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 #include "workshop/checked_field.h"
+#include "workshop/job_header.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 
@@ -90,6 +92,25 @@ void SheetForm::checked(const Field& description, const CheckedText& text) {
     });
 }
 
+void SheetForm::addJob() {
+    section(tr("Job"));
+    text("/job/engine_number");
+    text("/job/crankshaft_number");
+    text("/job/customer");
+    static const std::string date = "/job/date";
+    checked(workshop::field::date,
+            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
+             [this] {
+                 return QString::fromStdString(
+                     std::get<std::string>(model_->fields(date).front().value));
+             },
+             [this](const QString& name, const QString& day) {
+                 model_->editField(date, day.toStdString(), name);
+             },
+             [](const QString& day) { return Words().day(day); }, false});
+    text("/job/technician");
+}
+
 QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
     QLabel* label = copyableLabel("", pixelSize, current());
     current()->addWide(label);
@@ -97,7 +118,10 @@ QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
     return label;
 }
 
-void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void()> hold) {
+void SheetForm::addHold(std::function<QString()> why, std::function<void()> hold) {
+    QLabel* said = line(Theme::baseSize, why);
+    said->setObjectName(QStringLiteral("other_bob_weight"));
+    colourText(said, &Theme::warning);
     auto* button = new QPushButton(tr("Readings &hold"), current());
     button->setObjectName(QStringLiteral("readings_hold"));
     button->setToolTip(tr("They are of this crankshaft, with the bob weight that there is now."));
@@ -118,14 +142,8 @@ void SheetForm::addHoldButton(std::function<bool()> isAsked, std::function<void(
             near->setFocus(Qt::OtherFocusReason);
         }
     });
-    isDoubted_ = isAsked;
-    QLabel* why = findChild<QLabel*>(QStringLiteral("other_bob_weight"));
-    follow([button, why, isAsked = std::move(isAsked)] {
-        button->setVisible(isAsked());
-        if (why != nullptr) {
-            colourText(why, &Theme::warning);
-        }
-    });
+    isDoubted_ = [why = std::move(why)] { return !why().isEmpty(); };
+    follow([this, button] { button->setVisible(isDoubted_()); });
 }
 
 void SheetForm::doubt(EntryField* field, std::function<bool()> isDoubtful) {
@@ -133,7 +151,7 @@ void SheetForm::doubt(EntryField* field, std::function<bool()> isDoubtful) {
 }
 
 void SheetForm::finish() {
-    static_cast<QVBoxLayout*>(layout())->addStretch();
+    column()->addStretch();
     QString used;
     const auto take = [&used](const QString& text) {
         const qsizetype at = text.indexOf(QLatin1Char('&'));

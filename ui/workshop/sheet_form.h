@@ -24,7 +24,8 @@ class SheetForm : public Form {
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
 
-    /// Its readings are of another bob weight: its tab is amber, and so are their fields.
+    /// Its readings are of another bob weight or crankshaft: its tab is amber, and so are their
+    /// fields.
     bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
 
   protected:
@@ -55,10 +56,13 @@ class SheetForm : public Form {
     };
     /// Its row; what is wrong with it stands below the field.
     void checked(const Field& description, const CheckedText& text);
+    /// The section of whose job it is, and when.
+    void addJob();
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
-    /// A button, seen while `isAsked`, that says that readings hold for the bob weight of now.
-    void addHoldButton(std::function<bool()> isAsked, std::function<void()> hold);
+    /// What is wrong with readings, and a button that says that they hold for the crankshaft and
+    /// the bob weight of now; neither where `why` is empty.
+    void addHold(std::function<QString()> why, std::function<void()> hold);
     /// A field is amber while it holds a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
     /// Takes a field into the order.
