@@ -265,14 +265,6 @@
         <translation>Задняя</translation>
     </message>
     <message>
-        <source>passes</source>
-        <translation>годен</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>не годен</translation>
-    </message>
-    <message>
         <source>Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).</source>
         <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (в 19 случаях из 20).</translation>
     </message>
@@ -281,28 +273,12 @@
         <translation>Этого достаточно для допустимого остатка в плоскости при радиусе кривошипа до %1.</translation>
     </message>
     <message>
-        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
-        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
-    </message>
-    <message>
-        <source>another bob weight</source>
-        <translation>другой груз</translation>
-    </message>
-    <message>
         <source>For each of the %1 pairs of crankpins split by %2, half of it on either.</source>
         <translation>На каждую пару шеек, разведённых на %2 (пар: %1), по половине на шейку.</translation>
     </message>
     <message>
         <source>The bob weight still needs: %1</source>
         <translation>Для груза ещё нужны: %1</translation>
-    </message>
-    <message>
-        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
-        <translation>Показания сняты с другого вала: тогда номер %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
-    </message>
-    <message>
-        <source>another crankshaft</source>
-        <translation>другой вал</translation>
     </message>
     <message>
         <source>%1 ∠ %2 at %3</source>
@@ -1132,6 +1108,18 @@
         <source>First-order unbalance of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
         <translation>Дисбаланс первого порядка от отклонений деталей от их среднего, наибольший за оборот; неуравновешенность самой схемы двигателя не входит</translation>
     </message>
+    <message>
+        <source>Assemble by the numbers of the sets: placed so, the crankpins differ by %1.</source>
+        <translation>Собирать по номерам комплектов: так разница между шейками %1.</translation>
+    </message>
+    <message>
+        <source>The parts are placed as well as can be: the crankpins differ by %1.</source>
+        <translation>Детали размещены наилучшим образом: разница между шейками %1.</translation>
+    </message>
+    <message>
+        <source>Crankpins differ by %1 as weighed and by %2 after moving %3 sets.</source>
+        <translation>Разница между шейками %1, после перестановки комплектов (%3) — %2.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -1310,14 +1298,6 @@
     <message>
         <source>After less nominal: %1, which is %2.</source>
         <translation>После минус номинал: %1, то есть %2.</translation>
-    </message>
-    <message>
-        <source>The parts are placed as well as can be: the crankpins differ by %1.</source>
-        <translation>Детали размещены наилучшим образом: разница между шейками %1.</translation>
-    </message>
-    <message>
-        <source>Crankpins differ by %1 as weighed and by %2 after moving %3 sets.</source>
-        <translation>Разница между шейками %1, после перестановки комплектов (%3) — %2.</translation>
     </message>
     <message>
         <source>l</source>
@@ -1913,10 +1893,6 @@
         <translation>Метод пренебрегает смещением центра масс обработанной пробки, в статье от %5 до %6: с ним осталось бы до %1 при допустимых %2. Задайте размеры пробки и фрезу или снимите с каждой от %3 до %4.</translation>
     </message>
     <message>
-        <source>%1: %2 looks like kilograms; masses are in grams.</source>
-        <translation>%1: %2 похоже на килограммы; массы вводятся в граммах.</translation>
-    </message>
-    <message>
         <source>%1: %2 typed, but the nominal parts give %3.</source>
         <translation>%1: введено %2, а номинальные детали дают %3.</translation>
     </message>
@@ -1947,10 +1923,6 @@
     <message>
         <source>It says how exactly the plugs compensate; ISO 21940-11 says what the crankshaft may have in service, in front %1 times as much. Readings are judged by ISO.</source>
         <translation>Он говорит, насколько точно компенсируют пробки; ИСО 21940-11 — сколько валу допустимо в работе: спереди в %1 раз больше. Показания сравниваются с ИСО.</translation>
-    </message>
-    <message>
-        <source>Assemble by the numbers of the sets: placed so, the crankpins differ by %1.</source>
-        <translation>Собирать по номерам комплектов: так разница между шейками %1.</translation>
     </message>
     <message>
         <source>Weighed to %1, the bob weight is sure to ±%2 and the unbalance of a crankpin to ±%3 (19 times of 20).</source>
@@ -2041,16 +2013,47 @@
         <translation>После было бы равно номиналу, но изготовить это нельзя.</translation>
     </message>
     <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
-        <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
-    </message>
-    <message>
         <source>Typed on sheet 1, but the weights are to count, and no column of them is whole yet: %1.</source>
         <translation>Введено на листе 1, но считаются взвешивания, а ни одна их колонка ещё не полна: %1.</translation>
     </message>
     <message>
         <source>V-8 of %1 litres</source>
         <translation>V-8, %1 л</translation>
+    </message>
+</context>
+<context>
+    <name>Workshop</name>
+    <message>
+        <source>%1: %2 looks like kilograms; masses are in grams.</source>
+        <translation>%1: %2 похоже на килограммы; массы вводятся в граммах.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
+        <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
+    </message>
+    <message>
+        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
+        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
+    </message>
+    <message>
+        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
+        <translation>Показания сняты с другого вала: тогда номер %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>годен</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>не годен</translation>
+    </message>
+    <message>
+        <source>another bob weight</source>
+        <translation>другой груз</translation>
+    </message>
+    <message>
+        <source>another crankshaft</source>
+        <translation>другой вал</translation>
     </message>
 </context>
 <context>
@@ -7839,21 +7842,6 @@
     </message>
 </context>
 <context>
-    <name>ravnoves::AnswerView</name>
-    <message>
-        <source>Bob weight on each crankpin</source>
-        <translation>Балансировочный груз на шейку</translation>
-    </message>
-    <message>
-        <source>Bob weight on each crankpin, line by line</source>
-        <translation>Балансировочный груз на шейку по строкам</translation>
-    </message>
-    <message>
-        <source>The options</source>
-        <translation>Варианты</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::BalanceShaftModel</name>
     <message>
         <source>Torque source</source>
@@ -12849,6 +12837,21 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in millimetres.</source>
         <translation>Пробка с листа 4 в масштабе, в разрезе, с размерами; без единицы — в миллиметрах.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::PlugsAnswer</name>
+    <message>
+        <source>The options</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin</source>
+        <translation>Балансировочный груз на шейку</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin, line by line</source>
+        <translation>Балансировочный груз на шейку по строкам</translation>
     </message>
 </context>
 <context>

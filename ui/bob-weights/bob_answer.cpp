@@ -78,9 +78,9 @@ QWidget* BobAnswer::buildCorrection() {
     };
     runs_ = table(tr("Runs of the machine"));
     planes_ = table(tr("The correction planes"));
-    movedNote_ = captionLabel({}, panel);
-    movedNote_->setObjectName(QStringLiteral("moved_note"));
-    column->addWidget(movedNote_);
+    asReadNote_ = captionLabel({}, panel);
+    asReadNote_->setObjectName(QStringLiteral("as_read_note"));
+    column->addWidget(asReadNote_);
     holes_ = table(tr("Holes and slugs"));
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
@@ -121,7 +121,7 @@ void BobAnswer::showAnswer() {
     runs_->setOrHide(model_->runResults());
     planes_->setOrHide(model_->planeResults());
     holes_->setOrHide(model_->holeResults());
-    sayOrHide(movedNote_, bob_text::movedNote(Words(), model_->input(), model_->solution()));
+    sayOrHide(asReadNote_, bob_text::asReadNote(Words(), model_->input(), model_->solution()));
     sayOrHide(holeNote_, model_->holeNote());
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
 }

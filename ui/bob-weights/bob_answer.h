@@ -43,7 +43,7 @@ class BobAnswer : public QWidget {
     ResultTable* runs_ = nullptr;
     ResultTable* planes_ = nullptr;
     ResultTable* holes_ = nullptr;
-    QLabel* movedNote_ = nullptr;
+    QLabel* asReadNote_ = nullptr;
     QLabel* holeNote_ = nullptr;
 };
 

@@ -1,6 +1,6 @@
 #include "v8-plugs/plugs_card.h"
 
-#include "v8-plugs/card_painter.h"
+#include "v8-plugs/plugs_card_painter.h"
 
 namespace ravnoves {
 
@@ -8,7 +8,7 @@ PlugsCard::PlugsCard(v8_plugs::Input input, v8_plugs::Result solution, Words wor
     : JobCard(std::move(words)), input_(std::move(input)), solution_(std::move(solution)) {}
 
 void PlugsCard::draw(CardPage& page) const {
-    CardPainter(page, input_, solution_, words(), refusedText()).paint();
+    PlugsCardPainter(page, input_, solution_, words(), refusedText()).paint();
 }
 
 QString PlugsCard::title() const {

@@ -2,7 +2,6 @@
 
 #include <QTabWidget>
 
-#include "v8-plugs/answer_view.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/engine_sheet.h"
 #include "v8-plugs/job_sheet.h"
@@ -11,6 +10,7 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_sizes_sheet.h"
+#include "v8-plugs/plugs_answer.h"
 #include "v8-plugs/plugs_card.h"
 #include "v8-plugs/shift_plot.h"
 #include "v8-plugs/weigh_in_sheet.h"
@@ -27,7 +27,7 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel
     auto* engine = new EngineSheet(model_);
     connect(engine, &EngineSheet::status, this, &ScenePage::status);
     machine_ = new MachineSheet(model_);
-    answer_ = new AnswerView(model_, this);
+    answer_ = new PlugsAnswer(model_, this);
     build({{new JobSheet(model_), tr("&1 Job")},
            {engine, tr("&2 Engine")},
            {new WeighInSheet(model_), tr("&3 Weigh-in")},

@@ -4,9 +4,9 @@
 
 namespace ravnoves {
 
-class AnswerView;
 class MachineSheet;
 class PlotView;
+class PlugsAnswer;
 class V8PlugsModel;
 
 /// The V-8 page of the workshop: to the right the answer with its options, bob weights, plug and
@@ -38,7 +38,7 @@ class V8PlugsPage : public WorkshopPage {
   private:
     V8PlugsModel* model_;
     MachineSheet* machine_ = nullptr;
-    AnswerView* answer_ = nullptr;
+    PlugsAnswer* answer_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -224,7 +224,7 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
     return list;
 }
 
-QString movedNote(const Words& words, const Input& input, const Result& result) {
+QString asReadNote(const Words& words, const Input& input, const Result& result) {
     if (!result.correction || !input.correction) {
         return {};
     }

@@ -30,8 +30,8 @@ QString weighing(const Words& words, const bob_weights::Input& input,
                  const bob_weights::Result& result);
 QString planeName(const Words& words, std::size_t plane);
 /// What the machine read, where that was not in the planes; empty where it was.
-QString movedNote(const Words& words, const bob_weights::Input& input,
-                  const bob_weights::Result& result);
+QString asReadNote(const Words& words, const bob_weights::Input& input,
+                   const bob_weights::Result& result);
 /// "Measured: fails. After the correction: passes."
 QString verdict(const Words& words, const bob_weights::Result& result);
 /// That the readings were taken with another bob weight; empty where they were not.

@@ -5,13 +5,13 @@
 namespace ravnoves {
 
 QString kilogramText(const Words& words, const QString& name, double mass) {
-    return words.translate("V8", "%1: %2 looks like kilograms; masses are in grams.")
+    return words.translate("Workshop", "%1: %2 looks like kilograms; masses are in grams.")
         .arg(name, words.number(mass, units::gram, 3));
 }
 
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd) {
     return words
-        .translate("V8",
+        .translate("Workshop",
                    "%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.")
         .arg(words.text(workshop::part_word(part).label))
         .arg(odd.cylinder + 1)

@@ -48,12 +48,14 @@ QString summary(const Words& words, const Shown& shown) {
     if (matched.moved == 0 && isMoved) {
         return words
             .translate(
-                "V8", "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
+                "Matching",
+                "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
             .arg(before);
     }
     if (matched.moved == 0 && matched.remark.empty() && matched.proven) {
         return words
-            .translate("V8", "The parts are placed as well as can be: the crankpins differ by %1.")
+            .translate("Matching",
+                       "The parts are placed as well as can be: the crankpins differ by %1.")
             .arg(before);
     }
     if (matched.moved == 0) {
@@ -68,7 +70,7 @@ QString summary(const Words& words, const Shown& shown) {
             .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
     }
     return words
-        .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
+        .translate("Matching", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
         .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
 }
 

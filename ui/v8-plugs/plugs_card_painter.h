@@ -12,10 +12,10 @@ namespace ravnoves {
 
 /// Paints the sections of the job card one below the other. The lower part (machine, signatures)
 /// has its fixed place; notes and warnings share what the sections above leave.
-class CardPainter {
+class PlugsCardPainter {
   public:
-    CardPainter(CardPage& sheet, const v8_plugs::Input& input, const v8_plugs::Result& solution,
-                const Words& words, const QString& refused)
+    PlugsCardPainter(CardPage& sheet, const v8_plugs::Input& input,
+                     const v8_plugs::Result& solution, const Words& words, const QString& refused)
         : sheet_(sheet), input_(input), solution_(solution), words_(words), refused_(refused) {}
 
     void paint();

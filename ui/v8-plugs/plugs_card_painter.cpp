@@ -1,4 +1,4 @@
-#include "v8-plugs/card_painter.h"
+#include "v8-plugs/plugs_card_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr double inputRow = 3.6;  // mm
 
 }  // namespace
 
-void CardPainter::paint() {
+void PlugsCardPainter::paint() {
     // A card with a warning has much to say.
     const double gap = v8_text::shiftWarning(words_, input_, solution_).isEmpty() ? 2.2 : 1.0;
     constexpr double machineTop = 247.5;
@@ -48,16 +48,16 @@ void CardPainter::paint() {
                    signaturesTop);
 }
 
-QString CardPainter::grams(double mass, int decimals) const {
+QString PlugsCardPainter::grams(double mass, int decimals) const {
     return words_.digits(mass, gram, decimals);
 }
 
-QString CardPainter::engineName() const {
+QString PlugsCardPainter::engineName() const {
     const QString name = v8_names::engineName(words_, input_.engine.name);
     return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
 }
 
-double CardPainter::head(double y) {
+double PlugsCardPainter::head(double y) {
     return cardHead(sheet_, words_,
                     {words_.translate("JobCard", "Job card: crankpin plugs and bob weights"),
                      words_.translate("JobCard", "V-8 engine %1").arg(engineName()), input_.job,
@@ -68,7 +68,7 @@ double CardPainter::head(double y) {
                     y);
 }
 
-double CardPainter::answer(double y) {
+double PlugsCardPainter::answer(double y) {
     QString fact;
     QString action;
     QStringList more;
@@ -102,7 +102,7 @@ double CardPainter::answer(double y) {
                       {fact, action, more.join(QLatin1Char(' ')), wrong.join(QLatin1Char(' '))}, y);
 }
 
-double CardPainter::inputs(double y) {
+double PlugsCardPainter::inputs(double y) {
     constexpr double gap = 4.0;
     constexpr double engineWidth = 117.0;
     const double height = engineTable(y, engineWidth);
@@ -110,7 +110,7 @@ double CardPainter::inputs(double y) {
     return y + height;
 }
 
-double CardPainter::engineTable(double y, double width) {
+double PlugsCardPainter::engineTable(double y, double width) {
     sheet_.heading(left, y, width, words_.translate("JobCard", "Engine"));
     CardTable engine({{34, Qt::AlignLeft},
                       {13},
@@ -136,7 +136,7 @@ double CardPainter::engineTable(double y, double width) {
     return 5.2 + engine.draw(sheet_, left, y + 5.2);
 }
 
-void CardPainter::changesTable(double x, double y, double width) {
+void PlugsCardPainter::changesTable(double x, double y, double width) {
     sheet_.heading(x, y, width, words_.translate("JobCard", "Heavier than nominal by"));
     CardTable changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, inputRow);
     for (const MassChangeField& field : mass_change_fields()) {
@@ -159,7 +159,7 @@ void CardPainter::changesTable(double x, double y, double width) {
     changes.draw(sheet_, x, y + 5.2);
 }
 
-double CardPainter::options(double y) {
+double PlugsCardPainter::options(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
     CardTable table({{50, Qt::AlignLeft}, {16}, {16}, {19}, {19}, {20}, {42, Qt::AlignRight}}, 7.5,
                     3.8);
@@ -218,7 +218,7 @@ double CardPainter::options(double y) {
     return y + height + 3.6;
 }
 
-double CardPainter::bobWeights(double y) {
+double PlugsCardPainter::bobWeights(double y) {
     const double tableWidth = 112.0;
     sheet_.heading(left, y, tableWidth,
                    words_.translate("JobCard", "Bob weight on each crankpin, %1").arg(unitGram()));
@@ -239,7 +239,7 @@ double CardPainter::bobWeights(double y) {
     return y + 5.0 + std::max(height, drawingHeight);
 }
 
-double CardPainter::bobWeightTable(double y) {
+double PlugsCardPainter::bobWeightTable(double y) {
     const auto chosen = v8_text::chosenOption(solution_);
     CardTable table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 3.5);
     table.head({words_.translate("JobCard", "factor × mass"), words_.translate("JobCard", "factor"),
@@ -274,7 +274,7 @@ double CardPainter::bobWeightTable(double y) {
     return height;
 }
 
-void CardPainter::plug(double x, double y, double w, double h) {
+void PlugsCardPainter::plug(double x, double y, double w, double h) {
     const DrawingStyle style{CardPage::ink, CardPage::hair,   CardPage::ink,
                              cutColour,     sheet_.font(7.5), 0.35 * sheet_.unit()};
     const QRectF target = sheet_.rect(x, y, w, h);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "v8-plugs/card_painter.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/plugs_card_painter.h"
 #include "workshop/card_blocks.h"
 #include "workshop/model/verdict.h"
 #include "workshop/tolerance.h"
@@ -15,7 +15,7 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 /// The weights of the parts, and which set goes to which cylinder, under the same columns.
-double CardPainter::weighIn(double y, double end) {
+double PlugsCardPainter::weighIn(double y, double end) {
     if (!input_.weigh_in || input_.weigh_in->is_empty()) {
         return y - 2.2;  // no section, no gap
     }
@@ -106,7 +106,7 @@ double CardPainter::weighIn(double y, double end) {
 }
 
 /// What the technician should not overlook, and what the method neglects.
-std::array<QString, 2> CardPainter::remarkTexts() const {
+std::array<QString, 2> PlugsCardPainter::remarkTexts() const {
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
@@ -130,7 +130,7 @@ std::array<QString, 2> CardPainter::remarkTexts() const {
     return {(doubts + troubles).join(QLatin1Char(' ')), rest};
 }
 
-double CardPainter::remarks(double y, double end) {
+double PlugsCardPainter::remarks(double y, double end) {
     // Smaller where there is much to say: nothing of it is cut.
     const std::array<QString, 2> texts = remarkTexts();
     const QString& doubts = texts[0];
@@ -148,7 +148,7 @@ double CardPainter::remarks(double y, double end) {
     return lines < 1 ? y : y + sheet_.paragraph(left, y, full, rest, points, lines);
 }
 
-void CardPainter::machine(double y) {
+void PlugsCardPainter::machine(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Balancing machine"));
     QString limits;
     if (solution_.balancing && input_.balancing) {

@@ -15,11 +15,11 @@ class V8PlugsModel;
 
 /// What follows from the job: the advice in words, the options, the bob weight line by line,
 /// the plug and the plots.
-class AnswerView : public QWidget {
+class PlugsAnswer : public QWidget {
     Q_OBJECT
 
   public:
-    explicit AnswerView(V8PlugsModel* model, QWidget* parent = nullptr);
+    explicit PlugsAnswer(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// Entries that the form refuses now: the answer is that of the values before them.
     void setRefused(const QStringList& refused);

@@ -1,4 +1,4 @@
-#include "v8-plugs/answer_view.h"
+#include "v8-plugs/plugs_answer.h"
 
 #include <QLabel>
 
@@ -24,7 +24,7 @@ constexpr int besideEachOther = 520;  ///< designed pixels that bob weights and 
 
 }  // namespace
 
-AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+PlugsAnswer::PlugsAnswer(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     QVBoxLayout* column = columnIn(this);
     column->addWidget(buildAdvice());
 
@@ -37,12 +37,12 @@ AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), 
     lower->add(buildPlots(), 6);
     column->addWidget(lower, 1);
 
-    connect(model_, &SceneModel::changed, this, &AnswerView::showAnswer);
-    connect(&Theme::instance(), &Theme::changed, this, &AnswerView::showAnswer);
+    connect(model_, &SceneModel::changed, this, &PlugsAnswer::showAnswer);
+    connect(&Theme::instance(), &Theme::changed, this, &PlugsAnswer::showAnswer);
     showAnswer();
 }
 
-QWidget* AnswerView::buildAdvice() {
+QWidget* PlugsAnswer::buildAdvice() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     advice_ = copyableLabel("advice", Theme::displaySize, panel, true);
@@ -61,7 +61,7 @@ QWidget* AnswerView::buildAdvice() {
     return panel;
 }
 
-QWidget* AnswerView::buildBobWeights() {
+QWidget* PlugsAnswer::buildBobWeights() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
@@ -74,7 +74,7 @@ QWidget* AnswerView::buildBobWeights() {
     return panel;
 }
 
-QWidget* AnswerView::buildPlots() {
+QWidget* PlugsAnswer::buildPlots() {
     auto* holder = new QWidget(this);
     QVBoxLayout* column = columnIn(holder);
     compensation_ = new CompensationPlot(holder);
@@ -87,7 +87,7 @@ QWidget* AnswerView::buildPlots() {
 }
 
 /// In a narrow window the names of the options need the room of what one only looks up.
-void AnswerView::resizeEvent(QResizeEvent* event) {
+void PlugsAnswer::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool isNarrow = width() < Theme::withText(besideEachOther);
     if (isNarrow != isNarrow_) {
@@ -102,7 +102,7 @@ void AnswerView::resizeEvent(QResizeEvent* event) {
     }
 }
 
-void AnswerView::showAnswer() {
+void PlugsAnswer::showAnswer() {
     showAdvice();
     showBobWeights();
     sayOrHide(shiftNote_, model_->shiftText());
@@ -111,12 +111,12 @@ void AnswerView::showAnswer() {
     shift_->showRadius(model_->input().engine.crank_radius);
 }
 
-void AnswerView::setRefused(const QStringList& refused) {
+void PlugsAnswer::setRefused(const QStringList& refused) {
     sayOrHide(refused_, refusedNote(Words(), refused));
     showAdvice();
 }
 
-void AnswerView::showAdvice() {
+void PlugsAnswer::showAdvice() {
     const bool isStale = !refused_->text().isEmpty();
     colourText(refused_, &Theme::warning);
     sayOrHide(excess_, model_->excessText());
@@ -152,7 +152,7 @@ void AnswerView::showAdvice() {
     }
 }
 
-void AnswerView::showBobWeights() {
+void PlugsAnswer::showBobWeights() {
     bobWeights_->setResults(model_->bobWeightResults());
     const bool isKnown = bobWeights_->rowCount() > 0;
     bobWeights_->parentWidget()->setVisible(isKnown);
@@ -167,7 +167,7 @@ void AnswerView::showBobWeights() {
     colourText(weighing_, weighing.enough ? &Theme::mutedText : &Theme::warning);
 }
 
-QString AnswerView::asText() const {
+QString PlugsAnswer::asText() const {
     // The advice never goes without what is wrong with it.
     QStringList said{excess_->text(), advice_->text(), refused_->text(), troubles_->text()};
     said.removeAll(QString());
@@ -175,7 +175,7 @@ QString AnswerView::asText() const {
            QLatin1Char('\n') + bobWeights_->asText();
 }
 
-QString AnswerView::asCsv() const {
+QString PlugsAnswer::asCsv() const {
     return options_->asCsv() + QLatin1Char('\n') + bobWeights_->asCsv();
 }
 
