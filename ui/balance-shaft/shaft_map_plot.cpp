@@ -7,6 +7,7 @@
 
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/mechanism.h"
+#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_signs.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
@@ -82,6 +83,10 @@ QPolygonF ShaftMapPlot::pixels(const QPolygonF& metres) const {
     return line;
 }
 
+QString ShaftMapPlot::csv(const CsvFormat& format) const {
+    return shaft_map_text::fieldCsv(*map_, format);
+}
+
 void ShaftMapPlot::showMap() {
     switch (map_->criterion()) {
         case ShaftMapModel::Criterion::Range:
@@ -145,21 +150,24 @@ void ShaftMapPlot::leadReference() {
 
 QString ShaftMapPlot::placeWords(const ShaftMapModel::Position& position, int decimals) const {
     const ShaftMapModel* other = referenceMap();
-    const QString against =
-        other != nullptr ? map_->againstText(*other, data().referenceName, position) : QString();
-    return map_->placeText(position, decimals) +
+    const QString against = other != nullptr ? shaft_map_text::placeAgainst(
+                                                   *map_, *other, data().referenceName, position)
+                                             : QString();
+    return shaft_map_text::place(*map_, position, decimals) +
            (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
 }
 
 QString ShaftMapPlot::markerWords(const ShaftMapModel::Marker& marker) const {
-    return marker.worst ? map_->markerText(marker) : placeWords(marker.position);
+    return marker.worst ? shaft_map_text::marker(*map_, marker) : placeWords(marker.position);
 }
 
 QString ShaftMapPlot::bestWords() const {
     const ShaftMapModel* other = referenceMap();
-    const QString against =
-        other != nullptr ? map_->bestAgainstText(*other, data().referenceName) : QString();
-    return map_->bestText() + (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
+    const QString against = other != nullptr
+                                ? shaft_map_text::bestAgainst(*map_, *other, data().referenceName)
+                                : QString();
+    return shaft_map_text::best(*map_) +
+           (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
 }
 
 void ShaftMapPlot::paintReference(QPainter& painter) const {

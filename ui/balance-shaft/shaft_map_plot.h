@@ -28,7 +28,7 @@ class ShaftMapPlot : public PlotView {
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     bool isDragging() const { return dragging_; }
     /// The field under the picture.
-    QString csv(const CsvFormat& format) const override { return map_->fieldCsv(format); }
+    QString csv(const CsvFormat& format) const override;
     /// A number at a contour or a marker.
     struct Label {
         QRectF box;
@@ -38,7 +38,7 @@ class ShaftMapPlot : public PlotView {
     const std::vector<Label>& labels() const { return labels_; }
     /// The map of the reference; null where there is none or it is switched off.
     const ShaftMapModel* referenceMap() const;
-    /// ShaftMapModel::placeText(), and below it what it is there against the reference.
+    /// shaft_map_text::place(), and below it what it is there against the reference.
     QString placeWords(const ShaftMapModel::Position& position, int decimals = 2) const;
     /// What is best, and below it what is best of the reference.
     QString bestWords() const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
 
@@ -176,7 +177,7 @@ bool ShaftMapPlot::event(QEvent* event) {
         const QPointF at = help->pos();
         if (plotArea().contains(at)) {
             // Over the map only what there is to say of the place: how to use it stands beside.
-            QToolTip::showText(help->globalPos(), map_->reason(placeAt(at)), this);
+            QToolTip::showText(help->globalPos(), shaft_map_text::reason(*map_, placeAt(at)), this);
             return true;
         }
     }

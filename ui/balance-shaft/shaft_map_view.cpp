@@ -14,6 +14,7 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/model/shown_curves.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
@@ -302,7 +303,7 @@ void ShaftMapView::showMap() {
     const ShaftMapModel::Marker* best = map_->best();
     best_->setEnabled(best != nullptr && best->isBuildable);
     const QString why =
-        nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : map_->bestText();
+        nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : shaft_map_text::best(*map_);
     best_->setToolTip(why);
     best_->setAccessibleDescription(why);
     showStale();
@@ -397,7 +398,7 @@ void ShaftMapView::showSizes() {
         }
         x.push_back(place.criteria.size / units::cm2);
         y.push_back(100.0 * *change);
-        texts << map_->placeLines(place.position, 1).join(QLatin1Char('\n'));
+        texts << shaft_map_text::placeLines(*map_, place.position, 1).join(QLatin1Char('\n'));
         if (*change < least) {  // sizes ascend
             least = *change;
             bestX.push_back(x.back());

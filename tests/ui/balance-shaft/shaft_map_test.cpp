@@ -15,6 +15,7 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
@@ -134,7 +135,7 @@ TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
     EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
     EXPECT_NEAR(map->present().y, there.y, 0.02 * mm);
     EXPECT_EQ(model->history()->count(), 0);  // not before the hand lets go
-    EXPECT_EQ(view->words()->text(), map->placeText(map->present()));
+    EXPECT_EQ(view->words()->text(), shaft_map_text::place(*map, map->present()));
     QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + away).toPoint());
     EXPECT_EQ(model->history()->count(), 1);
     // All follows: the sliders, the moments, the field of the form.
@@ -261,7 +262,7 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
         const bool is = all.study.obstacle(place) != Obstacle::none;
         blocked += is ? 1 : 0;
         wrong += hatched.contains(QPointF(place.x, place.y)) != is ? 1 : 0;
-        EXPECT_EQ(map->reason(place).isEmpty(), !is);
+        EXPECT_EQ(shaft_map_text::reason(*map, place).isEmpty(), !is);
     }
     EXPECT_GT(blocked, 50);
     EXPECT_LT(blocked, 450);
@@ -271,11 +272,11 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     const QString over = view->words()->text();
     EXPECT_TRUE(over.contains(QStringLiteral("20.0\u00A0mm"))) << over.toStdString();
     EXPECT_TRUE(over.contains(QStringLiteral("N·m"))) << over.toStdString();
-    EXPECT_TRUE(over.contains(map->reason({0.0, 20 * mm}))) << over.toStdString();
-    EXPECT_FALSE(map->reason({0.0, 20 * mm}).isEmpty());
+    EXPECT_TRUE(over.contains(shaft_map_text::reason(*map, {0.0, 20 * mm}))) << over.toStdString();
+    EXPECT_FALSE(shaft_map_text::reason(*map, {0.0, 20 * mm}).isEmpty());
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(plot, &leave);
-    EXPECT_EQ(view->words()->text(), map->bestText());
+    EXPECT_EQ(view->words()->text(), shaft_map_text::best(*map));
 }
 
 TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
@@ -430,7 +431,7 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     wait();
     const Position beyond{75 * mm, -80 * mm};
     EXPECT_EQ(map->map()->study.obstacle(beyond), Obstacle::limits);
-    EXPECT_FALSE(map->reason(beyond).isEmpty());
+    EXPECT_FALSE(shaft_map_text::reason(*map, beyond).isEmpty());
     for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
         map->setCriterion(criterion);
         ASSERT_NE(map->best(), nullptr);
@@ -526,7 +527,7 @@ TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
     QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
     move(from + QPointF(40.0, 40.0));
     QTest::keyClick(plot, Qt::Key_Escape);
-    const QString words = map->placeText(map->present());
+    const QString words = shaft_map_text::place(*map, map->present());
     EXPECT_EQ(view->words()->text(), words);
     QSignalSpy cursor(plot, &PlotView::cursorMoved);
     move(from + QPointF(60.0, 20.0));
@@ -562,19 +563,19 @@ TEST_F(ShaftMapTest, WhatIsShownRestsDuringADragAndFollowsAfterIt) {
 }
 
 TEST_F(ShaftMapTest, WordsFollowTheShaft) {
-    const QString before = map->placeText(map->present());
+    const QString before = shaft_map_text::place(*map, map->present());
     QTest::keyClick(plot, Qt::Key_Right, Qt::ShiftModifier);
-    EXPECT_EQ(view->words()->text(), map->placeText(map->present()));
+    EXPECT_EQ(view->words()->text(), shaft_map_text::place(*map, map->present()));
     EXPECT_NE(view->words()->text(), before);
     model->undo();
     EXPECT_EQ(view->words()->text(), before);
     map->goToBest();
-    EXPECT_EQ(view->words()->text(), map->bestText());
+    EXPECT_EQ(view->words()->text(), shaft_map_text::best(*map));
 }
 
 TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     const QString worse = QStringLiteral("worse than without a shaft");
-    EXPECT_FALSE(map->bestText().contains(worse));
+    EXPECT_FALSE(shaft_map_text::best(*map).contains(worse));
     // So far away that every place adds more than it takes.
     model->edit(QStringLiteral("Far"), [](balance_shaft::Input& input) {
         input.place_limits.centre_distance_min = 400 * mm;
@@ -583,7 +584,8 @@ TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     ASSERT_NE(map->best(), nullptr);
     ASSERT_TRUE(map->best()->isBuildable);
     EXPECT_GT(*map->change(map->best()->criteria), 0.0);
-    EXPECT_TRUE(map->bestText().contains(worse)) << map->bestText().toStdString();
+    EXPECT_TRUE(shaft_map_text::best(*map).contains(worse))
+        << shaft_map_text::best(*map).toStdString();
     EXPECT_TRUE(view->bestButton()->isEnabled());
 }
 

@@ -1,0 +1,71 @@
+#include "balance-shaft/model/change_contours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/model/place_criterion.h"
+#include "balance-shaft/model/shaft_map.h"
+#include "plot/model/contour_lines.h"
+#include "plot/model/ticks.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Equal steps where the shaft helps; where it harms 1, 2, 5, 10 … times as much, for there the
+/// field has no end.
+std::vector<double> levelsOf(const std::vector<double>& changes) {
+    const auto [least, most] = std::minmax_element(changes.begin(), changes.end());
+    std::vector<double> found{0.0};
+    constexpr double smallest = 1e-4;  // less is nothing
+    double step = 0.0;
+    if (*least < -smallest) {
+        step = niceStep(-*least, 5);
+        for (int i = 1; - step * i > *least; ++i) {
+            found.insert(found.begin(), -step * i);
+        }
+    }
+    constexpr int mostSteps = 6;
+    std::vector<double> above;
+    const double first = std::max(step, 1e-3 * *most);
+    double power = std::pow(10.0, std::floor(std::log10(std::max(first, smallest))));
+    while (power < *most) {
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            if (factor * power >= 0.999 * first && factor * power < *most) {
+                above.push_back(factor * power);
+            }
+        }
+        power *= 10.0;
+    }
+    const auto kept = std::min<std::ptrdiff_t>(mostSteps, std::ssize(above));
+    found.insert(found.end(), above.end() - kept, above.end());
+    return found;
+}
+
+}  // namespace
+
+ChangeContours changeContours(const ShaftMap& map, const PlaceCriterion& criterion) {
+    const balance_shaft::PositionMap& field = map.field;
+    ChangeContours made;
+    made.changes.resize(field.range.size());
+    for (std::size_t i = 0; i < made.changes.size(); ++i) {
+        made.changes[i] = criterion.change(map.study, field.range[i], field.rms[i]);
+    }
+    made.levels = levelsOf(made.changes);
+    const QPointF corner(field.left, field.bottom);
+    const double stepX = (field.right - field.left) / static_cast<double>(field.columns - 1);
+    const double stepY = (field.top - field.bottom) / static_cast<double>(field.rows - 1);
+    for (const double level : made.levels) {
+        ChangeContours::Contour contour{
+            level, contourLines({made.changes, field.columns, field.rows}, level)};
+        for (QPolygonF& line : contour.lines) {
+            for (QPointF& point : line) {
+                point = corner + QPointF(point.x() * stepX, point.y() * stepY);
+            }
+        }
+        made.contours.push_back(std::move(contour));
+    }
+    return made;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QPolygonF>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "balance-shaft/position_study.h"
+
+namespace ravnoves {
+
+/// What a range and an RMS over the places of the shaft's axis look like, and what is best. None of
+/// it depends on where the axis stands now. Lengths in m, moments in N·m.
+struct ShaftMap {
+    using Position = balance_shaft::ShaftPosition;
+    using Criteria = balance_shaft::PositionCriteria;
+
+    using Place = balance_shaft::BestPosition;
+    /// The best α of each centre distance, of all and of those that can be built.
+    struct Distances {
+        std::vector<double> distance;
+        std::vector<Place> range, rms;
+        std::vector<std::optional<Place>> rangeBuilt, rmsBuilt;
+    };
+
+    /// Half of the square to show: it holds what is best and this l, with room around.
+    double viewFor(double centreDistance) const;
+
+    balance_shaft::PositionStudy study;
+    double view = 0.0;  ///< half of the square that is shown first
+    balance_shaft::PositionMap field = {};
+    /// Element row × columns + column of a grid over the same rectangle.
+    std::vector<balance_shaft::Obstacle> obstacles = {};
+    std::size_t obstacleColumns = 0;
+    /// Where the shaft cannot be built: closed lines, to be filled by the odd-even rule.
+    std::vector<QPolygonF> blocked = {};
+    balance_shaft::BestPositions best = {};
+    balance_shaft::BestPositions buildable = {};
+    std::vector<balance_shaft::FrontPosition> front = {};
+    Distances distances = {};
+};
+
+/// Makes the map of an engine.
+/// @param present   l of the shaft now, which is to be seen; m
+/// @param progress  is told the part that is done, 0…1; false stops it
+/// @return null where it was stopped
+std::shared_ptr<const ShaftMap> makeShaftMap(const balance_shaft::Solver& solver, double present,
+                                             const std::function<bool(double)>& progress);
+
+}  // namespace ravnoves

@@ -1,0 +1,214 @@
+#include "balance-shaft/model/shaft_map_text.h"
+
+#include "numerics/constants.h"
+#include "numerics/units.h"
+#include "text/csv_format.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/result_row.h"
+#include "text/shown_units.h"
+
+namespace ravnoves::shaft_map_text {
+
+using balance_shaft::Obstacle;
+using balance_shaft::PositionStudy;
+using Criteria = ShaftMapModel::Criteria;
+using Criterion = ShaftMapModel::Criterion;
+using Marker = ShaftMapModel::Marker;
+using Position = ShaftMapModel::Position;
+
+namespace {
+
+QString mm(double metres, int decimals = 1) {
+    return shownNumber(metres, units::mm, decimals);
+}
+
+QString newtonMetres(double moment) {
+    return shownNumber(moment, units::N_m, 1);
+}
+
+QString degrees(double radians, int decimals = 1) {
+    return fixedNumber(radians / degree, decimals, QLocale());
+}
+
+QString whereText(const Position& position) {
+    return ShaftMapModel::tr("l %1, α %2°")
+        .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
+}
+
+/// "+1.2 N·m (+3.0 %)".
+QString differenceText(double present, double reference, const Unit& unit, int decimals) {
+    const auto found =
+        shownCell(present, unit, decimals).from(shownCell(reference, unit, decimals));
+    return !found ? shownNumber(present, unit, decimals)
+                  : QStringLiteral("%1 (%2)").arg(withUnit(found->absolute, shownUnit(unit).name),
+                                                  found->percent);
+}
+
+QString criterionName(Criterion criterion) {
+    return criterion == Criterion::Range ? ShaftMapModel::tr("range")
+           : criterion == Criterion::Rms ? ShaftMapModel::tr("RMS")
+                                         : ShaftMapModel::tr("weighted sum");
+}
+
+/// By the criterion, with its change.
+QString valueText(const ShaftMapModel& map, const Criteria& criteria) {
+    const QString change = signedPercentText(map.change(criteria).value_or(0.0));
+    return map.criterion() == Criterion::Both
+               ? change
+               : QStringLiteral("%1 (%2)").arg(
+                     newtonMetres(map.criterion() == Criterion::Range ? criteria.range
+                                                                      : criteria.rms),
+                     change);
+}
+
+}  // namespace
+
+QString best(const ShaftMapModel& map) {
+    if (!map.trouble().isEmpty()) {
+        return map.trouble();
+    }
+    const ShaftMap* const places = map.map();
+    if (places == nullptr) {
+        return ShaftMapModel::tr("The map is being computed …");
+    }
+    const Marker* best = map.best();
+    if (best == nullptr || !places->best.reason.empty()) {
+        return messageText(places->best.reason);
+    }
+    const auto value = [&](const Criteria& criteria) { return valueText(map, criteria); };
+    QString text =
+        ShaftMapModel::tr("Best place by the %1: %2 at %3.")
+            .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position));
+    constexpr double shown = 5e-4;  // less is 0.0 %
+    if (map.change(best->criteria).value_or(0.0) >= shown) {
+        text += QLatin1Char(' ') + ShaftMapModel::tr("It is worse than without a shaft.");
+    }
+    if (!best->isBuildable) {
+        text += QLatin1Char(' ') + (places->buildable.reason.empty()
+                                        ? reason(map, best->position)
+                                        : messageText(places->buildable.reason));
+        return text;
+    }
+    for (const Marker& other : map.markers()) {
+        if (other.criterion == map.criterion() && !other.isBuildable && !other.worst) {
+            text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 – cannot be built.")
+                                           .arg(value(other.criteria), whereText(other.position));
+        }
+    }
+    return text;
+}
+
+QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name) {
+    const Marker* best = map.best();
+    const Marker* was = other.best();
+    if (map.map() == nullptr || other.map() == nullptr || best == nullptr || was == nullptr ||
+        other.criterion() != map.criterion()) {
+        return {};
+    }
+    const QString text = ShaftMapModel::tr("Best place of %1: %2 at %3")
+                             .arg(name, valueText(other, was->criteria), whereText(was->position));
+    if (map.criterion() == Criterion::Both) {
+        return text + QLatin1Char('.');
+    }
+    const bool byRange = map.criterion() == Criterion::Range;
+    const auto value = [&](const Criteria& criteria) {
+        return byRange ? criteria.range : criteria.rms;
+    };
+    return text +
+           ShaftMapModel::tr("; against it %1.")
+               .arg(differenceText(value(best->criteria), value(was->criteria), units::N_m, 1));
+}
+
+QString place(const ShaftMapModel& map, const Position& position, int decimals) {
+    QString text = placeLines(map, position, decimals).join(QStringLiteral("; "));
+    if (const QString why = reason(map, position); !why.isEmpty()) {
+        text += QStringLiteral(". ") + why;
+    }
+    return text;
+}
+
+QStringList placeLines(const ShaftMapModel& map, const Position& position, int decimals) {
+    if (map.map() == nullptr) {
+        return {};
+    }
+    const PositionStudy& study = map.map()->study;
+    const Criteria criteria = study.at(position);
+    const auto withChange = [&](const QString& text, double with, double without) {
+        const QString value = text.arg(newtonMetres(with));
+        return without > 0.0 ? value + QStringLiteral(" (") +
+                                   signedPercentText(with / without - 1.0) + QLatin1Char(')')
+                             : value;
+    };
+    return {ShaftMapModel::tr("l %1, α %2°")
+                .arg(mm(position.centre_distance(), decimals),
+                     degrees(position.shaft_angle(), decimals)),
+            withChange(ShaftMapModel::tr("range %1"), criteria.range, study.range_without()),
+            withChange(ShaftMapModel::tr("RMS %1"), criteria.rms, study.rms_without()),
+            ShaftMapModel::tr("box %1").arg(shownNumber(criteria.size, units::cm2, 0))};
+}
+
+QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name,
+                     const Position& position) {
+    if (map.map() == nullptr || other.map() == nullptr) {
+        return {};
+    }
+    const Criteria now = map.map()->study.at(position);
+    const Criteria was = other.map()->study.at(position);
+    return ShaftMapModel::tr("Against %1 here: range %2; RMS %3; box %4")
+        .arg(name, differenceText(now.range, was.range, units::N_m, 1),
+             differenceText(now.rms, was.rms, units::N_m, 1),
+             differenceText(now.size, was.size, units::cm2, 0));
+}
+
+QString reason(const ShaftMapModel& map, const Position& position) {
+    return map.map() != nullptr ? messageText(map.map()->study.obstacle_reason(position))
+                                : QString();
+}
+
+QString marker(const ShaftMapModel& map, const Marker& marker) {
+    return marker.worst ? ShaftMapModel::tr(
+                              "Least bad over the band of speeds: %1 at the worst one. Here: %2")
+                              .arg(signedPercentText(*marker.worst), place(map, marker.position))
+                        : place(map, marker.position);
+}
+
+QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
+    const ShaftMap* const places = map.map();
+    if (places == nullptr || places->obstacles.empty()) {
+        return {};
+    }
+    const balance_shaft::PositionMap& field = places->field;
+    const ShownTitle range = shownTitle(ShaftMapModel::tr("ΔMᵤₚₛ, N·m"));
+    QString text = QStringList{format.field(shownTitle(ShaftMapModel::tr("x, mm")).text),
+                               format.field(shownTitle(ShaftMapModel::tr("y, mm")).text),
+                               format.field(range.text),
+                               format.field(shownTitle(ShaftMapModel::tr("RMS, N·m")).text),
+                               format.field(ShaftMapModel::tr("can be built"))}
+                       .join(format.separator) +
+                   QLatin1Char('\n');
+    const std::size_t columns = places->obstacleColumns;
+    const std::size_t rows = places->obstacles.size() / columns;
+    const std::size_t stride = (field.columns - 1) / (columns - 1);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            const std::size_t element = stride * (row * field.columns + column);
+            const auto along = [](double from, double to, std::size_t i, std::size_t count) {
+                return (from +
+                        (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)) /
+                       shownAs(units::mm);
+            };
+            const bool built = places->obstacles[row * columns + column] == Obstacle::none;
+            text += QStringList{format.number(along(field.left, field.right, column, columns)),
+                                format.number(along(field.bottom, field.top, row, rows)),
+                                format.number(range.factor * field.range[element]),
+                                format.number(range.factor * field.rms[element]),
+                                QString::number(built ? 1 : 0)}
+                        .join(format.separator) +
+                    QLatin1Char('\n');
+        }
+    }
+    return text;
+}
+
+}  // namespace ravnoves::shaft_map_text
