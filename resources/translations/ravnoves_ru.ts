@@ -8763,6 +8763,13 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::CaseNotices</name>
+    <message>
+        <source>Open case</source>
+        <translation>Открыть задачу</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::CaseProperties</name>
     <message>
         <source>Title and notes</source>
@@ -8795,6 +8802,21 @@ but nothing can be built</source>
     <message>
         <source>Do&amp;n’t keep</source>
         <translation>&amp;Не оставлять</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CaseTabs</name>
+    <message>
+        <source>Open cases</source>
+        <translation>Открытые задачи</translation>
+    </message>
+    <message>
+        <source>Close (%1)</source>
+        <translation>Закрыть (%1)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
     </message>
 </context>
 <context>
@@ -9134,76 +9156,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::Documents</name>
     <message>
-        <source>Open cases</source>
-        <translation>Открытые задачи</translation>
-    </message>
-    <message>
         <source>Open case</source>
         <translation>Открыть задачу</translation>
     </message>
     <message>
-        <source>&amp;Locate file…</source>
-        <translation>&amp;Указать файл…</translation>
-    </message>
-    <message>
-        <source>Where is %1?</source>
-        <translation>Где %1?</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Несохранённые изменения</translation>
-    </message>
-    <message>
-        <source>Save the changes of “%1”?</source>
-        <translation>Сохранить изменения в «%1»?</translation>
-    </message>
-    <message>
-        <source>Save case</source>
-        <translation>Сохранить задачу</translation>
-    </message>
-    <message>
-        <source>Ravnoves case</source>
-        <translation>Задача Ravnoves</translation>
-    </message>
-    <message>
-        <source>%1 is open in another tab. Close that first, or choose another name.</source>
-        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Сохранить как…</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program since it was opened or saved here. Overwrite it?</source>
-        <translation>Файл %1 изменён другой программой с тех пор, как был открыт или сохранён здесь. Записать поверх?</translation>
-    </message>
-    <message>
-        <source>&amp;Overwrite</source>
-        <translation>&amp;Записать поверх</translation>
-    </message>
-    <message>
-        <source>Close (%1)</source>
-        <translation>Закрыть (%1)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Закрыть</translation>
-    </message>
-    <message>
         <source>Unsaved cases</source>
         <translation>Несохранённые задачи</translation>
-    </message>
-    <message>
-        <source>Do&amp;n’t save</source>
-        <translation>&amp;Не сохранять</translation>
-    </message>
-    <message>
-        <source>The file chosen for %1 does not do.</source>
-        <translation>Файл, выбранный вместо %1, не подходит.</translation>
-    </message>
-    <message>
-        <source>Close case</source>
-        <translation>Закрыть задачу</translation>
     </message>
 </context>
 <context>
@@ -12406,6 +12364,21 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::MissingFile</name>
+    <message>
+        <source>The file chosen for %1 does not do.</source>
+        <translation>Файл, выбранный вместо %1, не подходит.</translation>
+    </message>
+    <message>
+        <source>&amp;Locate file…</source>
+        <translation>&amp;Указать файл…</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Где %1?</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::NewCaseDialog</name>
     <message>
         <source>New case</source>
@@ -14201,6 +14174,49 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are. Both of the angles that can be built.</source>
         <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший при заданных исходных данных. Оба — среди углов, которые можно построить.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SavingDialogs</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Сохранить изменения в «%1»?</translation>
+    </message>
+    <message>
+        <source>Do&amp;n’t save</source>
+        <translation>&amp;Не сохранять</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>Сохранить задачу</translation>
+    </message>
+    <message>
+        <source>Ravnoves case</source>
+        <translation>Задача Ravnoves</translation>
+    </message>
+    <message>
+        <source>%1 is open in another tab. Close that first, or choose another name.</source>
+        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened or saved here. Overwrite it?</source>
+        <translation>Файл %1 изменён другой программой с тех пор, как был открыт или сохранён здесь. Записать поверх?</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Записать поверх</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>Закрыть задачу</translation>
     </message>
 </context>
 <context>

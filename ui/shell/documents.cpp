@@ -1,14 +1,10 @@
 #include "shell/documents.h"
 
-#include <QApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QMouseEvent>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
-#include <QTabBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -19,52 +15,25 @@
 #include "model/recovery.h"
 #include "numerics/demand.h"
 #include "scenes/case_sources.h"
-#include "shell/disk_notice.h"
+#include "shell/case_notices.h"
+#include "shell/case_tabs.h"
+#include "shell/missing_file.h"
 #include "shell/refused_entries.h"
+#include "shell/saving_dialogs.h"
 #include "shell/scene_page.h"
-#include "shell/solving_notice.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/message_text.h"
-#include "theme/icons.h"
-#include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
-
-namespace {
-
-/// Tabs that scroll before their titles are too short to be told apart.
-class CaseTabs final : public QTabBar {
-  public:
-    using QTabBar::QTabBar;
-
-  protected:
-    QSize minimumTabSizeHint(int index) const override {
-        const QSize whole = tabSizeHint(index);
-        return {std::min(whole.width(), Theme::withText(150)), whole.height()};
-    }
-};
-
-}  // namespace
 
 Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     tabs_ = new CaseTabs(this);
-    tabs_->setObjectName(QStringLiteral("documents"));
-    tabs_->setAccessibleName(tr("Open cases"));
-    tabs_->setDocumentMode(true);
-    tabs_->setDrawBase(true);
-    tabs_->setExpanding(false);
-    tabs_->setMovable(true);
-    tabs_->setUsesScrollButtons(true);
-    tabs_->setElideMode(Qt::ElideMiddle);
-    tabs_->installEventFilter(this);
-    tabs_->hide();
     column->addWidget(tabs_);
-    makeNotice();
+    makeNotices();
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
@@ -73,6 +42,11 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
         }
     });
     connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
+    connect(tabs_, &CaseTabs::closeAsked, this, [this](int id) {
+        if (OpenDocument* document = withId(id)) {
+            close(*document);
+        }
+    });
 }
 
 Documents::~Documents() {
@@ -113,13 +87,17 @@ OpenDocument* Documents::withFile(const QString& path) const {
     return nullptr;
 }
 
-OpenDocument* Documents::ofTab(int tab) const {
+OpenDocument* Documents::withId(int id) const {
     for (const auto& each : documents_) {
-        if (tabs_->tabData(tab).toInt() == each->id) {
+        if (each->id == id) {
             return each.get();
         }
     }
     return nullptr;
+}
+
+OpenDocument* Documents::ofTab(int tab) const {
+    return withId(tabs_->idOf(tab));
 }
 
 bool Documents::isUntouched(const OpenDocument& document) {
@@ -147,7 +125,7 @@ OpenDocument& Documents::add(std::size_t scene) {
     added.scene = scene;
     putPage(added, scenes_[scene].make(stack_));
     SceneModel* model = added.page->model();
-    added.document = new CaseDocument(model, dialogsOf(added), this);
+    added.document = new CaseDocument(model, savingDialogs(*this, added), this);
     added.beginning = model->inputJson().dump();
     connect(model, &SceneModel::historyChanged, this, [this, &added] {
         if (&added == current_) {
@@ -160,15 +138,15 @@ OpenDocument& Documents::add(std::size_t scene) {
         }
     });
     connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
-        nameTabs();
+        tabs_->name(caseTabs());
         if (&added == current_) {
             Q_EMIT titleChanged();
         }
         Q_EMIT changed();
     });
     connect(added.document, &CaseDocument::saved, this, &Documents::saved);
-    connect(&added.document->disk(), &FileOnDisk::stateChanged, this, &Documents::showNotice);
-    connect(added.document, &CaseDocument::sourcesChanged, this, &Documents::showNotice);
+    connect(&added.document->disk(), &FileOnDisk::stateChanged, this, &Documents::showNotices);
+    connect(added.document, &CaseDocument::sourcesChanged, this, &Documents::showNotices);
     keep(added);
     return added;
 }
@@ -188,23 +166,9 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
     stack_->addWidget(page);
 }
 
-void Documents::makeNotice() {
-    tabs_->setFont(Theme::font(Theme::smallSize));
-    tabs_->setIconSize(QSize(Theme::withText(16), Theme::withText(16)));
-    notice_ = new DiskNotice(this);
-    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);  // below the tabs
-    connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);
-    connect(notice_, &DiskNotice::keepAsked, this, [this] {
-        CaseDocument& document = *current_->document;
-        if (document.disk().state() != FileOnDisk::State::Same) {
-            document.keepMine();
-        } else {
-            document.keepSources();
-        }
-    });
-    connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
-    solving_ = new SolvingNotice(this);
-    static_cast<QVBoxLayout*>(layout())->insertWidget(2, solving_);
+void Documents::makeNotices() {
+    notices_ = new CaseNotices(this);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notices_);  // below the tabs
 }
 
 void Documents::renewPages() {
@@ -219,15 +183,14 @@ void Documents::renewPages() {
         each->page->resume(left);
         typeAgain(*each->page, refused);
     }
-    tabs_->setAccessibleName(tr("Open cases"));
-    delete notice_;
-    delete solving_;
-    makeNotice();
+    tabs_->renew();
+    delete notices_;
+    makeNotices();
     if (current_ == nullptr) {
         return;
     }
     stack_->setCurrentWidget(current_->page);
-    showNotice();
+    showNotices();
     arrangeTabs();
     current_->page->setActive(true);
     Q_EMIT currentChanged();
@@ -288,7 +251,7 @@ void Documents::bringToFront(OpenDocument& document) {
     arrangeTabs();
     document.document->disk().check();
     document.document->checkSources();
-    showNotice();
+    showNotices();
     document.page->setActive(true);
     Q_EMIT currentChanged();
     Q_EMIT changed();
@@ -302,7 +265,7 @@ void Documents::step(int by) {
 }
 
 bool Documents::hasSeveralTabs() const {
-    return tabs_->count() > 1;
+    return tabs_->hasSeveral();
 }
 
 void Documents::put(const CaseFile& file, OpenDocument* there,
@@ -325,30 +288,6 @@ void Documents::put(const CaseFile& file, OpenDocument* there,
     bringToFront(target);
 }
 
-std::optional<bool> Documents::relocate(CaseFile& file, const InputError& error, Missing& missing,
-                                        const QString& title, const QString& trouble) {
-    Json* const name = CaseDocument::fileNamedAt(file, error);
-    if (name == nullptr) {
-        return std::nullopt;
-    }
-    const bool isSecond = missing.where == error.where();
-    if (!isSecond) {
-        missing.where = error.where();
-        missing.name = QString::fromStdString(name->get<std::string>());
-    }
-    // What the case names is looked for, whatever was chosen for it.
-    const QString found = locate(
-        missing.name, missing.folder, title,
-        isSecond
-            ? tr("The file chosen for %1 does not do.").arg(QFileInfo(missing.name).fileName()) +
-                  QStringLiteral("\n\n") + trouble
-            : trouble);
-    if (!found.isEmpty()) {
-        *name = QFileInfo(found).absoluteFilePath().toStdString();
-    }
-    return !found.isEmpty();
-}
-
 QString Documents::open(const QString& path, bool locates) {
     if (OpenDocument* there = withFile(path)) {
         bringToFront(*there);
@@ -356,7 +295,7 @@ QString Documents::open(const QString& path, bool locates) {
     }
     CaseFile file;
     QByteArray known;
-    Missing missing{QFileInfo(path).absolutePath()};
+    MissingFile missing(this, tr("Open case"), QFileInfo(path).absolutePath());
     for (bool isMoved = false;; isMoved = true) {
         try {
             if (!isMoved) {
@@ -377,8 +316,7 @@ QString Documents::open(const QString& path, bool locates) {
             return {};
         } catch (const InputError& error) {
             QString trouble = path + QStringLiteral(": ") + errorText(error);
-            const auto isMoving =
-                locates ? relocate(file, error, missing, tr("Open case"), trouble) : std::nullopt;
+            const auto isMoving = locates ? missing.locate(file, error, trouble) : std::nullopt;
             if (!isMoving) {
                 return trouble;
             }
@@ -387,17 +325,6 @@ QString Documents::open(const QString& path, bool locates) {
             }
         }
     }
-}
-
-QString Documents::locate(const QString& name, const QString& folder, const QString& title,
-                          const QString& trouble) {
-    QMessageBox box(QMessageBox::Warning, title, trouble, QMessageBox::Cancel, this);
-    const QPushButton* locate = box.addButton(tr("&Locate file…"), QMessageBox::AcceptRole);
-    box.exec();
-    return box.clickedButton() == locate
-               ? askOpenPath(this, tr("Where is %1?").arg(QFileInfo(name).fileName()), folder,
-                             tablesFilter())
-               : QString();
 }
 
 bool Documents::begin(const QString& scene) {
@@ -448,8 +375,10 @@ bool Documents::restore(const RecoveredCase& recovered) {
         there = nullptr;
     }
     CaseFile file = recovered.content;
-    Missing missing{recovered.path.isEmpty() ? QString()
-                                             : QFileInfo(recovered.path).absolutePath()};
+    const QString title = tr("Unsaved cases");
+    MissingFile missing(
+        this, title,
+        recovered.path.isEmpty() ? QString() : QFileInfo(recovered.path).absolutePath());
     for (bool isThere = false; !isThere;) {
         try {
             put(file, there, [&](CaseDocument& document) {
@@ -457,10 +386,9 @@ bool Documents::restore(const RecoveredCase& recovered) {
             });
             isThere = true;
         } catch (const InputError& error) {
-            const QString title = tr("Unsaved cases");
             const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
                                     QStringLiteral(": ") + errorText(error);
-            const auto isMoving = relocate(file, error, missing, title, trouble);
+            const auto isMoving = missing.locate(file, error, trouble);
             if (!isMoving) {
                 QMessageBox::warning(window(), title, trouble);
             }
@@ -493,26 +421,9 @@ QStringList Documents::paths() const {
     return paths;
 }
 
-void Documents::showNotice() {
+void Documents::showNotices() {
     if (current_ != nullptr) {
-        const bool hadFocus = notice_->isAncestorOf(QApplication::focusWidget());
-        notice_->showFor(current_->document);
-        if (hadFocus && notice_->isHidden()) {
-            // Else it goes where it happens to.
-            QWidget* last = current_->page->focusWidget();
-            (last != nullptr ? last : current_->page)->setFocus(Qt::OtherFocusReason);
-        }
-        solving_->follow(current_->document->model());
-    }
-}
-
-void Documents::reload() {
-    CaseDocument& document = *current_->document;
-    const QString trouble = document.disk().state() != FileOnDisk::State::Same
-                                ? document.reload()
-                                : document.readSources();
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(window(), tr("Open case"), trouble);
+        notices_->showFor(current_->document, current_->page);
     }
 }
 
@@ -559,74 +470,6 @@ bool Documents::mayGo() {
                        [](const auto& each) { return each->document->mayGo(); });
 }
 
-DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
-    DocumentDialogs dialogs;
-    dialogs.saveChanges = [this, &document](bool hasFile) {
-        bringToFront(document);
-        // A case that came from a file goes back to it.
-        if (const auto goOn = hasFile ? std::nullopt : document.page->askToSave()) {
-            return *goOn ? DocumentDialogs::Answer::Discard : DocumentDialogs::Answer::Stay;
-        }
-        const QString scene = scenes_[document.scene].title;
-        const QString name = nameOf(document);
-        QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                        tr("Save the changes of “%1”?")
-                            .arg(name == scene ? scene : name + QStringLiteral(" – ") + scene),
-                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window());
-        box.setDefaultButton(QMessageBox::Save);
-        box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
-        const int answer = box.exec();
-        return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
-               : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
-                                                : DocumentDialogs::Answer::Stay;
-    };
-    dialogs.choosePath = [this, &document](const QString& suggestion) {
-        QString path = askSavePath(window(), tr("Save case"), suggestion,
-                                         {{QStringLiteral("case.json"), tr("Ravnoves case")}});
-        const OpenDocument* other = path.isEmpty() ? nullptr : withFile(path);
-        if (other != nullptr && other != &document) {
-            QMessageBox::warning(window(), tr("Save case"),
-                                 tr("%1 is open in another tab. Close that first, or choose "
-                                    "another name.")
-                                     .arg(path));
-            return QString();
-        }
-        return path;
-    };
-    dialogs.goOnWithoutRefused = [&document] {
-        return goOnWithoutRefused(document.page, tr("Save case"));
-    };
-    dialogs.leaveRefused = [this, &document] {
-        if (refusedEntries(document.page).isEmpty()) {
-            return true;
-        }
-        bringToFront(document);
-        return goOnWithoutRefused(document.page, tr("Close case"));
-    };
-    dialogs.elsewhere = [this](const QString& trouble) {
-        QMessageBox box(QMessageBox::Warning, tr("Save case"), trouble, QMessageBox::Cancel,
-                        window());
-        box.setDefaultButton(box.addButton(tr("Save as…"), QMessageBox::AcceptRole));
-        box.exec();
-        return box.buttonRole(box.clickedButton()) == QMessageBox::AcceptRole;
-    };
-    dialogs.overwrite = [this](const QString& path) {
-        QMessageBox box(QMessageBox::Warning, tr("Save case"),
-                        tr("%1 was changed by another program since it was opened or saved here. "
-                           "Overwrite it?")
-                            .arg(path),
-                        QMessageBox::Cancel, window());
-        QPushButton* over = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
-        QPushButton* elsewhere = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
-        box.setDefaultButton(elsewhere);
-        box.exec();
-        return box.clickedButton() == over        ? DocumentDialogs::Overwrite::Yes
-               : box.clickedButton() == elsewhere ? DocumentDialogs::Overwrite::Elsewhere
-                                                  : DocumentDialogs::Overwrite::No;
-    };
-    return dialogs;
-}
-
 // ------------------------------------------------------------------------------------- tabs
 
 QString Documents::nameOf(const OpenDocument& document) const {
@@ -634,91 +477,37 @@ QString Documents::nameOf(const OpenDocument& document) const {
     return name.isEmpty() ? scenes_[document.scene].title : name;
 }
 
-void Documents::arrangeTabs() {
-    const QSignalBlocker blocker(tabs_);
+std::vector<CaseTab> Documents::caseTabs() const {
+    std::vector<CaseTab> tabs;
     for (const auto& each : documents_) {
-        each->hasTab = each->hasTab || !isUntouched(*each);
-    }
-    const auto belongs = [this](const OpenDocument& document) {
-        return document.hasTab || &document == current_;
-    };
-    for (int tab = tabs_->count(); tab-- > 0;) {
-        const OpenDocument* document = ofTab(tab);
-        if (document == nullptr || !belongs(*document)) {
-            tabs_->tabButton(tab, QTabBar::RightSide)->deleteLater();  // the bar only hides it
-            tabs_->removeTab(tab);
+        if (!each->hasTab && each.get() != current_) {
+            continue;
         }
-    }
-    for (const auto& each : documents_) {
-        int tab = 0;
-        while (tab < tabs_->count() && ofTab(tab) != each.get()) {
-            ++tab;
-        }
-        if (belongs(*each) && tab == tabs_->count()) {
-            tabs_->addTab(themedIcon(QStringLiteral("scene-") + scenes_[each->scene].name), {});
-            tabs_->setTabData(tab, each->id);
-            auto* button = new QToolButton(tabs_);
-            button->setIcon(themedIcon(QStringLiteral("close")));
-            button->setIconSize(QSize(12, 12));
-            button->setAutoRaise(true);
-            button->setFocusPolicy(Qt::NoFocus);  // Ctrl+W does it
-            connect(button, &QToolButton::clicked, this,
-                    [this, document = each.get()] { close(*document); });
-            tabs_->setTabButton(tab, QTabBar::RightSide, button);
-        }
-        if (each.get() == current_) {
-            tabs_->setCurrentIndex(tab);
-        }
-    }
-    nameTabs();
-    tabs_->setVisible(hasSeveralTabs());
-    // Who has stood in the bar beside others does not vanish from it.
-    current_->hasTab = current_->hasTab || hasSeveralTabs();
-}
-
-void Documents::nameTabs() {
-    for (int tab = 0; tab < tabs_->count(); ++tab) {
-        QWidget* button = tabs_->tabButton(tab, QTabBar::RightSide);
-        button->setToolTip(
-            tr("Close (%1)")
-                .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
-        button->setAccessibleName(tr("Close"));
-    }
-    QStringList names;
-    for (int tab = 0; tab < tabs_->count(); ++tab) {
-        const OpenDocument& document = *ofTab(tab);
-        const QString path = document.document->path();
-        QString name = nameOf(document);
+        const SceneInfo& scene = scenes_[each->scene];
+        const QString path = each->document->path();
+        QString name = nameOf(*each);
         for (const QString& ending : {QStringLiteral(".json"), QStringLiteral(".case")}) {
             if (!path.isEmpty() && name.endsWith(ending)) {
                 name.chop(ending.size());
             }
         }
-        // Two of one name differ by their number.
-        const QString wanted = name;
-        for (int number = 2; names.contains(name); ++number) {
-            name = wanted + QStringLiteral(" (%1)").arg(number);
-        }
-        names << name;
-        tabs_->setTabText(
-            tab, QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")) +
-                     (document.document->needsSaving() ? QStringLiteral(" *") : QString()));
-        tabs_->setTabToolTip(tab, scenes_[document.scene].title +
-                                      (path.isEmpty() ? QString() : QStringLiteral("\n") + path));
+        tabs.push_back(
+            {.id = each->id,
+             .icon = QStringLiteral("scene-") + scene.name,
+             .name = name,
+             .needsSaving = each->document->needsSaving(),
+             .toolTip = scene.title + (path.isEmpty() ? QString() : QStringLiteral("\n") + path)});
     }
+    return tabs;
 }
 
-bool Documents::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseButtonRelease) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        if (mouse->button() == Qt::MiddleButton) {
-            if (OpenDocument* document = ofTab(tabs_->tabAt(mouse->pos()))) {
-                close(*document);
-                return true;
-            }
-        }
+void Documents::arrangeTabs() {
+    for (const auto& each : documents_) {
+        each->hasTab = each->hasTab || !isUntouched(*each);
     }
-    return QWidget::eventFilter(watched, event);
+    tabs_->arrange(caseTabs(), current_->id);
+    // Who has stood in the bar beside others does not vanish from it.
+    current_->hasTab = current_->hasTab || hasSeveralTabs();
 }
 
 }  // namespace ravnoves

@@ -10,14 +10,14 @@
 #include "shell/scene_list.h"
 
 class QStackedWidget;
-class QTabBar;
 
 namespace ravnoves {
 
-class DiskNotice;
-class SolvingNotice;
+class CaseNotices;
+class CaseTabs;
 class Recovery;
 class ScenePage;
+struct CaseTab;
 struct RecoveredCase;
 
 /// A case that is open, or a page without cases.
@@ -31,8 +31,8 @@ struct OpenDocument {
     int shown = 0;  ///< the larger, the later it was in front; 0: never
 };
 
-/// What is open: the documents as tabs over the page of the one in front. Each has a page, a
-/// history and a file of its own.
+/// What is open: the documents as tabs (CaseTabs) over the page of the one in front, what there is
+/// to say of it between them (CaseNotices). Each has a page, a history and a file of its own.
 ///
 /// The first document of a scene is made when the scene is shown; while it is untouched and has no
 /// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
@@ -53,6 +53,10 @@ class Documents : public QWidget {
         return scenes_[current_ != nullptr ? current_->scene : 0];
     }
     const std::vector<std::unique_ptr<OpenDocument>>& all() const { return documents_; }
+    /// The one that a file is open in, by whatever name; null: none.
+    OpenDocument* withFile(const QString& path) const;
+    /// Its case's name, or else its scene's title.
+    QString nameOf(const OpenDocument& document) const;
 
     /// Brings the document of a scene to the front that was there last, or makes its first.
     /// @return false for a word that is no scene
@@ -114,12 +118,11 @@ class Documents : public QWidget {
 
   protected:
     bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     std::optional<std::size_t> indexOf(const QString& scene) const;
     OpenDocument* lastOf(std::size_t scene) const;
-    OpenDocument* withFile(const QString& path) const;
+    OpenDocument* withId(int id) const;
     OpenDocument* ofTab(int tab) const;
     OpenDocument& firstOf(std::size_t scene);
     OpenDocument& add(std::size_t scene);
@@ -132,36 +135,18 @@ class Documents : public QWidget {
     void put(const CaseFile& file, OpenDocument* there,
              const std::function<void(CaseDocument&)>& load);
     void keep(OpenDocument& document);
-    void makeNotice();
-    void showNotice();
-    void reload();
-    /// Asks where the file is that could not be read, from a folder on.
-    /// @return an empty text where the user gives up
-    QString locate(const QString& name, const QString& folder, const QString& title,
-                   const QString& trouble);
-    /// The file that is being asked for: where the case names it, and how.
-    struct Missing {
-        QString folder;  ///< of the case
-        std::string where{};
-        QString name{};
-    };
-    /// Asks that for the file that the error is about, and enters the answer into the case.
-    /// @return nothing where something else is wrong; false where the user gives up
-    std::optional<bool> relocate(CaseFile& file, const InputError& error, Missing& missing,
-                                 const QString& title, const QString& trouble);
-    DocumentDialogs dialogsOf(OpenDocument& document);
-    QString nameOf(const OpenDocument& document) const;
+    void makeNotices();
+    void showNotices();
+    std::vector<CaseTab> caseTabs() const;
     void arrangeTabs();
-    void nameTabs();
 
     std::vector<SceneInfo> scenes_;
     std::vector<std::unique_ptr<OpenDocument>> documents_;
     OpenDocument* current_ = nullptr;
     int ids_ = 0;
     int shows_ = 0;
-    QTabBar* tabs_ = nullptr;
-    SolvingNotice* solving_ = nullptr;
-    DiskNotice* notice_ = nullptr;
+    CaseTabs* tabs_ = nullptr;
+    CaseNotices* notices_ = nullptr;
     QStackedWidget* stack_ = nullptr;
     Recovery* recovery_ = nullptr;
 };
