@@ -1,0 +1,178 @@
+// The job card on paper: printer, preview, PDF and the shop's name. Its numbers:
+// job_card_test.cpp.
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPrintPreviewDialog>
+#include <QPrintPreviewWidget>
+#include <QPrinter>
+#include <QProcess>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSettings>
+
+#include "v8-plugs/page_test.h"
+#include "v8-plugs/plugs_card.h"
+#include "widgets/file_dialogs.h"
+#include "workshop/shop_dialog.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
+    type("engine_number", u"card"_s);
+    type("rod_big_end", u"1"_s);
+    struct Paper {
+        QPageSize::PageSizeId size;
+        QPageLayout::Orientation side;
+    };
+    for (const Paper& paper : {Paper{QPageSize::Letter, QPageLayout::Portrait},
+                               Paper{QPageSize::A4, QPageLayout::Landscape},
+                               Paper{QPageSize::A5, QPageLayout::Portrait}}) {
+        const QString file = QDir(folder.path()).filePath(u"paper.pdf"_s);
+        QPrinter printer(QPrinter::HighResolution);
+        printer.setOutputFormat(QPrinter::PdfFormat);
+        printer.setOutputFileName(file);
+        PlugsCard::setPage(printer);
+        printer.setPageSize(QPageSize(paper.size));
+        printer.setPageOrientation(paper.side);
+        ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), Words()).print(printer));
+        // Words that lie beyond the paper would be left out by a crop to it.
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-bbox"_s, file, u"-"_s});
+        ASSERT_TRUE(reader.waitForFinished());
+        const QString words = QString::fromUtf8(reader.readAllStandardOutput());
+        const auto number = [](const QString& text, const QString& key) {
+            return QRegularExpression(key + u"=\"([-0-9.]+)\""_s)
+                .match(text)
+                .captured(1)
+                .toDouble();
+        };
+        const QString sheet = words.mid(words.indexOf(u"<page "_s), 100);
+        int count = 0;
+        for (const QString& line : words.split(u'\n')) {
+            if (line.contains(u"<word "_s)) {
+                ++count;
+                EXPECT_GE(number(line, u"xMin"_s), 0.0) << qPrintable(line);
+                EXPECT_GE(number(line, u"yMin"_s), 0.0) << qPrintable(line);
+                EXPECT_LE(number(line, u"xMax"_s), number(sheet, u"width"_s)) << qPrintable(line);
+                EXPECT_LE(number(line, u"yMax"_s), number(sheet, u"height"_s)) << qPrintable(line);
+            }
+        }
+        EXPECT_GT(count, 100);
+        EXPECT_EQ(words.count(u"<page "_s), 1);
+    }
+}
+
+TEST_F(V8PageTest, ShopStandsOnTheCard) {
+    const QString logo = QDir(folder.path()).filePath(u"logo.png"_s);
+    QImage picture(60, 20, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    ASSERT_TRUE(picture.save(logo));
+    const auto before = fileChoosers();
+    fileChoosers().open = [&](auto...) { return logo; };
+    whenModal<ShopDialog>([](ShopDialog* dialog) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(u"shop_name"_s), u"Smith & Sons"_s);
+        QTest::mouseClick(dialog->findChild<QPushButton*>(u"shop_choose"_s), Qt::LeftButton);
+        EXPECT_FALSE(dialog->findChild<QLabel*>(u"shop_logo"_s)->pixmap().isNull());
+        dialog->accept();
+    });
+    for (QAction* action : page.sceneActions()) {
+        if (action != nullptr && action->objectName() == u"shop"_s) {
+            action->trigger();
+        }
+    }
+    const QString file = QDir(folder.path()).filePath(u"shop.pdf"_s);
+    ASSERT_EQ(page.writeCard(file), QString());
+    QProcess reader;
+    reader.start(QStringLiteral(PDFTOTEXT), {file, u"-"_s});
+    ASSERT_TRUE(reader.waitForFinished());
+    EXPECT_TRUE(QString::fromUtf8(reader.readAllStandardOutput()).contains(u"Smith & Sons"_s));
+    PlugsCard card(model->input(), model->wholeSolution(), Words());
+    card.setShop(Shop::kept());
+    QImage paper(2100, 2970, QImage::Format_RGB32);
+    QPainter painter(&paper);
+    card.paint(painter, QRectF(0, 0, 2100, 2970));
+    EXPECT_EQ(paper.pixelColor(170, 72), QColor(Qt::red));
+    fileChoosers() = before;
+    QSettings().remove(u"workshop"_s);
+}
+
+TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
+    type("engine_number", u"card"_s);
+    type("rod_big_end", u"1"_s);
+    const auto textOf = [](const QString& file) {
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    };
+    const QString exported = QDir(folder.path()).filePath(u"exported.pdf"_s);
+    ASSERT_EQ(page.writeCard(exported), QString());
+    // A printer that prints into a file.
+    const QString printed = QDir(folder.path()).filePath(u"printed.pdf"_s);
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setOutputFileName(printed);
+    PlugsCard::setPage(printer);
+    ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), model->desk()->cardWords())
+                    .print(printer));
+    EXPECT_TRUE(textOf(exported).contains(u"card"_s));
+    EXPECT_EQ(textOf(exported), textOf(printed));
+    model->desk()->setCardLanguage(u"ru"_s);
+    ASSERT_EQ(page.writeCard(exported), QString());
+    EXPECT_TRUE(textOf(exported).contains(u"Номер двигателя"_s));
+}
+
+TEST_F(V8PageTest, TheCardWithholdsWhatThePageWithholds) {
+    ASSERT_FALSE(model->input().changes_known());
+    ASSERT_FALSE(model->solution().advice);
+    model->desk()->setCardLanguage(u"en"_s);
+    const QString file = QDir(folder.path()).filePath(u"unknown.pdf"_s);
+    const auto card = [&] {
+        EXPECT_EQ(page.writeCard(file), QString());
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    };
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(u"The data are not complete; nothing can be advised."_s))
+        << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(u"Not known without: changes of mass (sheet 1)"_s))
+        << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"Excess on each crankpin"_s)) << qPrintable(printed);
+    // Whether a plug does is not known either; the engine has it.
+    EXPECT_FALSE(printed.contains(u"works"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"no such plug"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"Neglected by the method"_s)) << qPrintable(printed);
+    type("rod_big_end", u"0"_s);
+    ASSERT_TRUE(model->solution().advice);
+    EXPECT_TRUE(card().contains(u"Excess on each crankpin"_s));
+}
+
+TEST_F(V8PageTest, PreviewShowsTheCardOnOnePage) {
+    int pages = 0;
+    whenModal<QPrintPreviewDialog>([&pages](QPrintPreviewDialog* dialog) {
+        if (auto* preview = dialog->findChild<QPrintPreviewWidget*>()) {
+            pages = preview->pageCount();
+        }
+        dialog->reject();
+    });
+    for (QAction* action : page.sceneActions()) {
+        if (action != nullptr && action->objectName() == u"preview_card"_s) {
+            action->trigger();
+        }
+    }
+    EXPECT_EQ(pages, 1);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,137 @@
+// The engines to choose from and those of the shop's own.
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabWidget>
+
+#include "v8-plugs/page_test.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+TEST_F(V8PageTest, OwnEnginesByKeyboard) {
+    page.sheets()->setCurrentIndex(1);
+    auto* keep = find<QPushButton>("save_engine");
+    auto* rename = find<QPushButton>("rename_engine");
+    auto* remove = find<QPushButton>("remove_engine");
+    EXPECT_FALSE(rename->isEnabled());
+    EXPECT_FALSE(remove->isEnabled());
+    const auto giveName = [&](QPushButton* button, const QString& name) {
+        whenModal<QInputDialog>([name](QInputDialog* dialog) {
+            dialog->setTextValue(name);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Space);
+    };
+    type("steel_plug_mass_g", u"25"_s);
+    giveName(keep, u"ZMZ-53"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-53"_s);
+    EXPECT_TRUE(rename->isEnabled());
+    giveName(rename, u"ZMZ-66"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-66"_s);
+    EXPECT_EQ(model->input().engine.name, "ZMZ-66");
+    // The same name again, in other capitals: asked first.
+    type("steel_plug_mass_g", u"26"_s);
+    EXPECT_TRUE(model->ownEngineChanged());
+    EXPECT_FALSE(model->engineNote().isEmpty());
+    const auto keepAnd = [&](QMessageBox::StandardButton button) {
+        whenModal<QInputDialog>([button](QInputDialog* dialog) {
+            answer(button);
+            dialog->setTextValue(u"zmz-66"_s);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        QTest::mouseClick(keep, Qt::LeftButton);
+    };
+    keepAnd(QMessageBox::No);
+    EXPECT_TRUE(model->ownEngineChanged());
+    keepAnd(QMessageBox::Yes);
+    EXPECT_FALSE(model->ownEngineChanged());
+    EXPECT_EQ(model->engineNames().size(), 8);
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->engineNames().size(), 7);
+    EXPECT_FALSE(remove->isEnabled());
+}
+
+TEST_F(V8PageTest, EngineBringsItsPlugAndItsOwnSheets) {
+    type("height_mm", u"9.5"_s);
+    type("bore_diameter_mm", u"12"_s);
+    type("bore_depth_mm", u"5"_s);
+    type("cutter_diameter_mm", u"14"_s);
+    type("nominal_piston", u"600"_s);
+    type("spread_piston", u"2"_s);
+    type("mass_piston_1", u"601"_s);
+    // Kept with the engine.
+    const PlugSheet plug = model->input().plug.value();
+    whenModal<QInputDialog>([](QInputDialog* dialog) {
+        dialog->setTextValue(u"Kept"_s);
+        dialog->accept();
+    });
+    QTest::mouseClick(find<QPushButton>("save_engine"), Qt::LeftButton);
+    auto* engine = find<QComboBox>("engine");
+    page.sheets()->setCurrentIndex(0);
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Home);
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().preset, "6 l");
+    EXPECT_EQ(field("height_mm")->value(), 11.0) << "another engine's plug stays";
+    EXPECT_FALSE(field("bore_diameter_mm")->value());
+    EXPECT_EQ(field("cutter_diameter_mm")->value(), 14.0) << "the cutter is the shop's";
+    EXPECT_FALSE(field("nominal_piston")->value());
+    EXPECT_EQ(field("mass_piston_1")->value(), 601.0) << "what the scale said stays";
+    QTest::keyClick(engine, Qt::Key_End);
+    EXPECT_EQ(model->input().engine.name, "Kept");
+    EXPECT_EQ(model->input().plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_EQ(field("spread_piston")->value(), 2.0);
+    // The next job keeps what is the engine's and says so.
+    type("grade_mm_s", u"16"_s);
+    type("rotor_mass_kg", u"30"_s);
+    type("service_speed_rpm", u"3200"_s);
+    type("front_reading_g_mm", u"100"_s);
+    press(Qt::Key_F2);
+    EXPECT_FALSE(find<QLabel>("carried_over")->isVisibleTo(&page));
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_FALSE(field("mass_piston_1")->value());
+    EXPECT_EQ(field("grade_mm_s")->value(), 16.0);
+    EXPECT_FALSE(field("front_reading_g_mm")->value());
+    EXPECT_EQ(label("carried_over"),
+              u"From the job before: the engine's values, the plug's sizes, nominal masses and "
+              "permitted spreads, grade, mass and speed."_s);
+    type("height_mm", u"10"_s);
+    EXPECT_FALSE(label("carried_over").contains(u"plug"_s));
+}
+
+TEST_F(V8PageTest, EngineChoiceAndFlags) {
+    type("rod_big_end", u"0"_s);
+    auto* engine = find<QComboBox>("engine");
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().preset, "6 l");
+    EXPECT_EQ(field("crank_radius_mm")->value(), 47.5);
+    auto* flag = find<QCheckBox>("has_new_plug");
+    page.sheets()->setCurrentIndex(1);
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_FALSE(model->input().engine.has_new_plug);
+    EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
+    EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
+    EXPECT_TRUE(model->solution().advice);
+    EXPECT_FALSE(model->solution().option(OptionId::new_steel_to_steel));
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_TRUE(model->adviceText().startsWith(u"Still needed: new plug radius"_s));
+}
+
+}  // namespace
+}  // namespace ravnoves

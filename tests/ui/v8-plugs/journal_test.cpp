@@ -1,0 +1,392 @@
+// Jobs between the page and its journal.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QTableWidget>
+#include <QTimer>
+#include <algorithm>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "v8-plugs/page_test.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
+#include "widgets/file_dialogs.h"
+#include "workshop/checked_field.h"
+#include "workshop/journal_dialog.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+TEST_F(V8PageTest, TheWindowAsksForTheJournal) {
+    type("engine_number", u"7"_s);
+    answer(QMessageBox::Save);
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Cancel);
+    EXPECT_EQ(page.askToSave(), false);
+}
+
+TEST_F(V8PageTest, TheNextJobSaysWhatItKeeps) {
+    QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+    model->loadInput(parse_json(example.readAll().toStdString()).at("input"), {});
+    model->history()->setClean();
+    const QSignalSpy said(&page, &ScenePage::status);
+    press(Qt::Key_F4);
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().contains(u"the engine's values"_s))
+        << qPrintable(said.last().at(0).toString());
+}
+
+TEST_F(V8PageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
+    type("engine_number", u"53-11"_s);
+    type("crankshaft_number", u"KV-77"_s);
+    type("rod_big_end", u"1"_s);
+    type("front_reading_g_mm", u"3.14159"_s);
+    type("rear_reading_g_mm", u"6"_s);
+    press(Qt::Key_F2);
+    QStringList cells;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(u"journal_search"_s), u"kv-77"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            cells << table->item(0, i)->text();
+        }
+        dialog->reject();
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(cells.contains(u"KV-77"_s));
+    EXPECT_TRUE(cells.contains(u"fails: 3.1 / 6.0"_s)) << qPrintable(cells.join(u'|'));
+}
+
+TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
+    type("engine_number", u"53-11"_s);
+    type("technician", u"O. Bauer"_s);
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    QTest::keyClick(&page, Qt::Key_F2, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !model->desk()->isWaiting(); }, 20'000));
+    ASSERT_GT(model->desk()->jobId(), 0);
+    EXPECT_FALSE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.technician, "O. Bauer");
+    V8PlugsModel tomorrow(model->desk()->journal()->path());
+    EXPECT_EQ(tomorrow.input().job.technician, "O. Bauer");
+    type("engine_number", u"done"_s);
+    type("rod_big_end", u"0"_s);
+    press(Qt::Key_F2);
+    QStringList found;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        EXPECT_EQ(table->rowCount(), 2);
+        auto* box = dialog->findChild<QCheckBox*>(u"journal_unfinished"_s);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            found << table->item(0, i)->text();
+        }
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Return);
+        if (dialog->isVisible()) {
+            QTest::mouseClick(dialog->findChild<QPushButton*>(u"journal_open"_s), Qt::LeftButton);
+        }
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(found.contains(u"53-11"_s) && found.contains(u"unfinished"_s))
+        << qPrintable(found.join(u'|'));
+    // Gone on with and finished: it is the same job.
+    EXPECT_EQ(model->input().job.engine_number, "53-11");
+    type("rod_big_end", u"1"_s);
+    press(Qt::Key_F2);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_TRUE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    QSettings().remove(u"workshop/technician"_s);
+}
+
+TEST_F(V8PageTest, JournalIsBackedUpAndRestoredByTheMenu) {
+    const QString backup = QDir(folder.path()).filePath(u"backup.sqlite"_s);
+    const auto before = fileChoosers();
+    fileChoosers().save = [&](auto...) { return backup; };
+    fileChoosers().open = [&](auto...) { return backup; };
+    QString said;
+    const auto command = [&](const QString& name) {
+        whenModal<QMessageBox>([&said](QMessageBox* box) {
+            said = box->text();
+            QTest::keyClick(box, Qt::Key_Return);
+        });
+        for (QAction* action : page.sceneActions()) {
+            if (action != nullptr && action->objectName() == name) {
+                action->trigger();
+            }
+        }
+    };
+    type("engine_number", u"first"_s);
+    press(Qt::Key_F2);
+    command(u"back_up"_s);
+    EXPECT_TRUE(said.contains(backup)) << qPrintable(said);
+    ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
+    press(Qt::Key_F4);
+    type("engine_number", u"second"_s);
+    press(Qt::Key_F2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 1; already in the journal: 0."_s);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 0; already in the journal: 1."_s);
+    QFile torn(backup);
+    ASSERT_TRUE(torn.open(QIODevice::WriteOnly));
+    torn.write("a letter");
+    torn.close();
+    command(u"restore"_s);
+    EXPECT_TRUE(said.contains(u"no backup"_s)) << qPrintable(said);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    fileChoosers() = before;
+}
+
+TEST_F(V8PageTest, WindowLivesWhileAnotherProgramHoldsTheJournal) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(model->desk()->journal()->path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
+        int ticks = 0;
+        bool asked = false;
+        QTimer clock;
+        QObject::connect(&clock, &QTimer::timeout, [&] {
+            if (++ticks == 5) {
+                asked = page.askToSave().value();  // the window is to close
+            }
+            // The journal may say besides that it waits to be opened; without either word the
+            // other program ends before the window gives up and asks.
+            if ((ticks >= 40 && status.count() >= 2) || ticks >= 400) {
+                query.exec(u"ROLLBACK"_s);
+                clock.stop();
+            }
+        });
+        clock.start(20);
+        press(Qt::Key_F2);
+        EXPECT_GE(ticks, 40);
+        EXPECT_FALSE(asked);
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+    QStringList said;
+    for (const QList<QVariant>& each : status) {
+        said << each.at(0).toString();
+    }
+    ASSERT_GE(said.size(), 3) << said.join(u'\n').toStdString();
+    EXPECT_TRUE(said.last().contains(u"saved in the journal"_s)) << said.last().toStdString();
+    const QString before = said.join(u'\n');
+    EXPECT_TRUE(before.contains(u"Another program is writing"_s));
+    EXPECT_TRUE(before.contains(u"still being saved"_s));
+    EXPECT_GT(model->desk()->jobId(), 0);
+}
+
+TEST_F(V8PageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
+    type("engine_number", u"53-11"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(
+        u"put aside in the journal, unfinished. Still needed:"_s));
+    const auto job = model->desk()->journal()->job(model->desk()->jobId());
+    ASSERT_TRUE(job);
+    EXPECT_FALSE(job->unbalancedMass);
+    EXPECT_FALSE(job->isFinished);
+    EXPECT_TRUE(job->recommended.isEmpty());
+}
+
+TEST_F(V8PageTest, JobGoesToTheJournalByKeyAndComesBack) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"53-11"_s));
+    const qint64 id = model->desk()->jobId();
+    EXPECT_GT(id, 0);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("engine_number"));
+    // F3: search, Enter to the list, Enter opens.
+    bool seen = false;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* search = dialog->findChild<QLineEdit*>(u"journal_search"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        QTest::keyClicks(search, u"nothing like it"_s);
+        EXPECT_EQ(table->rowCount(), 0);
+        search->clear();
+        QTest::keyClicks(search, u"53"_s);
+        EXPECT_EQ(table->rowCount(), 1);
+        QTest::keyClick(search, Qt::Key_Return);
+        QTest::keyClick(table, Qt::Key_Return);
+        seen = true;
+        if (dialog->isVisible()) {
+            QTest::mouseClick(dialog->findChild<QPushButton*>(u"journal_open"_s), Qt::LeftButton);
+        }
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(seen);
+    EXPECT_EQ(model->desk()->jobId(), id);
+    EXPECT_NEAR(model->input().typed_changes.rod_big_end, 1 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, UnsavedJobIsAskedAbout) {
+    type("engine_number", u"7"_s);
+    answer(QMessageBox::Cancel);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.engine_number, "7");
+    answer(QMessageBox::Save);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(model->input().job.engine_number.empty());
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Discard);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+}
+
+TEST_F(V8PageTest, CrashedDraftIsOffered) {
+    JournalDraft draft;
+    draft.session = u"crashed"_s;
+    draft.scene = u"v8-plugs"_s;
+    draft.engineNumber = u"99"_s;
+    Input lost;
+    lost.preset = "6 l";
+    lost.engine = *find_preset("6 l");
+    lost.job.engine_number = "99";
+    draft.form = QByteArray::fromStdString(write_case({"v8-plugs", "", write_input(lost)}).dump());
+    ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
+    V8PlugsPage next(model->desk()->journal()->path(), nullptr);
+    test::showAt(next, {1187, 712});
+    auto* banner = next.findChild<QLabel*>(u"banner"_s);
+    ASSERT_TRUE(banner->isVisible());
+    EXPECT_TRUE(banner->text().contains(u"99"_s));
+    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_continue"_s), Qt::LeftButton);
+    EXPECT_FALSE(banner->isVisible());
+    EXPECT_EQ(next.viewModel()->input().job.engine_number, "99");
+    EXPECT_EQ(next.viewModel()->input().preset, "6 l");
+    // It is not offered twice.
+    V8PlugsPage third(model->desk()->journal()->path(), nullptr);
+    test::showAt(third, {1187, 712});
+    EXPECT_FALSE(third.findChild<QLabel*>(u"banner"_s)->isVisible());
+}
+
+TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
+    JournalJob job;
+    job.scene = u"v8-plugs"_s;
+    job.date = QDate(2024, 5, 31);
+    QSqlDatabase database = QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst());
+    database.transaction();  // one sync for all
+    for (int i = 0; i < 1005; ++i) {
+        job.id = 0;
+        job.engineNumber = u"many %1"_s.arg(i);
+        ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
+    }
+    database.commit();
+    JournalDialog dialog(model->desk()->journal(), u"v8-plugs"_s,
+                         [](const Words&, const JournalJob& job) {
+                             return ListedJob{job.engine, job.recommended};
+                         });
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1000);
+    bool said = false;
+    for (const QLabel* each : dialog.findChildren<QLabel*>()) {
+        said = said || each->text().contains(u"1000"_s);
+    }
+    EXPECT_TRUE(said);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile list(file);
+    ASSERT_TRUE(list.open(QIODevice::ReadOnly));
+    EXPECT_EQ(list.readAll().count('\n'), 1006);  // and the headings
+}
+
+TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
+    for (const QString& number : {u"A-1"_s, u"B-2"_s}) {
+        model->newJob();
+        type("engine_number", number);
+        press(Qt::Key_F2);
+    }
+    JournalDialog dialog(model->desk()->journal(), u"v8-plugs"_s,
+                         [](const Words&, const JournalJob& job) {
+                             return ListedJob{job.engine, job.recommended};
+                         });
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile csv(file);
+    ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+    const QByteArray text = csv.readAll();
+    EXPECT_TRUE(text.contains("B-2"));
+    EXPECT_FALSE(text.contains("A-1"));
+    EXPECT_FALSE(dialog.exportTo(QDir(folder.path()).filePath(u"no/list.csv"_s)).isEmpty());
+    // Remove asks first.
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(dialog.findChild<QPushButton*>(u"journal_remove"_s), Qt::LeftButton);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    // Days.
+    auto* from = dialog.findChild<CheckedField*>(u"journal_from"_s);
+    const auto says = [&](const QString& text) {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* each) { return each->text().contains(text); });
+    };
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->clear();
+    QTest::keyClicks(from, u"31.02.2024"_s);
+    EXPECT_TRUE(says(u"is no date"_s));
+    from->selectAll();
+    QTest::keyClick(from, Qt::Key_Delete);
+    EXPECT_FALSE(says(u"is no date"_s));
+    EXPECT_TRUE(says(u"Jobs found: 1"_s)) << "the list is said again";
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1);
+    // Reversed, no day lies between them.
+    auto* to = dialog.findChild<CheckedField*>(u"journal_to"_s);
+    QTest::keyClicks(from, u"31.12.2199"_s);
+    QTest::keyClicks(to, u"2024-01-01"_s);
+    EXPECT_TRUE(says(u"no day lies between"_s));
+    EXPECT_TRUE(from->isDoubtful() && to->isDoubtful());
+    for (CheckedField* day : {from, to}) {
+        day->selectAll();
+        QTest::keyClick(day, Qt::Key_Delete);
+    }
+    EXPECT_FALSE(says(u"no day lies between"_s));
+    EXPECT_FALSE(from->isDoubtful());
+    // Enter opens the one that is found.
+    QTest::keyClick(dialog.findChild<QLineEdit*>(u"journal_search"_s), Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_GT(dialog.chosenId(), 0);
+    EXPECT_EQ(readDay(u"2024-05-31"_s), QDate(2024, 5, 31));
+    EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));
+    EXPECT_EQ(readDay(u"31.05.2024"_s), QDate(2024, 5, 31));
+    EXPECT_FALSE(readDay(u"32.05.2024"_s).isValid());
+    for (const char* language : {"en", "ru"}) {  // what is shown is read
+        const QString shown = Words(QString::fromLatin1(language)).day(u"2024-05-31"_s);
+        EXPECT_EQ(readDay(shown), QDate(2024, 5, 31)) << qPrintable(shown);
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

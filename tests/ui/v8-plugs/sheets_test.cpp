@@ -1,0 +1,284 @@
+// The sheets of the page: their fields, the way through them and what they refuse.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
+#include <map>
+
+#include "case-file/json.h"
+#include "v8-plugs/page_test.h"
+#include "v8-plugs/presets.h"
+#include "workshop/checked_field.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+TEST_F(V8PageTest, EnterGoesDownTheSheetsAndOn) {
+    page.sheets()->setCurrentIndex(0);
+    page.fieldsOf(0).constFirst()->setFocus();
+    QList<QWidget*> visited;
+    for (int step = 0;
+         step < 200 && (visited.isEmpty() || page.sheets()->currentIndex() != 0 ||
+                        visited.size() < 5 || QApplication::focusWidget() != visited.constFirst());
+         ++step) {
+        visited << QApplication::focusWidget();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    }
+    QList<QWidget*> expected;
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            if (each->isEnabled()) {
+                expected << each;
+            }
+        }
+    }
+    EXPECT_EQ(visited, expected);
+    EXPECT_GT(visited.size(), 90);
+}
+
+TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QList<QWidget*> expected;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            if (each->isEnabled()) {
+                expected << each;
+            }
+        }
+        expected.constFirst()->setFocus();
+        for (QWidget* each : expected) {
+            EXPECT_EQ(QApplication::focusWidget(), each)
+                << sheet << " " << qPrintable(each->objectName());
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+    }
+}
+
+TEST_F(V8PageTest, EveryFieldIsLargeAndNamesItsUnit) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const QString name = each->objectName();
+            EXPECT_FALSE(name.isEmpty());
+            EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
+                                             : sheet == 2                              ? 30
+                                                                                       : 34)
+                << qPrintable(name);
+        }
+    }
+    // Units stand in the accessible name of every quantity.
+    EXPECT_EQ(field("crank_radius_mm")->accessibleName(), u"Crank radius r, mm"_s);
+    EXPECT_EQ(field("mass_piston_3")->accessibleName(), u"Piston of cylinder 3, g"_s);
+}
+
+TEST_F(V8PageTest, MnemonicsOfASheetDiffer) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QMap<QChar, QString> used;
+        const auto note = [&](const QString& text) {
+            const qsizetype at = text.indexOf(u'&');
+            if (at < 0 || at + 1 >= text.size()) {
+                return;
+            }
+            const QChar key = text.at(at + 1).toLower();
+            EXPECT_FALSE(used.contains(key))
+                << qPrintable(text) << " and " << qPrintable(used.value(key));
+            used[key] = text;
+        };
+        for (QLabel* each : page.sheets()->currentWidget()->findChildren<QLabel*>()) {
+            if (each->buddy() != nullptr) {
+                note(each->text());
+            }
+        }
+        for (QAbstractButton* each :
+             page.sheets()->currentWidget()->findChildren<QAbstractButton*>()) {
+            note(each->text());
+        }
+    }
+}
+
+TEST_F(V8PageTest, ImpossibleEntriesAreRefusedInWords) {
+    const Json before = model->inputJson();
+    for (const char* name :
+         {"crank_radius_mm", "steel_plug_mass_g", "oil_mass_g", "height_mm", "cutter_diameter_mm",
+          "grade_mm_s", "rotor_mass_kg", "front_reading_g_mm", "mass_piston_1", "nominal_rings",
+          "tolerance_g_mm"}) {
+        for (const QString& text : {u"-5"_s, u"1e300"_s, u"abc"_s, u"1.2.3"_s, u"nan"_s}) {
+            type(name, text);
+            EXPECT_FALSE(field(name)->trouble().isEmpty()) << name << " " << qPrintable(text);
+            QTest::keyClick(field(name), Qt::Key_Escape);
+        }
+    }
+    for (const char* name : {"piston", "rod_big_end"}) {
+        type(name, u"1e9"_s);
+        EXPECT_FALSE(field(name)->trouble().isEmpty()) << name;
+        QTest::keyClick(field(name), Qt::Key_Escape);
+    }
+    auto* date = find<CheckedField>("date");
+    type(date, u"31.02.2024"_s);
+    EXPECT_TRUE(date->trouble().contains(u"no date"_s));
+    auto* thread = find<CheckedField>("thread");
+    type(thread, u"22"_s);
+    EXPECT_TRUE(thread->trouble().contains(u"M22×1.5"_s));
+    // What was valid on the way ("1" of "1e300") is undone.
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->inputJson(), before);
+    type(date, u"31.5.24"_s);
+    EXPECT_EQ(model->input().job.date, "2024-05-31");
+    type(thread, u"m30×1,5"_s);
+    EXPECT_NEAR(model->input().plug->thread->diameter, 0.03, 1e-12);
+}
+
+TEST_F(V8PageTest, EmptiedFieldTakesTheNextDigitsAlone) {
+    // What an empty field means (0, 5 g·mm, 7850 kg/m³) must not join what is typed next.
+    const struct {
+        const char* name;
+        const char* typed;
+        double usual;
+    } cases[] = {{"tolerance_g_mm", "3", 5.0},
+                 {"rod_big_end", "1.5", 0.0},
+                 {"steel_density_kg_m3", "7900", 7850.0},
+                 {"front_share", "0.4", 0.5}};
+    for (const auto& each : cases) {
+        NumberField* target = field(each.name);
+        type(target, QLatin1String(each.typed));
+        target->setFocus();
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        EXPECT_TRUE(target->text().isEmpty()) << each.name;
+        QTest::keyClicks(target, QLatin1String(each.typed));
+        EXPECT_EQ(target->text(), QLatin1String(each.typed)) << each.name;
+        EXPECT_NEAR(target->value().value(), QString::fromLatin1(each.typed).toDouble(), 1e-12);
+        // Left empty it shows what counts.
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        QTest::keyClick(target, Qt::Key_Return);
+        EXPECT_NEAR(target->value().value(), each.usual, 1e-12) << each.name;
+        EXPECT_FALSE(target->text().isEmpty()) << each.name;
+    }
+}
+
+TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
+    type("engine_number", u"53"_s);
+    NumberField* mass = field("steel_plug_mass_g");
+    type(mass, u"-5"_s);
+    EXPECT_EQ(QApplication::focusWidget(), mass);  // Enter does not pass it over
+    QTest::keyClick(mass, Qt::Key_Tab);
+    NumberField* other = field("rod_coefficient");
+    type(other, u"0.5"_s);
+    EXPECT_EQ(mass->text(), u"-5"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(model->input().engine.steel_plug_mass, find_preset("4.25 l")->steel_plug_mass);
+    // The tab says so, and neither journal nor card take the job without a word.
+    page.sheets()->setCurrentIndex(0);
+    EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(1).isValid());
+    const auto* stale = test::named<QLabel>(page, "refused");
+    EXPECT_TRUE(stale->text().contains(u"Steel plug\u00A0mₚ"_s)) << qPrintable(stale->text());
+    EXPECT_FALSE(test::named<QLabel>(page, "advice")->font().bold());
+    QString asked;
+    const auto reply = [&](QMessageBox::StandardButton button) {
+        whenModal<QMessageBox>([&asked, button](QMessageBox* box) {
+            asked = box->text();
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+        });
+    };
+    reply(QMessageBox::Cancel);
+    press(Qt::Key_F2);
+    EXPECT_TRUE(asked.contains(u"Steel plug mₚ"_s)) << qPrintable(asked);
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    reply(QMessageBox::Ignore);
+    press(Qt::Key_F2);
+    EXPECT_GT(model->desk()->jobId(), 0);
+    page.sheets()->setCurrentIndex(1);
+    type(mass, u"25"_s);
+    EXPECT_TRUE(mass->trouble().isEmpty());
+    EXPECT_TRUE(stale->text().isEmpty());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(1).isValid());
+    EXPECT_NEAR(*model->input().engine.steel_plug_mass, 25 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, RefusedWeightNeverBecomesAnother) {
+    page.sheets()->setCurrentIndex(2);
+    NumberField* mass = field("mass_piston_1");
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClicks(mass, u"5672.5.1"_s);
+    const auto weight = [&] {
+        return model->input().weigh_in ? (*model->input().weigh_in)[Part::piston].mass[0]
+                                       : std::nullopt;
+    };
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(field("mass_piston_2"), Qt::LeftButton);
+    QTest::keyClicks(field("mass_piston_2"), u"830"_s);
+    EXPECT_EQ(mass->text(), u"5672.5.1"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClick(mass, Qt::Key_Escape);
+    EXPECT_EQ(mass->text(), QString());
+    EXPECT_EQ(weight(), std::nullopt);
+}
+
+TEST_F(V8PageTest, SheetsNeedNoScrollingSideways) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QApplication::processEvents();
+        auto* scroll = qobject_cast<QScrollArea*>(page.sheets()->widget(sheet));
+        ASSERT_NE(scroll, nullptr);
+        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const int end = each->mapTo(scroll->widget(), QPoint(each->width(), 0)).x();
+            EXPECT_LE(end, scroll->viewport()->width()) << qPrintable(each->objectName());
+        }
+    }
+}
+
+TEST_F(V8PageTest, FieldsStayWhereTheyAreWhileOneTypes) {
+    const auto places = [&](int sheet) {
+        QList<QPoint> points;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            points << each->mapTo(each->window(), QPoint());
+        }
+        return points;
+    };
+    const std::map<const char*, const char*> typed{
+        {"tolerance_g_mm", "1440"}, {"repair_bearing", "3"}, {"steel_plug_mass_g", "22.5"},
+        {"mass_pin_4", "0.151"},    {"grade_mm_s", "16"},    {"rear_reading_g_mm", "9"}};
+    for (const auto& [name, text] : typed) {
+        int sheet = 0;
+        while (!page.fieldsOf(sheet).contains(find<QWidget>(name))) {
+            ++sheet;
+        }
+        page.sheets()->setCurrentIndex(sheet);
+        find<QWidget>(name)->setFocus();
+        QTest::keyClick(find<QWidget>(name), Qt::Key_A, Qt::ControlModifier);
+        QApplication::processEvents();
+        const auto before = places(sheet);
+        QTest::keyClicks(find<QWidget>(name), QString::fromLatin1(text));
+        QApplication::processEvents();
+        QApplication::processEvents();
+        EXPECT_EQ(places(sheet), before) << name;
+    }
+}
+
+TEST_F(V8PageTest, CellsShowHundredthsOfAGram) {
+    page.sheets()->setCurrentIndex(2);
+    type("mass_piston_8", u"1568.52"_s);
+    NumberField* cell = field("mass_piston_8");
+    // Frame and margins are three pixels at each side.
+    EXPECT_LE(cell->fontMetrics().horizontalAdvance(u"1568.52"_s) + 6, cell->width());
+}
+
+}  // namespace
+}  // namespace ravnoves
