@@ -1,25 +1,14 @@
 #include "bob-weights/force_plot.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "bob-weights/model/bob_weights_model.h"
+#include "bob-weights/model/shown_force.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
 
-using namespace bob_weights;
-
 namespace {
 
 enum ForceCurve { withoutWeights, leftOver };
-
-std::vector<double> inGrams(std::vector<double> masses) {
-    for (double& mass : masses) {
-        mass = mass / units::gram;
-    }
-    return masses;
-}
 
 }  // namespace
 
@@ -44,23 +33,16 @@ ForcePlot::ForcePlot(BobWeightsModel* model, QWidget* parent)
 }
 
 void ForcePlot::showForce() {
-    const Result& result = model_->solution();
-    if (!result.first_order) {
+    const auto shown = shownForce(model_->solution());
+    if (!shown) {
         setCurve(withoutWeights, {}, {});
         setCurve(leftOver, {}, {});
         return;
     }
-    for (const auto& [curve, force] : {std::pair{withoutWeights, *result.first_order_bare},
-                                       std::pair{leftOver, *result.first_order}}) {
-        ForcePath path = force_path(force);
-        setCurve(curve, inGrams(std::move(path.across)), inGrams(std::move(path.upright)));
-    }
-    const double reach =
-        1.15 * std::max(result.first_order_bare->greatest(), result.first_order->greatest()) /
-        units::gram;
-    // The axes stay while the masses change a little.
-    if (reach > 0.0 && (reach > reach_ || reach < 0.6 * reach_)) {
-        reach_ = 1.1 * reach;
+    setCurve(withoutWeights, shown->bare.across, shown->bare.upright);
+    setCurve(leftOver, shown->left.across, shown->left.upright);
+    if (const double reach = steadyReach(shown->reach, reach_); reach != reach_) {
+        reach_ = reach;
         setXAxis({tr("across, %1").arg(unitText(units::gram.name)), -reach_, reach_});
         setYRange(Side::Left, -reach_, reach_);
     }
