@@ -14707,6 +14707,25 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ShaftMapKey</name>
+    <message>
+        <source>0 %: no change</source>
+        <translation>0&#xa0;%: без изменений</translation>
+    </message>
+    <message>
+        <source>shaft, and its l</source>
+        <translation>вал и его l</translation>
+    </message>
+    <message>
+        <source>cannot be built</source>
+        <translation>построить нельзя</translation>
+    </message>
+    <message>
+        <source>best of all</source>
+        <translation>лучшее из всех</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShaftMapModel</name>
     <message>
         <source>least bad over the speeds</source>
@@ -14846,22 +14865,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>x, mm</source>
         <translation>x, мм</translation>
-    </message>
-    <message>
-        <source>0 %: no change</source>
-        <translation>0&#xa0;%: без изменений</translation>
-    </message>
-    <message>
-        <source>shaft, and its l</source>
-        <translation>вал и его l</translation>
-    </message>
-    <message>
-        <source>cannot be built</source>
-        <translation>построить нельзя</translation>
-    </message>
-    <message>
-        <source>best of all</source>
-        <translation>лучшее из всех</translation>
     </message>
     <message>
         <source>computing …</source>

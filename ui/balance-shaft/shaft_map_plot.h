@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QPixmap>
+
 #include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/shaft_map_labels.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 
@@ -29,13 +32,7 @@ class ShaftMapPlot : public PlotView {
     bool isDragging() const { return dragging_; }
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
-    /// A number at a contour or a marker.
-    struct Label {
-        QRectF box;
-        QString text;
-        bool isBold = false;
-    };
-    const std::vector<Label>& labels() const { return labels_; }
+    const std::vector<ShaftMapLabels::Label>& labels() const { return labels_.all(); }
     /// The map of the reference; null where there is none or it is switched off.
     const ShaftMapModel* referenceMap() const;
     /// shaft_map_text::place(), and below it what it is there against the reference.
@@ -67,12 +64,6 @@ class ShaftMapPlot : public PlotView {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    struct KeyEntry {
-        QString text;
-        std::function<void(QPainter&, const QPointF& middle)> draw;
-        QRectF rect = {};
-    };
-
     void showMap();
     void showImage();
     /// The reference's map is by the criterion of this one.
@@ -82,24 +73,11 @@ class ShaftMapPlot : public PlotView {
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
-    std::vector<KeyEntry> keyEntries() const;
-    void paintKey(QPainter& painter) const;
-    /// Too low for the key's signs.
-    bool isLow() const;
-    QString signsInWords() const;
-    void paintBlocked(QPainter& painter) const;
-    /// Of the reference: what cannot be built, no change and the best places, pale.
-    void paintReference(QPainter& painter) const;
-    void paintContours(QPainter& painter);
-    void paintMarkers(QPainter& painter) const;
-    void labelMarkers();
-    void labelContours(const std::vector<QPolygonF>& lines);
-    void paintLabels(QPainter& painter) const;
-    void paintMechanism(QPainter& painter) const;
-    void paintShaft(QPainter& painter) const;
-    /// @return whether there is room for it
-    bool addLabel(const QRectF& box, const QString& text, bool isBold);
-    QPolygonF pixels(const QPolygonF& metres) const;
+    void labelMarkers(const std::vector<QPointF>& signs);
+    /// What lies over the map and rests while the shaft moves: engine and numbers.
+    void paintStanding(QPainter& painter) const;
+    /// What the place does, beside the shaft while it is dragged.
+    void paintChange(QPainter& painter) const;
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
@@ -108,8 +86,8 @@ class ShaftMapPlot : public PlotView {
     bool gripped_ = false;  ///< the button pressed on the handle is still down
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
-    std::vector<Label> labels_;
-    QPixmap standing_;  ///< what lies over the map and rests while the shaft moves
+    ShaftMapLabels labels_;
+    QPixmap standing_;  ///< of paintStanding()
     bool standingStale_ = true;
     QMetaObject::Connection followed_;  ///< the reference's map
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "balance-shaft/model/shaft_map_text.h"
+#include "balance-shaft/shaft_map_key.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
 
@@ -181,9 +182,10 @@ bool ShaftMapPlot::event(QEvent* event) {
             return true;
         }
     }
-    if (event->type() == QEvent::ToolTip && isLow()) {
+    const ShaftMapKey key(*map_, size());
+    if (event->type() == QEvent::ToolTip && key.isLow()) {
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                           toolTip() + QLatin1Char('\n') + signsInWords(), this);
+                           toolTip() + QLatin1Char('\n') + key.signsInWords(), this);
         return true;
     }
     return PlotView::event(event);

@@ -1,5 +1,6 @@
 #include "balance-shaft/shaft_map_signs.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,17 @@ namespace {
 constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
 
 }  // namespace
+
+QString levelText(double fraction) {
+    const double percent = 100.0 * fraction;
+    QString text = QLocale().toString(std::abs(percent), 'g', 4);
+    if (percent < 0.0) {
+        text.prepend(QChar(0x2212));
+    } else if (percent > 0.0) {
+        text.prepend(QLatin1Char('+'));
+    }
+    return text;
+}
 
 double glyphRadius() {
     return 5.5 * strokeScale();
@@ -73,8 +85,7 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
     return image;
 }
 
-QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
-                   double r) {
+QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker, double r) {
     QPainterPath shape;
     if (marker.worst) {
         shape.addRect(QRectF(at - QPointF(0.9 * r, 0.9 * r), QSizeF(1.8 * r, 1.8 * r)));

@@ -12,6 +12,8 @@ class QPainter;
 /// What the map of places is drawn with; sizes in pixels.
 namespace ravnoves {
 
+/// A level of change in percent, without its unit: as many digits as that round number has.
+QString levelText(double fraction);
 /// Radius of a marker's sign.
 double glyphRadius();
 QColor faint(QColor colour, double alpha);

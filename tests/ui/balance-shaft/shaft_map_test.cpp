@@ -618,7 +618,7 @@ TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
 TEST_F(ShaftMapTest, NoNumberIsUnderTheHandleAtFirst) {
     plot->grab();
     const QPointF at = handle();
-    for (const ShaftMapPlot::Label& label : plot->labels()) {
+    for (const ShaftMapLabels::Label& label : plot->labels()) {
         EXPECT_TRUE(label.text.isEmpty() || !label.box.adjusted(-6, -6, 6, 6).contains(at))
             << label.text.toStdString();
     }

@@ -1,0 +1,125 @@
+#include "balance-shaft/shaft_map_labels.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "balance-shaft/place_scale.h"
+#include "balance-shaft/shaft_map_signs.h"
+#include "numerics/constants.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+void ShaftMapLabels::clear(const QRectF& area) {
+    area_ = area;
+    labels_.clear();
+}
+
+void ShaftMapLabels::keepFree(const QPointF& middle, double half) {
+    labels_.push_back({QRectF(middle - QPointF(half, half), 2.0 * QSizeF(half, half)), {}});
+}
+
+bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold) {
+    const bool free = std::none_of(labels_.begin(), labels_.end(),
+                                   [&](const Label& other) { return other.box.intersects(box); });
+    if (!free || !area_.adjusted(2, 2, -2, -2).contains(box)) {
+        return false;
+    }
+    labels_.push_back({box, text, isBold});
+    return true;
+}
+
+void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const std::vector<QPointF>& signs) {
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize, true));
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+        const ShaftMapModel::Marker& marker = map.markers()[i];
+        const auto change = marker.worst ? marker.worst : map.change(marker.criteria);
+        if (!change || marker.criterion != map.criterion()) {
+            continue;
+        }
+        const QPointF at = signs[i];
+        const QString text = signedPercentText(*change);
+        const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
+        const double away = 2.0 * glyphRadius();
+        const std::array corners{
+            QPointF(away, -size.height() / 2),
+            QPointF(-away - size.width(), -size.height() / 2),
+            QPointF(-size.width() / 2, -away - size.height()),
+            QPointF(-size.width() / 2, away),
+            QPointF(away, -size.height() - 2),
+            QPointF(away, 2),
+        };
+        // Any that fits does.
+        static_cast<void>(std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
+            return add(QRectF(at + corner, size), text, true);
+        }));
+    }
+}
+
+void ShaftMapLabels::addContours(const ShaftMapModel& map, const std::vector<QPolygonF>& lines,
+                                 const PlaceScale& scale) {
+    const auto& contours = map.contours();
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
+    const ShaftMapModel::Marker* best = nullptr;
+    for (const ShaftMapModel::Marker& marker : map.markers()) {
+        if (marker.criterion == map.criterion() && !marker.worst) {
+            best = &marker;  // the last is the one of all places
+        }
+    }
+    const QPointF centre = best != nullptr ? scale.at(best->position) : area_.center();
+    constexpr std::array turns{90.0, 110.0, 70.0, 130.0, 150.0, 180.0,
+                               50.0, 20.0,  0.0,  220.0, 320.0, 270.0};
+    // In a small map every second or third line has its number, that of no change in any case.
+    const double room =
+        area_.width() * area_.height() / (Theme::withText(120) * Theme::withText(80));
+    const auto most = static_cast<std::size_t>(std::max(3.0, room));
+    const std::size_t each = std::max<std::size_t>(1, (contours.size() + most - 1) / most);
+    const auto zero = static_cast<std::size_t>(
+        std::find_if(contours.begin(), contours.end(),
+                     [](const auto& contour) { return contour.level == 0.0; }) -
+        contours.begin());
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        if (i % each != zero % each) {
+            continue;
+        }
+        const QString text = withUnit(levelText(contours[i].level), unitText("%"));
+        const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
+        static_cast<void>(std::any_of(turns.begin(), turns.end(), [&](double turn) {
+            const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
+            double nearest = 0.98;  // cosine to the ray
+            std::optional<QPointF> at;
+            for (const QPointF& point : lines[i]) {
+                const QPointF to = point - centre;
+                const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
+                if (along > nearest) {
+                    nearest = along;
+                    at = point;
+                }
+            }
+            return at && add(QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size), text,
+                             contours[i].level == 0.0);
+        }));
+    }
+}
+
+void ShaftMapLabels::paint(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    for (const Label& label : labels_) {
+        if (label.text.isEmpty()) {
+            continue;  // a marker's own place
+        }
+        painter.setFont(Theme::font(Theme::smallSize, label.isBold));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(faint(theme.panel(), 0.8));
+        painter.drawRoundedRect(label.box, 3, 3);
+        painter.setPen(theme.text());
+        painter.drawText(label.box, Qt::AlignCenter, label.text);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QPolygonF>
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+#include "balance-shaft/model/shaft_map_model.h"
+
+class QPainter;
+
+namespace ravnoves {
+
+class PlaceScale;
+
+/// The numbers at contours and markers of the map. Each stands where there is room: they meet
+/// neither one another nor what is kept free, and who comes first is served first.
+class ShaftMapLabels {
+  public:
+    struct Label {
+        QRectF box;
+        QString text;  ///< empty: kept free
+        bool isBold = false;
+    };
+
+    /// Begins anew in a rectangle of pixels.
+    void clear(const QRectF& area);
+    /// No number in this square.
+    void keepFree(const QPointF& middle, double half);
+    /// The change at each marker of the criterion.
+    /// @param signs  where the markers are drawn
+    void addMarkers(const ShaftMapModel& map, const std::vector<QPointF>& signs);
+    /// Each line's number where the line is nearest to a ray from the best place, so that the
+    /// numbers stand in a row; the ray turns on where that has no room.
+    /// @param lines  the longest of each contour, pixels
+    void addContours(const ShaftMapModel& map, const std::vector<QPolygonF>& lines,
+                     const PlaceScale& scale);
+    void paint(QPainter& painter) const;
+
+    const std::vector<Label>& all() const { return labels_; }
+
+  private:
+    /// @return whether there is room for it
+    bool add(const QRectF& box, const QString& text, bool isBold);
+
+    QRectF area_;
+    std::vector<Label> labels_;
+};
+
+}  // namespace ravnoves

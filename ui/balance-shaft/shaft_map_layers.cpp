@@ -1,0 +1,119 @@
+#include "balance-shaft/shaft_map_layers.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+#include "balance-shaft/place_scale.h"
+#include "balance-shaft/shaft_map_signs.h"
+#include "plot/plot_painter.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale,
+                 const QRectF& area) {
+    const Theme& theme = Theme::instance();
+    QPainterPath path;
+    for (const QPolygonF& line : blocked) {
+        path.addPolygon(scale.line(line));
+        path.closeSubpath();
+    }
+    if (path.isEmpty()) {
+        return;
+    }
+    painter.save();
+    painter.fillPath(path, faint(theme.panel(), 0.38));
+    painter.setClipPath(path, Qt::IntersectClip);
+    drawHatch(painter, area);
+    painter.restore();
+    painter.setPen(QPen(faint(theme.text(), 0.7), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(path);
+}
+
+void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
+                   const PlaceScale& scale) {
+    if (other.map() == nullptr) {
+        return;
+    }
+    // Wide and pale, as ghosts of curves are.
+    const Theme& theme = Theme::instance();
+    const auto wide = [&](double alpha, double width) {
+        return QPen(faint(theme.text(), alpha), strokeScale() * width, Qt::SolidLine, Qt::FlatCap,
+                    Qt::BevelJoin);
+    };
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(wide(0.18, 4.0));
+    for (const QPolygonF& line : other.map()->blocked) {
+        painter.drawPolygon(scale.line(line));
+    }
+    painter.setPen(wide(0.34, 6.0));
+    for (const ShaftMapModel::Contour& contour : other.contours()) {
+        for (const QPolygonF& line : contour.lines) {
+            if (contour.level == 0.0) {
+                painter.drawPolyline(scale.line(line));
+            }
+        }
+    }
+    for (const ShaftMapModel::Marker& marker : other.markers()) {
+        if (marker.criterion == criterion) {
+            const QPainterPath shape =
+                glyph(scale.at(marker.position), marker, 1.25 * glyphRadius());
+            painter.setPen(wide(0.34, 4.0));
+            painter.drawPath(shape);
+            painter.setPen(QPen(theme.panel(), 1.4 * strokeScale()));
+            painter.drawPath(shape);
+        }
+    }
+}
+
+std::vector<QPolygonF> drawContours(QPainter& painter,
+                                    const std::vector<ShaftMapModel::Contour>& contours,
+                                    const PlaceScale& scale) {
+    const Theme& theme = Theme::instance();
+    std::vector<QPolygonF> longest(contours.size());
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const bool zero = contours[i].level == 0.0;
+        painter.setPen(zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0));
+        for (const QPolygonF& metres : contours[i].lines) {
+            const QPolygonF line = scale.line(metres);
+            painter.drawPolyline(line);
+            if (line.size() > longest[i].size()) {
+                longest[i] = line;
+            }
+        }
+    }
+    return longest;
+}
+
+void drawMarkers(QPainter& painter, const ShaftMapModel& map, const std::vector<QPointF>& signs,
+                 const PlaceScale& scale) {
+    const Theme& theme = Theme::instance();
+    const auto& markers = map.markers();
+    // A sign that stands beside its place has a line to it.
+    constexpr double beside = 3.0;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const QPointF at = scale.at(markers[i].position);
+        if (const QPointF away = signs[i] - at; std::hypot(away.x(), away.y()) > beside) {
+            painter.setPen(QPen(theme.panel(), 3.2 * strokeScale()));
+            painter.drawLine(at, signs[i]);
+            painter.setPen(QPen(theme.text(), 1.2 * strokeScale()));
+            painter.drawLine(at, signs[i]);
+            painter.setPen(QPen(theme.panel(), 1.0));
+            painter.setBrush(theme.text());
+            painter.drawEllipse(at, 2.6 * strokeScale(), 2.6 * strokeScale());
+        }
+    }
+    // Those of the criterion shown lie on top.
+    for (const bool shown : {false, true}) {
+        for (std::size_t i = 0; i < markers.size(); ++i) {
+            if ((markers[i].criterion == map.criterion()) == shown) {
+                drawGlyph(painter, signs[i], markers[i]);
+            }
+        }
+    }
+}
+
+}  // namespace ravnoves
