@@ -4524,6 +4524,10 @@
         <source>pp. %1</source>
         <translation>с. %1</translation>
     </message>
+    <message>
+        <source>must be numbers with blanks between them</source>
+        <translation>должны быть числа через пробел</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -4982,10 +4986,6 @@
     <message>
         <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3; a softer spring gives more relief.</source>
         <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3; более мягкая пружина даёт больший перепад.</translation>
-    </message>
-    <message>
-        <source>must be numbers with blanks between them</source>
-        <translation>должны быть числа через пробел</translation>
     </message>
     <message>
         <source>no spring is given: its free length is needed</source>
@@ -8532,10 +8532,6 @@ but nothing can be built</source>
         <source>Heavy metal</source>
         <translation>Тяжёлый металл</translation>
     </message>
-    <message>
-        <source>Diameters in %1, one after the other: %2</source>
-        <translation>Диаметры в %1, один за другим: %2</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::BobJobSheet</name>
@@ -11951,10 +11947,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Верхняя головка идёт вместе с нижней: это один шатун.</translation>
     </message>
     <message>
-        <source>Angles in degrees, one after the other: 0; 90; 270; 180</source>
-        <translation>Углы в градусах подряд: 0; 90; 270; 180</translation>
-    </message>
-    <message>
         <source>&amp;Move them here</source>
         <translation>Пере&amp;ставить здесь</translation>
     </message>
@@ -12481,14 +12473,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 </context>
 <context>
     <name>ravnoves::NumberListField</name>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>«%1» — не число.</translation>
-    </message>
-    <message>
-        <source>The value %1.</source>
-        <translation>Значение %1.</translation>
-    </message>
     <message numerus="yes">
         <source>At most %n value(s).</source>
         <translation>

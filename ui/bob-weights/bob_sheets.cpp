@@ -12,6 +12,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -300,28 +301,19 @@ void BobMachineSheet::buildTolerance() {
 
 BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(model, parent) {
     section(tr("Drills at hand"));
-    checked(field::diameters,
-            {[](const QString& typed) {
-                 return BobWeightsModel::writeDrills(
-                     BobWeightsModel::readDrills(typed).value_or(std::vector<double>{}));
-             },
-             [](const QString& typed) {
-                 return BobWeightsModel::readDrills(typed)
-                            ? QString()
-                            : tr("Diameters in %1, one after the other: %2")
-                                  .arg(shownUnit(units::mm).name,
-                                       BobWeightsModel::writeDrills({8, 10, 12.5}));
-             },
-             [this] { return model_->drillsText(); },
-             [this](const QString& name, const QString& normal) {
-                 model_->editCorrection(name, [&](Correction& correction) {
-                     correction.drill.diameters_mm =
-                         BobWeightsModel::readDrills(normal).value_or(std::vector<double>{});
-                 });
-             }});
+    numberList(
+        field::diameters,
+        [this] {
+            const auto& correction = model_->input().correction;
+            return correction ? correction->drill.diameters_mm : std::vector<double>();
+        },
+        [this](const QString& name, const std::vector<double>& diameters) {
+            model_->editCorrection(
+                name, [&](Correction& correction) { correction.drill.diameters_mm = diameters; });
+        });
     // How several are written.
     findChild<QLineEdit*>(QString::fromStdString(std::string(field::diameters.key)))
-        ->setPlaceholderText(BobWeightsModel::writeDrills({8, 10}) + QStringLiteral("; …"));
+        ->setPlaceholderText(numberListText({8, 10}, field::diameters) + QStringLiteral("; …"));
     number("/correction/drill/maximum_depth_mm");
     number("/correction/drill/point_angle_deg");
     number("/correction/drill/density_kg_m3");

@@ -155,9 +155,9 @@ void HingeInputs::addMotion() {
 void HingeInputs::addFamilies() {
     section(tr("Families of curves"));
     constexpr int longest = 6;
-    const auto add = [this](const char* name, const QString& label, const Range& range,
-                            const Unit& unit, const QString& hint, auto read, auto write) {
-        auto* list = new NumberListField(range, unit, longest, this);
+    const auto add = [this](const char* name, const QString& label, const Field& each,
+                            const QString& hint, auto read, auto write) {
+        auto* list = new NumberListField(each, longest, this);
         list->setObjectName(QLatin1String(name));
         list->setHint(hint);
         current()->addWidget(label, list);
@@ -165,10 +165,10 @@ void HingeInputs::addFamilies() {
         follow([this, list, read] { list->setValue((model_->*read)()); });
     };
     add("compare_speeds", tr("Speeds ω, %1").arg(shownUnit(units::rad_per_s).name),
-        field::angular_speed.range, units::rad_per_s,
+        field::angular_speed,
         tr("Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s."),
         &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);
-    add("compare_lambdas", tr("Ratios &λ"), field::lambda.range, units::none,
+    add("compare_lambdas", tr("Ratios &λ"), field::lambda,
         tr("λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the "
            "series only)."),
         &ElasticHingeModel::compareLambdas, &ElasticHingeModel::setCompareLambdas);

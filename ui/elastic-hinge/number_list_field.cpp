@@ -1,18 +1,15 @@
 #include "elastic-hinge/number_list_field.h"
 
-#include <QRegularExpression>
-
-#include "case-file/decimal.h"
-#include "case-file/range.h"
+#include "case-file/input_error.h"
+#include "text/error_text.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
-NumberListField::NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent)
-    : ValueEntry(parent), range_(range), unit_(unit), longest_(longest) {
+NumberListField::NumberListField(const Field& field, int longest, QWidget* parent)
+    : ValueEntry(parent), field_(field), longest_(longest) {
     describe();
 }
 
@@ -23,43 +20,22 @@ QSize NumberListField::sizeHint() const {
 }
 
 NumberListField::Reading NumberListField::read(const QString& typed) const {
-    static const QRegularExpression separators(QStringLiteral("[;\\s]+"));
-    std::vector<double> values;
-    for (const QString& part : typed.split(separators, Qt::SkipEmptyParts)) {
-        auto value = readFormNumber(part);
-        if (!value) {
-            return {{}, tr("“%1” is not a number.").arg(part)};
+    try {
+        std::vector<double> values = readNumberList(typed, field_);
+        if (values.size() > static_cast<std::size_t>(longest_)) {
+            return {{}, tr("At most %n value(s).", nullptr, longest_)};
         }
-        if (const double factor = shownUnit(unit_).factor; factor != 1.0) {
-            constexpr int exact = 9;  // what is shown and read again is the same
-            value = rounded_to_digits(*value / factor, exact);
-        }
-        if (!range_.contains(*value)) {
-            return {{}, tr("The value %1.").arg(rangeText())};
-        }
-        values.push_back(*value);
+        return {std::move(values), {}};
+    } catch (const InputError& error) {
+        return {{}, errorText(error)};
     }
-    if (values.size() > static_cast<std::size_t>(longest_)) {
-        return {{}, tr("At most %n value(s).", nullptr, longest_)};
-    }
-    return {std::move(values), {}};
-}
-
-QString NumberListField::written() const {
-    QStringList parts;
-    for (const double each : value()) {
-        parts << formNumber(shownUnit(unit_).factor * each, locale(), 6);
-    }
-    return parts.join(QStringLiteral("; "));
-}
-
-QString NumberListField::rangeText() const {
-    // A pure number where there is no other unit to be told from.
-    return messageText(range_.message(shownAs(unit_) == unit_ ? units::none : unit_));
 }
 
 QString NumberListField::rule() const {
-    return tr("Each value %1.").arg(rangeText());
+    // A pure number where there is no other unit to be told from.
+    const Unit& unit = field_.unit;
+    return tr("Each value %1.")
+        .arg(messageText(field_.range.message(shownAs(unit) == unit ? units::none : unit)));
 }
 
 }  // namespace ravnoves

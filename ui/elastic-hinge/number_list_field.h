@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "case-file/range.h"
+#include "text/typed_number.h"
 #include "widgets/entry_field.h"
 
 namespace ravnoves {
 
-/// A field for a few numbers with blanks or semicolons between them; decimal comma and point. Its
-/// values are in the unit; what is written and read may be in another that the user has chosen.
+/// A field for a few numbers, as readNumberList() takes them.
 class NumberListField : public ValueEntry<std::vector<double>> {
     Q_OBJECT
 
   public:
-    NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent = nullptr);
+    /// @param field  describes each of them; it outlives the widget
+    NumberListField(const Field& field, int longest, QWidget* parent = nullptr);
 
     /// Room for as many numbers of three digits as it takes.
     QSize sizeHint() const override;
@@ -23,15 +23,12 @@ class NumberListField : public ValueEntry<std::vector<double>> {
 
   protected:
     Reading read(const QString& typed) const override;
-    QString written() const override;
+    QString written() const override { return numberListText(value(), field_); }
     QString rule() const override;
     void passOn() override { Q_EMIT valuesEdited(value()); }
 
   private:
-    QString rangeText() const;
-
-    Range range_;
-    Unit unit_;
+    const Field& field_;
     int longest_;
 };
 

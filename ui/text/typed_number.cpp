@@ -1,12 +1,16 @@
 #include "text/typed_number.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 
 #include "case-file/decimal.h"
+#include "case-file/input_error.h"
 #include "numerics/units.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -128,6 +132,39 @@ bool isTypedNumber(const QString& text) {
 bool isMassUnit(const QString& unit) {
     const TypedUnit* typed = typedUnit(unit);
     return typed != nullptr && typed->quantity == TypedUnit::Mass;
+}
+
+std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where) {
+    static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
+    const ShownUnit shown = shownUnit(field);
+    std::vector<double> values;
+    for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
+        auto value = readTypedNumber(word, shown.name).value;
+        if (!value) {
+            throw InputError(where, CORE_TEXT("core", "must be numbers with blanks between them"),
+                             quoted_list({word.toStdString()}));
+        }
+        if (shown.factor != 1.0) {
+            constexpr int exact = 9;  // what is shown and read again is the same
+            value = rounded_to_digits(*value / shown.factor, exact);
+        }
+        check_range(field, *value, where, field.unit);
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::vector<double> readNumberList(const QString& typed, const Field& field) {
+    return readNumberList(typed, field, fieldName(field).toStdString());
+}
+
+QString numberListText(const std::vector<double>& values, const Field& field) {
+    const double factor = shownUnit(field).factor;
+    QStringList list;
+    for (const double value : values) {
+        list << formNumber(value * factor, QLocale(), factor == 1.0 ? 10 : 6);
+    }
+    return list.join(QStringLiteral("; "));
 }
 
 }  // namespace ravnoves

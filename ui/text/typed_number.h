@@ -2,6 +2,9 @@
 
 #include <QString>
 #include <optional>
+#include <vector>
+
+#include "case-file/field.h"
 
 namespace ravnoves {
 
@@ -22,5 +25,15 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit);
 bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.
 bool isMassUnit(const QString& unit);
+
+/// Reads numbers one after the other, in the unit that the field is shown in: between them are
+/// blanks, semicolons, or commas with a blank behind.
+/// @param where  names the list
+/// @return the values in the field's unit; throws InputError for what is no number of its range
+std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where);
+/// The same for a list on the form: the field's label names it.
+std::vector<double> readNumberList(const QString& typed, const Field& field);
+/// Values in the field's unit, as they are typed.
+QString numberListText(const std::vector<double>& values, const Field& field);
 
 }  // namespace ravnoves

@@ -6,12 +6,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -27,28 +25,6 @@ namespace {
 constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 constexpr int cellWidth = 44;
 constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
-
-/// Nothing where a word is no angle.
-std::optional<std::vector<double>> readAngles(const QString& typed) {
-    static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|°?\\s+"));
-    std::vector<double> angles;
-    for (QString word : typed.split(between, Qt::SkipEmptyParts)) {
-        const auto value = readFormNumber(word.remove(QChar(0xB0)));
-        if (!value || !field::crankpin_angles.range.contains(*value)) {
-            return std::nullopt;
-        }
-        angles.push_back(*value);
-    }
-    return angles;
-}
-
-QString anglesText(const std::vector<double>& angles) {
-    QStringList list;
-    for (const double angle : angles) {
-        list << formNumber(angle, QLocale());
-    }
-    return list.join(QStringLiteral("; "));
-}
 
 }  // namespace
 
@@ -277,21 +253,11 @@ void MatchingSheet::addGoal(bool asksRadius) {
 }
 
 void MatchingSheet::addAngles() {
-    checked(field::crankpin_angles,
-            {[](const QString& typed) {
-                 return anglesText(readAngles(typed).value_or(std::vector<double>{}));
-             },
-             [](const QString& typed) {
-                 return readAngles(typed)
-                            ? QString()
-                            : tr("Angles in degrees, one after the other: 0; 90; 270; 180");
-             },
-             [this] { return anglesText(rules_().crankpin_angles_deg); },
-             [this](const QString& name, const QString& normal) {
-                 edit_(name, [&](Rules& rules) {
-                     rules.crankpin_angles_deg = readAngles(normal).value_or(std::vector<double>{});
-                 });
-             }});
+    numberList(
+        field::crankpin_angles, [this] { return rules_().crankpin_angles_deg; },
+        [this](const QString& name, const std::vector<double>& angles) {
+            edit_(name, [&](Rules& rules) { rules.crankpin_angles_deg = angles; });
+        });
 }
 
 ResultTable* MatchingSheet::addTable(const QString& name) {

@@ -7,9 +7,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "case-file/input_error.h"
+#include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 #include "workshop/checked_field.h"
@@ -109,6 +112,29 @@ void SheetForm::addJob() {
              },
              [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");
+}
+
+void SheetForm::numberList(const Field& description, std::function<std::vector<double>()> read,
+                           std::function<void(const QString&, const std::vector<double>&)> write) {
+    const auto trouble = [&description](const QString& typed) {
+        try {
+            readNumberList(typed, description);
+            return QString();
+        } catch (const InputError& error) {
+            return errorText(error);
+        }
+    };
+    const auto normal = [&description, trouble](const QString& typed) {
+        return trouble(typed).isEmpty()
+                   ? numberListText(readNumberList(typed, description), description)
+                   : QString();
+    };
+    checked(description,
+            {normal, trouble,
+             [&description, read = std::move(read)] { return numberListText(read(), description); },
+             [&description, write = std::move(write)](const QString& name, const QString& typed) {
+                 write(name, readNumberList(typed, description));
+             }});
 }
 
 QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {

@@ -58,6 +58,10 @@ class SheetForm : public Form {
     void checked(const Field& description, const CheckedText& text);
     /// The section of whose job it is, and when.
     void addJob();
+    /// A row of numbers, as readNumberList() takes them; each is described by the field.
+    void numberList(
+        const Field& description, std::function<std::vector<double>()> read,
+        std::function<void(const QString& name, const std::vector<double>& values)> write);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// What is wrong with readings, and a button that says that they hold for the crankshaft and

@@ -964,14 +964,5 @@ TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {
     EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
 }
 
-TEST(BobWeightsModel, ReadsDrillsAsTheyAreTyped) {
-    using List = std::vector<double>;
-    EXPECT_EQ(BobWeightsModel::readDrills(u"8 10 12.5"_s), List({8, 10, 12.5}));
-    EXPECT_EQ(BobWeightsModel::readDrills(u"8; 10,5;16"_s), List({8, 10.5, 16}));
-    EXPECT_EQ(BobWeightsModel::readDrills(u""_s), List());
-    EXPECT_FALSE(BobWeightsModel::readDrills(u"8 mm"_s));
-    EXPECT_FALSE(BobWeightsModel::readDrills(u"-3"_s));
-}
-
 }  // namespace
 }  // namespace ravnoves

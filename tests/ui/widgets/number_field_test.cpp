@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <numbers>
 
+#include "case-file/input_error.h"
 #include "events.h"
 #include "text/number_text.h"
 #include "text/typed_number.h"
@@ -308,6 +309,31 @@ TEST(LogarithmicSlider, GoesByDecades) {
     // The box takes any value.
     slider.box()->setValue(1234.5);
     EXPECT_DOUBLE_EQ(slider.value(), 1234.5);
+}
+
+TEST(NumberList, ReadsNumbersOneAfterTheOther) {
+    using List = std::vector<double>;
+    const Field drills{.key = "drills_mm",
+                       .unit = units::mm,
+                       .range = Range::greater_than(0, 100),
+                       .label = {"", "&Drills"}};
+    for (const char* typed : {"8 10,5 16", "8; 10.5;16", "8, 10,5, 16", " 8mm ;10.5 16 "}) {
+        EXPECT_EQ(readNumberList(QString::fromUtf8(typed), drills), List({8, 10.5, 16})) << typed;
+    }
+    EXPECT_EQ(readNumberList({}, drills), List());
+    EXPECT_EQ(readNumberList(QString::fromUtf8("0° 90°"), Field{.key = "", .unit = units::degree}),
+              List({0, 90}));
+    EXPECT_EQ(numberListText({8, 10.5}, drills), QStringLiteral("8; 10.5"));
+    for (const auto& [typed, why] :
+         {std::pair("8 mm", "Drills: must be numbers with blanks between them, got \"mm\""),
+          std::pair("8 -3", "Drills: must be greater than 0 and at most 100 mm, got -3 mm")}) {
+        try {
+            readNumberList(QString::fromUtf8(typed), drills);
+            ADD_FAILURE() << typed;
+        } catch (const InputError& error) {
+            EXPECT_STREQ(error.what(), why);
+        }
+    }
 }
 
 }  // namespace

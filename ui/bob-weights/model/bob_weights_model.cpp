@@ -1,20 +1,15 @@
 #include "bob-weights/model/bob_weights_model.h"
 
 #include <QDate>
-#include <QRegularExpression>
 #include <algorithm>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/scene.h"
 #include "case-file/case_file.h"
-#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
-#include "text/shown_units.h"
-#include "text/typed_number.h"
 #include "workshop/model/verdict.h"
 #include "workshop/model/workshop_model_json.h"
 #include "workshop/weigh_in.h"
@@ -360,36 +355,6 @@ void BobWeightsModel::moveParts() {
         editWeights(tr("Move parts"),
                     [&](WeighIn& sheet) { move_sets(sheet, placing->pistons, placing->rods); });
     }
-}
-
-std::optional<std::vector<double>> BobWeightsModel::readDrills(const QString& typed) {
-    static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
-    std::vector<double> drills;
-    for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
-        // In the unit that lengths are shown in.
-        auto value = readFormNumber(word);
-        const double factor = shownUnit(field::diameters.unit).factor;
-        if (value && factor != 1.0) {
-            value = rounded_to_digits(*value / factor, 6);
-        }
-        if (!value || !field::diameters.range.contains(*value)) {
-            return std::nullopt;
-        }
-        drills.push_back(*value);
-    }
-    return drills;
-}
-
-QString BobWeightsModel::writeDrills(const std::vector<double>& diameters) {
-    QStringList list;
-    for (const double diameter : diameters) {
-        list << shownFigures(diameter * units::mm, units::mm, 6);
-    }
-    return list.join(QStringLiteral("; "));
-}
-
-QString BobWeightsModel::drillsText() const {
-    return input().correction ? writeDrills(input().correction->drill.diameters_mm) : QString();
 }
 
 void BobWeightsModel::newJob() {

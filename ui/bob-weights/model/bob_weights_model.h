@@ -85,11 +85,6 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     void moveParts();
     /// The weights go back to where they were weighed.
     void moveBack();
-    /// The drills at hand as one types them, "8 10 12.5" in the unit of lengths, in mm; nothing
-    /// where they cannot be read.
-    static std::optional<std::vector<double>> readDrills(const QString& typed);
-    static QString writeDrills(const std::vector<double>& diameters);
-    QString drillsText() const;
 
     // -------------------------------------------------------------------- what the page shows
     QString headline() const;  ///< the bob weight; why where it is not known

@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -62,7 +63,7 @@ QString BobWeightsModel::missingText(const std::string& where) const {
             return missing.key == field::diameters.key
                        ? tr("%1: %2 are still needed, in %3, one after the other: %4")
                              .arg(sheet, name, shownUnit(units::mm).name,
-                                  writeDrills({8, 10, 12.5}))
+                                  numberListText({8, 10, 12.5}, missing))
                        : tr("%1: %2 is still needed. %3").arg(sheet, name, shownText(missing.hint));
         }
     }

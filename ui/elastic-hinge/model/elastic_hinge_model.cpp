@@ -15,6 +15,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "text/write_file.h"
 
 namespace ravnoves {
@@ -67,20 +68,6 @@ ResultCell preloadUp(double length) {
     return {shown, number(shown, decimals)};
 }
 
-std::vector<double> readList(const QString& key, const QString& value) {
-    std::vector<double> numbers;
-    for (const QString& part : value.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-        const auto read = readFormNumber(part);
-        if (!read) {
-            throw InputError(key.toStdString(),
-                             CORE_TEXT("elastic-hinge", "must be numbers with blanks between them"),
-                             value.toStdString());
-        }
-        numbers.push_back(*read);
-    }
-    return numbers;
-}
-
 }  // namespace
 
 QString ElasticHingeScene::defaultTitle() {
@@ -119,6 +106,8 @@ Json ElasticHingeModel::resultJson() const {
 }
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
+    // In their own units; their ranges are checked where they are set.
+    const auto numbers = [&] { return readNumberList(value, Field{}, key.toStdString()); };
     if (key == QLatin1String("crank_angle_deg")) {
         setMotionTime(std::nullopt);
         setCrankAngleDeg(readNumber(key, value));
@@ -131,9 +120,9 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
         setAnimated(
             static_cast<Animated>(oneOf(key, value, {"none", "crank", "both", "off-design"})));
     } else if (key == QLatin1String("compare_speeds")) {
-        setCompareSpeeds(readList(key, value));
+        setCompareSpeeds(numbers());
     } else if (key == QLatin1String("compare_lambdas")) {
-        setCompareLambdas(readList(key, value));
+        setCompareLambdas(numbers());
     } else {
         return false;
     }
