@@ -163,17 +163,22 @@ void renumberMasters(std::vector<Cylinder>& cylinders, int from, int by) {
 }  // namespace
 
 CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
-    : EditableTable(parent), model_(model) {
-    rows_ = rowCount();
-    columns_ = columnCount();
-    connect(model_, &SceneModel::changed, this, &CylinderTableModel::refresh);
-    connect(model_, &SceneModel::broughtIn, this, [this] {
-        if (!refused_.empty()) {
-            refused_.clear();
-            say({});
-            Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
-        }
+    : RefusingTable(parent), model_(model) {
+    connect(model_, &SceneModel::changed, this, [this] {
+        strokes_.clear();
+        follow();
     });
+    connect(model_, &SceneModel::broughtIn, this, &CylinderTableModel::forgetRefused);
+    follow();
+}
+
+std::string CylinderTableModel::rowName(int row) const {
+    return QStringLiteral("%1/%2").arg(row, 3, 10, QLatin1Char('0')).arg(rowCount()).toStdString();
+}
+
+QString CylinderTableModel::held(int row, int column) const {
+    const auto value = valueAt(row, column);
+    return value ? QString::number(*value, 'g', 17) : QString();
 }
 
 std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
@@ -218,36 +223,20 @@ bool CylinderTableModel::isUsual(int row, int column) const {
     return cylinder.articulated && !given(cylinder, column);
 }
 
-void CylinderTableModel::say(const QString& why) {
+QString CylinderTableModel::trouble() const {
     QStringList lines;
-    for (const auto& [cell, refused] : refused_) {
-        lines << refused.why;
+    for (const auto& [cell, entry] : refused()) {
+        lines << entry.why;
     }
-    if (!why.isEmpty() && !lines.contains(why)) {
-        lines << why;
-    }
-    Q_EMIT troubleChanged(lines.join(QLatin1Char('\n')));
+    return lines.join(QLatin1Char('\n'));
 }
 
-void CylinderTableModel::refresh() {
-    strokes_.clear();
-    const int now = rowCount();
-    const int wide = columnCount();
-    const auto mended = std::erase_if(refused_, [&](const auto& cell) {
-        const auto [row, column] = cell.first;
-        return now != rows_ || column >= wide || valueAt(row, column) != cell.second.below;
-    });
-    if (mended > 0) {
-        say({});
+void CylinderTableModel::say(const QString& why) {
+    QString all = trouble();
+    if (!all.contains(why)) {
+        all += (all.isEmpty() ? QString() : QStringLiteral("\n")) + why;
     }
-    if (now != rows_ || wide != columns_) {
-        beginResetModel();
-        rows_ = now;
-        columns_ = wide;
-        endResetModel();
-        return;
-    }
-    Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
+    Q_EMIT troubleChanged(all);
 }
 
 int CylinderTableModel::rowCount(const QModelIndex& parent) const {
@@ -275,14 +264,8 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount() || index.column() >= columnCount()) {
         return {};
     }
-    const auto refused = refused_.find({index.row(), index.column()});
-    if (refused != refused_.end()) {
-        if (role == Qt::DisplayRole || role == Qt::EditRole) {
-            return refused->second.text;
-        }
-        if (role == TroubleRole) {
-            return true;
-        }
+    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+        return kept;
     }
     const bool usual = isUsual(index.row(), index.column());
     const std::optional<double> value = valueAt(index.row(), index.column());
@@ -318,7 +301,7 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     const auto row = static_cast<std::size_t>(index.row());
     const QString text = value.toString().trimmed();
     const std::pair cell(index.row(), index.column());
-    const bool wasRefused = refused_.erase(cell) > 0;
+    setRefused(cell.first, cell.second, {}, {});
     QString why;
     Cylinder cylinder = rowsOf(*model_).at(row);
     if (!setCell(cylinder, index.column(), text)) {
@@ -334,9 +317,9 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (why.isEmpty()) {
         model_->sayTrouble({});
     } else {
-        refused_[cell] = {text, valueAt(cell.first, cell.second), why};
+        setRefused(cell.first, cell.second, text, why);
     }
-    if ((wasRefused || !why.isEmpty()) && cell.second < columnCount()) {
+    if (cell.second < columnCount()) {
         const QModelIndex at = this->index(cell.first, cell.second);
         Q_EMIT dataChanged(at, at);
     }
@@ -360,11 +343,8 @@ void CylinderTableModel::putTyped(const QModelIndex& at, const QString& text, Ca
 }
 
 void CylinderTableModel::takeBackRefused(const QModelIndex& at) {
-    if (refused_.erase({at.row(), at.column()}) > 0) {
-        model_->sayTrouble({});
-        say({});
-        Q_EMIT dataChanged(at, at);
-    }
+    model_->sayTrouble({});
+    RefusingTable::takeBackRefused(at);
 }
 
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "model/editable_table.h"
+#include "model/refusing_table.h"
 
 namespace ravnoves {
 
@@ -16,7 +15,7 @@ class InertiaMomentsModel;
 /// it into a table of its own. A knuckle radius makes a rod articulated, an empty one puts it back
 /// on the crankpin; what else is empty follows from the other values and is shown in italics. So
 /// are, where rods are articulated, top dead centres and strokes.
-class CylinderTableModel final : public EditableTable {
+class CylinderTableModel final : public RefusingTable {
     Q_OBJECT
 
   public:
@@ -58,24 +57,17 @@ class CylinderTableModel final : public EditableTable {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
-    /// A text that is no value for its cell: it stays, in red, while the value below it holds.
-    struct Refused {
-        QString text;
-        std::optional<double> below;
-        QString why;
-    };
-
-    void refresh();
+    /// Where rows come or go, none is what it was.
+    std::string rowName(int row) const override;
+    QString held(int row, int column) const override;
+    QString trouble() const override;
     /// In the unit; empty where the cell has none.
     std::optional<double> valueAt(int row, int column) const;
     /// True where the value is not given but follows from others.
     bool isUsual(int row, int column) const;
 
     InertiaMomentsModel* model_;
-    int rows_ = 0;
-    int columns_ = 0;
     mutable std::vector<std::pair<double, double>> strokes_;  ///< dead centre, ° and stroke, mm
-    std::map<std::pair<int, int>, Refused> refused_;          ///< by row and column
 };
 
 }  // namespace ravnoves

@@ -8,50 +8,37 @@
 namespace ravnoves {
 
 ScatterTable::ScatterTable(StudyModel* model, QObject* parent)
-    : EditableTable(parent), model_(model), rows_(rowCount()) {
-    connect(model_, &StudyModel::changed, this, [this] {
-        dropChanged();
-        if (rowCount() != rows_) {
-            beginResetModel();
-            rows_ = rowCount();
-            endResetModel();
-        } else if (rows_ > 0) {
-            Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
-        }
-    });
+    : RefusingTable(parent), model_(model) {
+    connect(model_, &StudyModel::changed, this, &ScatterTable::follow);
+    follow();
 }
 
-void ScatterTable::dropChanged() {
-    const auto isGone = [this](const auto& each) {
-        const auto& inputs = model_->inputs();
-        const auto input =
-            std::find_if(inputs.begin(), inputs.end(),
-                         [&](const StudyModel::Input& it) { return it.pointer == each.first; });
-        return input == inputs.end() || StudyModel::scatterText(*input) != each.second.before;
-    };
-    if (std::erase_if(refused_, isGone) > 0) {
-        Q_EMIT troubleChanged(trouble());
-    }
+std::string ScatterTable::rowName(int row) const {
+    return model_->inputs()[static_cast<std::size_t>(row)].pointer;
+}
+
+QString ScatterTable::held(int row, int /*column*/) const {
+    return StudyModel::scatterText(model_->inputs()[static_cast<std::size_t>(row)]);
 }
 
 QStringList ScatterTable::refusedNames() const {
     QStringList names;
-    for (const auto& [pointer, refused] : refused_) {
-        names << model_->inputName(pointer);
+    for (const auto& [cell, entry] : refused()) {
+        names << model_->inputName(cell.first);
     }
     return names;
 }
 
 QString ScatterTable::trouble() const {
-    if (refused_.size() < 2) {
-        return refused_.empty() ? QString()
-                                : refusedNames().constFirst() + QStringLiteral(": ") +
-                                      refused_.begin()->second.why;
+    if (refused().size() < 2) {
+        return refused().empty() ? QString()
+                                 : refusedNames().constFirst() + QStringLiteral(": ") +
+                                       refused().begin()->second.why;
     }
     QStringList all;
-    for (const auto& [pointer, refused] : refused_) {
-        all << model_->inputName(pointer) + QStringLiteral(": ") +
-                   StudyModel::tr("“%1”").arg(refused.text);
+    for (const auto& [cell, entry] : refused()) {
+        all << model_->inputName(cell.first) + QStringLiteral(": ") +
+                   StudyModel::tr("“%1”").arg(entry.text);
     }
     return tr("No tolerances, which are numbers greater than 0 such as 0.02, 1 % or σ 0.01: %1.")
         .arg(all.join(QStringLiteral("; ")));
@@ -96,9 +83,8 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
         return {};
     }
     const StudyModel::Input& input = model_->inputs()[static_cast<std::size_t>(index.row())];
-    const auto refused = refused_.find(input.pointer);
-    if (role == TroubleRole) {
-        return index.column() == Scatter && refused != refused_.end();
+    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+        return kept;
     }
     if (role == Qt::TextAlignmentRole) {
         return QVariant((index.column() == Nominal || index.column() == Scatter ? Qt::AlignRight
@@ -117,8 +103,7 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
         case Nominal:
             return StudyModel::nominalText(input);
         default:
-            return refused != refused_.end() ? refused->second.text
-                                             : StudyModel::scatterText(input);
+            return StudyModel::scatterText(input);
     }
 }
 
@@ -126,35 +111,15 @@ bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int 
     if (role != Qt::EditRole || !index.isValid() || index.column() != Scatter) {
         return false;
     }
-    const std::string pointer = model_->inputs()[static_cast<std::size_t>(index.row())].pointer;
-    const QString why = model_->setScatter({{pointer, value.toString()}});
-    refused_.erase(pointer);
-    if (!why.isEmpty()) {
-        const auto& input = model_->inputs()[static_cast<std::size_t>(index.row())];
-        refused_[pointer] = {value.toString(), why, StudyModel::scatterText(input)};
-    }
+    const QString why = model_->setScatter({{rowName(index.row()), value.toString()}});
+    setRefused(index.row(), Scatter, value.toString(), why);
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index, index);
     return why.isEmpty();
 }
 
-void ScatterTable::takeBackRefused(const QModelIndex& at) {
-    refused_.erase(model_->inputs()[static_cast<std::size_t>(at.row())].pointer);
-    Q_EMIT troubleChanged(trouble());
-    Q_EMIT dataChanged(at, at);
-}
-
-void ScatterTable::forgetRefused() {
-    if (!refused_.empty()) {
-        refused_.clear();
-        Q_EMIT troubleChanged({});
-        Q_EMIT dataChanged(index(0, Scatter), index(rowCount() - 1, Scatter));
-    }
-}
-
 void ScatterTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    const std::string pointer = model_->inputs()[static_cast<std::size_t>(at.row())].pointer;
-    model_->putTyped(file, [&] { return model_->setScatter({{pointer, text}}); });
+    model_->putTyped(file, [&] { return model_->setScatter({{rowName(at.row()), text}}); });
 }
 
 void ScatterTable::removeRowRange(int first, int count) {
@@ -169,24 +134,19 @@ QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStr
         if (row >= rowCount() || line.isEmpty()) {
             break;
         }
-        texts.emplace_back(model_->inputs()[static_cast<std::size_t>(row)].pointer, line.back());
+        texts.emplace_back(rowName(row), line.back());
         ++row;
     }
     return model_->setScatter(texts);
 }
 
-WatchTable::WatchTable(StudyModel* model, QObject* parent)
-    : EditableTable(parent), model_(model), rows_(rowCount()) {
-    connect(model_, &StudyModel::changed, this, [this] {
-        dropUnwatched();
-        if (rowCount() != rows_) {
-            beginResetModel();
-            rows_ = rowCount();
-            endResetModel();
-        } else if (rows_ > 0) {
-            Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
-        }
-    });
+WatchTable::WatchTable(StudyModel* model, QObject* parent) : RefusingTable(parent), model_(model) {
+    connect(model_, &StudyModel::changed, this, &WatchTable::follow);
+    follow();
+}
+
+std::string WatchTable::rowName(int row) const {
+    return model_->study().watch[static_cast<std::size_t>(row)].pointer;
 }
 
 int WatchTable::rowCount(const QModelIndex& parent) const {
@@ -215,8 +175,8 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
         return {};
     }
     const studies::Watched& watched = model_->study().watch[static_cast<std::size_t>(index.row())];
-    if (role == TroubleRole) {
-        return refused_.contains({watched.pointer, index.column()});
+    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+        return kept;
     }
     if (role == Qt::TextAlignmentRole) {
         return QVariant((index.column() == Name ? Qt::AlignLeft : Qt::AlignRight) |
@@ -230,10 +190,6 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
     }
     if (index.column() == Name) {
         return resultName(watched.pointer).withUnit();
-    }
-    const auto refused = refused_.find({watched.pointer, index.column()});
-    if (refused != refused_.end()) {
-        return refused->second.text;
     }
     const auto& limit = index.column() == Least ? watched.min : watched.max;
     return limit ? formNumber(*limit, QLocale()) : QString();
@@ -251,55 +207,29 @@ bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int ro
 }
 
 QString WatchTable::take(int row, int column, const QString& text) {
-    const Cell cell(model_->study().watch[static_cast<std::size_t>(row)].pointer, column);
-    refused_.erase(cell);
     QString why = pasteBlock(row, column, {{text}});
-    if (!why.isEmpty()) {
-        refused_[cell] = {text, why};
-    }
+    setRefused(row, column, text, why);
     return why;
 }
 
 void WatchTable::retry(int row, int column) {
-    const auto there =
-        refused_.find({model_->study().watch[static_cast<std::size_t>(row)].pointer, column});
-    if (there != refused_.end()) {
+    const auto there = refused().find({rowName(row), column});
+    if (there != refused().end()) {
         take(row, column, QString(there->second.text));
     }
 }
 
 void WatchTable::takeBackRefused(const QModelIndex& at) {
-    refused_.erase(
-        {model_->study().watch[static_cast<std::size_t>(at.row())].pointer, at.column()});
+    setRefused(at.row(), at.column(), {}, {});
     retry(at.row(), at.column() == Least ? Most : Least);
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index(at.row(), Least), index(at.row(), Most));
 }
 
-void WatchTable::forgetRefused() {
-    if (!refused_.empty()) {
-        refused_.clear();
-        Q_EMIT troubleChanged({});
-        Q_EMIT dataChanged(index(0, Least), index(rowCount() - 1, Most));
-    }
-}
-
-void WatchTable::dropUnwatched() {
-    const auto isGone = [this](const auto& each) {
-        const auto& watch = model_->study().watch;
-        return std::none_of(watch.begin(), watch.end(), [&](const studies::Watched& it) {
-            return it.pointer == each.first.first;
-        });
-    };
-    if (std::erase_if(refused_, isGone) > 0) {
-        Q_EMIT troubleChanged(trouble());
-    }
-}
-
 QString WatchTable::trouble() const {
     QStringList all;
-    for (const auto& [cell, refused] : refused_) {
-        all << resultName(cell.first).text + QStringLiteral(": ") + refused.why;
+    for (const auto& [cell, entry] : refused()) {
+        all << resultName(cell.first).text + QStringLiteral(": ") + entry.why;
     }
     return all.join(QStringLiteral("; "));
 }
@@ -311,7 +241,7 @@ void WatchTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& 
 void WatchTable::removeRowRange(int first, int count) {
     std::vector<std::string> gone;
     for (int row = first; row < std::min(first + count, rowCount()); ++row) {
-        gone.push_back(model_->study().watch[static_cast<std::size_t>(row)].pointer);
+        gone.push_back(rowName(row));
     }
     for (const std::string& pointer : gone) {
         model_->unwatch(pointer);

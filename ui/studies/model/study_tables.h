@@ -1,15 +1,12 @@
 #pragma once
 
-#include <map>
-#include <utility>
-
-#include "model/editable_table.h"
+#include "model/refusing_table.h"
 #include "studies/model/study_model.h"
 
 namespace ravnoves {
 
 /// The inputs of a case with what they scatter by, which is edited in place.
-class ScatterTable final : public EditableTable {
+class ScatterTable final : public RefusingTable {
     Q_OBJECT
 
   public:
@@ -19,8 +16,6 @@ class ScatterTable final : public EditableTable {
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
-    void takeBackRefused(const QModelIndex& at) override;
-    void forgetRefused() override;
     SceneModel* scene() const override { return model_->scene(); }
     void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
@@ -36,24 +31,15 @@ class ScatterTable final : public EditableTable {
     QStringList refusedNames() const;
 
   private:
-    /// A text that is no tolerance.
-    struct Refused {
-        QString text;
-        QString why;
-        QString before;  ///< what counts in its place
-    };
-    /// Of all that are refused.
-    QString trouble() const;
-    /// Where something else than a new text has changed a tolerance, that counts.
-    void dropChanged();
+    std::string rowName(int row) const override;
+    QString held(int row, int column) const override;
+    QString trouble() const override;
 
     StudyModel* model_;
-    int rows_ = 0;
-    std::map<std::string, Refused> refused_;  ///< by pointer
 };
 
 /// The results that are watched, with their limits.
-class WatchTable final : public EditableTable {
+class WatchTable final : public RefusingTable {
     Q_OBJECT
 
   public:
@@ -64,7 +50,6 @@ class WatchTable final : public EditableTable {
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
     void takeBackRefused(const QModelIndex& at) override;
-    void forgetRefused() override;
     SceneModel* scene() const override { return model_->scene(); }
     void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
@@ -77,21 +62,14 @@ class WatchTable final : public EditableTable {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
-    using Cell = std::pair<std::string, int>;  ///< pointer and column
-    struct Refused {
-        QString text;
-        QString why;
-    };
+    std::string rowName(int row) const override;
+    QString trouble() const override;
     /// Takes a text. @return an empty string, or why it cannot be
     QString take(int row, int column, const QString& text);
     /// What a limit refused before may stand beside another one now.
     void retry(int row, int column);
-    void dropUnwatched();
-    QString trouble() const;
 
     StudyModel* model_;
-    int rows_ = 0;
-    std::map<Cell, Refused> refused_;
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,67 @@
+#include "model/refusing_table.h"
+
+namespace ravnoves {
+
+void RefusingTable::takeBackRefused(const QModelIndex& at) {
+    setRefused(at.row(), at.column(), {}, {});
+    Q_EMIT troubleChanged(trouble());
+    Q_EMIT dataChanged(at, at);
+}
+
+void RefusingTable::forgetRefused() {
+    if (!refused_.empty()) {
+        refused_.clear();
+        Q_EMIT troubleChanged({});
+        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
+    }
+}
+
+void RefusingTable::setRefused(int row, int column, const QString& text, const QString& why) {
+    const Cell cell(rowName(row), column);
+    if (why.isEmpty()) {
+        refused_.erase(cell);
+    } else {
+        refused_[cell] = {text, why, held(row, column)};
+    }
+}
+
+QVariant RefusingTable::refusedData(const QModelIndex& at, int role) const {
+    const auto there =
+        refused_.empty() ? refused_.end() : refused_.find({rowName(at.row()), at.column()});
+    switch (role) {
+        case TroubleRole:
+            return there != refused_.end();
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+            return there != refused_.end() ? there->second.text : QVariant();
+        default:
+            return {};
+    }
+}
+
+bool RefusingTable::isMended(const Cell& cell, const Refused& refused) const {
+    for (int row = 0; row < rowCount(); ++row) {
+        if (rowName(row) == cell.first) {
+            return cell.second >= columnCount() || held(row, cell.second) != refused.below;
+        }
+    }
+    return true;  // its row is gone
+}
+
+void RefusingTable::follow() {
+    const auto mended = std::erase_if(
+        refused_, [this](const auto& each) { return isMended(each.first, each.second); });
+    if (mended > 0) {
+        Q_EMIT troubleChanged(trouble());
+    }
+    if (rowCount() != rows_ || columnCount() != columns_) {
+        beginResetModel();
+        rows_ = rowCount();
+        columns_ = columnCount();
+        endResetModel();
+    } else if (rows_ > 0) {
+        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "model/editable_table.h"
+
+namespace ravnoves {
+
+/// A table in which a refused text stays in its cell, in red, until it is mended or the case
+/// changes there; below it the case holds what it held.
+class RefusingTable : public EditableTable {
+    Q_OBJECT
+
+  public:
+    using EditableTable::EditableTable;
+
+    void takeBackRefused(const QModelIndex& at) override;
+    void forgetRefused() override;
+
+  protected:
+    using Cell = std::pair<std::string, int>;  ///< name of the row, and column
+    struct Refused {
+        QString text;
+        QString why;
+        QString below;
+    };
+
+    /// What a row is called while others come and go.
+    virtual std::string rowName(int row) const = 0;
+    /// What the case holds in a cell: what changes it mends the cell.
+    virtual QString held(int /*row*/, int /*column*/) const { return {}; }
+    /// Why cells are refused, in words.
+    virtual QString trouble() const = 0;
+
+    const std::map<Cell, Refused>& refused() const { return refused_; }
+    /// A text that was typed into a cell. @param why  it is refused; empty where it is taken
+    void setRefused(int row, int column, const QString& text, const QString& why);
+    /// What a refused cell shows, and whether it is one; invalid for all else.
+    QVariant refusedData(const QModelIndex& at, int role) const;
+    /// Shows the case as it is now.
+    void follow();
+
+  private:
+    bool isMended(const Cell& cell, const Refused& refused) const;
+
+    std::map<Cell, Refused> refused_;
+    int rows_ = 0;
+    int columns_ = 0;
+};
+
+}  // namespace ravnoves
