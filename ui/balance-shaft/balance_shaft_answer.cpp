@@ -14,7 +14,6 @@
 #include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -25,11 +24,9 @@ QWidget* BalanceShaftPage::buildAnswer() {
     QVBoxLayout* column = columnIn(holder);
 
     picture_ = new MechanismView(model_);
-    auto* picturePanel = new PicturePanel(
-        picture_, 720.0, tr("Crank angle of the picture; 0 is top dead centre"), holder);
+    auto* picturePanel =
+        new PicturePanel(picture_, tr("Crank angle of the picture; 0 is top dead centre"), holder);
     playAction_ = picturePanel->action();
-    crank_ = picturePanel->slider();
-    connect(crank_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setCrankAngleDeg);
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);

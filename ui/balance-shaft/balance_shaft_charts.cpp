@@ -7,7 +7,6 @@
 #include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
-#include <cmath>
 
 #include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/cycle_view.h"
@@ -23,10 +22,10 @@
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -109,7 +108,7 @@ QWidget* BalanceShaftPage::buildMoments() {
                                .colour = 2,
                                .width = 2.0,
                                .toolTip = tr("Moment on the mounts, Mᵤₚ + Mₛ, (5)")});
-    connect(moments_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
+    showCrankAngle(moments_, model_->crank());
     connect(moments_, &PlotView::curveToggled, this, &BalanceShaftPage::showShaft);
     column->addWidget(moments_, 5);
 
@@ -164,7 +163,6 @@ void BalanceShaftPage::showSweep() {
     if (moments_->xInterval().second != model_->cycleDeg() && !moments_->isZoomed()) {
         moments_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
     }
-    crank_->setRange(0.0, model_->cycleDeg());
     moments_->setCurve(up_, result.curves.crank_angle_deg, result.curves.M_up);
     // Room for every α, so that the axis rests while the shaft moves.
     const double reach = result.moment_amplitude;
@@ -239,11 +237,6 @@ void BalanceShaftPage::showMeans() {
     range_->setCurveShown(meanSPrinted_, printed);
     means_->setCurveShown(mSPrinted_, printed);
     means_->setCurveShown(mUpsPrinted_, printed);
-}
-
-void BalanceShaftPage::showCursor(double crankAngle) {
-    crank_->setValue(std::round(crankAngle));
-    moments_->setPresentX(crankAngle);
 }
 
 }  // namespace ravnoves

@@ -26,13 +26,11 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     connect(&Theme::instance(), &Theme::changed, this, &BalanceShaftPage::showSweep);
     connect(model_, &BalanceShaftModel::shaftMoved, this, &BalanceShaftPage::showShaft);
     connect(model_, &BalanceShaftModel::meansChanged, this, &BalanceShaftPage::showMeans);
-    connect(model_, &BalanceShaftModel::crankAngleChanged, this, &BalanceShaftPage::showCursor);
     connect(model_, &BalanceShaftModel::refused, this, &ScenePage::status);
 
     showSweep();
     showShaft();
     showMeans();
-    showCursor(model_->crankAngleDeg());
 }
 
 TorqueTableEditor* BalanceShaftPage::torqueEditor() const {

@@ -53,7 +53,6 @@ class BalanceShaftPage : public ScenePage {
     void showSweep();
     void showShaft();
     void showMeans();
-    void showCursor(double crankAngle);
 
     BalanceShaftModel* model_;
     TorqueSourceEditor* source_ = nullptr;
@@ -65,7 +64,6 @@ class BalanceShaftPage : public ScenePage {
     PlotView* range_ = nullptr;
     PlotView* means_ = nullptr;
     MechanismView* picture_ = nullptr;
-    ValueSlider* crank_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
     QLabel* bestRange_ = nullptr;

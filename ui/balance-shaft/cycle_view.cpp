@@ -9,6 +9,7 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -43,12 +44,12 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
                                 .colour = 2,
                                 .width = 2.0,
                                 .toolTip = tr("Gas plus inertia")});
-    connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
+    showCrankAngle(torque_, model_->crank());
     pressure_ = new PlotView(tr("Cylinder pressure"), plots);
     pressure_->setYAxis(PlotView::Side::Left, {tr("bar")});
     pressureCurve_ =
         pressure_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
-    connect(pressure_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
+    showCrankAngle(pressure_, model_->crank());
     indicator_ = new PlotView(tr("Indicator diagram, p–V"), plots);
     indicator_->setYAxis(PlotView::Side::Left, {tr("bar")});
     loop_ = indicator_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
@@ -66,12 +67,6 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     stack_->addWidget(plots);
 
     connect(model_, &SceneModel::changed, this, &CycleView::showResult);
-    connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this](double angle) {
-        torque_->setPresentX(angle);
-        pressure_->setPresentX(angle);
-    });
-    torque_->setPresentX(model_->crankAngleDeg());
-    pressure_->setPresentX(model_->crankAngleDeg());
     showResult();
 }
 

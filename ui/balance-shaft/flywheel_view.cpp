@@ -7,6 +7,7 @@
 #include "theme/theme.h"
 #include "widgets/form.h"
 #include "widgets/layouts.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -27,7 +28,7 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
                                .width = 1.8,
                                .inLegend = false,
                                .toolTip = tr("Work of the engine torque less that of its mean")});
-    connect(plot_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
+    showCrankAngle(plot_, model_->crank());
     column->addWidget(plot_, 3);
 
     constexpr int pairWidth = 600;
@@ -49,8 +50,6 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
             showResult();
         }
     });
-    connect(model_, &BalanceShaftModel::crankAngleChanged, plot_, &PlotView::setPresentX);
-    plot_->setPresentX(model_->crankAngleDeg());
 }
 
 QWidget* FlywheelView::buildForm() {

@@ -24,8 +24,7 @@ using balance_shaft::Vector2;
 
 namespace {
 
-constexpr double arrowMargin = 5.0;         // to the picture's edge
-constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
+constexpr double arrowMargin = 5.0;  // to the picture's edge
 
 /// A counterweight about an axis, centred on the direction of its mass.
 QPainterPath weight(const QPointF& axis, const QPointF& mass, double radius, double hub) {
@@ -37,22 +36,13 @@ QPainterPath weight(const QPointF& axis, const QPointF& mass, double radius, dou
 
 MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
     : MechanismPicture(
-          tr("Front view of the mechanism"),
+          model->crank(), tr("Front view of the mechanism"),
           tr("Front view to scale; the crank turns clockwise. Drag the shaft to change α, "
              "drag elsewhere to turn the crank, Space plays and pauses."),
           parent),
       model_(model) {
     connect(model_, &BalanceShaftModel::shaftMoved, this, qOverload<>(&QWidget::update));
     connect(model_, &BalanceShaftModel::shaftMoved, this, &ComparedFigure::pictureChanged);
-    connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
-}
-
-void MechanismView::play(double seconds) {
-    step(degreesPerSecond * seconds);
-}
-
-void MechanismView::step(double degrees) {
-    model_->setCrankAngleDeg(model_->crankAngleDeg() + degrees);
 }
 
 drawing::Frame MechanismView::frame() const {
@@ -109,7 +99,7 @@ void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) con
 void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     const FrontView& sizes = model_->solver().front_view();
-    const double phi = model_->crankAngleDeg() * degree;
+    const double phi = model_->crank()->degrees() * degree;
     const MechanismPose pose =
         balance_shaft::mechanism_pose(model_->solver(), phi, model_->input().shaft_angle);
     const Envelope& envelope = model_->result().envelope;
@@ -241,9 +231,9 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
-    drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6, -8, -6),
-                          Qt::AlignTop | Qt::AlignLeft,
-                          tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
+    drawing::drawWithHalo(
+        painter, QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
+        tr("φ = %1°").arg(QLocale().toString(model_->crank()->degrees(), 'f', 0)));
     drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6, -8, -6),
                           Qt::AlignTop | Qt::AlignRight,
                           shownDigits(envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
@@ -293,7 +283,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
         setPlaying(false);
         angle -= model_->result().dead_centre / degree;
         angle += angle < 0.0 ? 360.0 : 0.0;
-        model_->setCrankAngleDeg(angle + (model_->crankAngleDeg() >= 360.0 ? 360.0 : 0.0));
+        turnTo(angle + (model_->crank()->degrees() >= 360.0 ? 360.0 : 0.0));
     }
 }
 

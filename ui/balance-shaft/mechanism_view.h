@@ -26,8 +26,6 @@ class MechanismView : public MechanismPicture {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void play(double seconds) override;
-    void step(double degrees) override;
 
   private:
     /// The mapping of metres to pixels; it rests while the mechanism moves.

@@ -17,8 +17,8 @@ namespace ravnoves {
 void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceScale& scale) {
     const Theme& theme = Theme::instance();
     const balance_shaft::FrontView& sizes = model.solver().front_view();
-    const auto pose = balance_shaft::mechanism_pose(model.solver(), model.crankAngleDeg() * degree,
-                                                    model.input().shaft_angle);
+    const auto pose = balance_shaft::mechanism_pose(
+        model.solver(), model.crank()->degrees() * degree, model.input().shaft_angle);
     const double k = scale.perMetre();
     const auto at = [&](double x, double y) { return scale.at(x, y); };
     const QColor line = faint(theme.text(), 0.75);

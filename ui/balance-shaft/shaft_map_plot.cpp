@@ -36,7 +36,7 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
     setPaintsGhosts();
     connect(this, &PlotView::referenceChanged, this, &ShaftMapPlot::followReference);
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
-    connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this] {
+    connect(model_->crank(), &CrankAngle::changed, this, [this] {
         standingStale_ = true;
         update();
     });

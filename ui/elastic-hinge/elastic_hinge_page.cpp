@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
-#include <cmath>
 
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/guide_export_form.h"
@@ -25,7 +24,6 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -48,11 +46,10 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showCrank);
-    connect(model_, &ElasticHingeModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
+    connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
     connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
     showAnswer();
-    showCrank();
+    showAnimated();
 }
 
 SceneModel* ElasticHingePage::model() {
@@ -136,8 +133,7 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     picture_ = new HingeMechanismView(model_);
     auto* picturePanel = new PicturePanel(
-        picture_, 360.0, tr("Crank angle of the picture, counter-clockwise from the slider line"),
-        holder);
+        picture_, tr("Crank angle of the picture, counter-clockwise from the slider line"), holder);
     playAction_ = picturePanel->action();
     playAction_->setToolTip(tr("Play the computed motion in slow motion"));
     animated_ = new QComboBox(picturePanel);
@@ -153,8 +149,6 @@ QWidget* ElasticHingePage::buildAnswer() {
     label->setBuddy(animated_);
     picturePanel->addControl(label);
     picturePanel->addControl(animated_);
-    crank_ = picturePanel->slider();
-    connect(crank_, &ValueSlider::valueEdited, picture_, &HingeMechanismView::turnTo);
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
@@ -201,8 +195,7 @@ void ElasticHingePage::showAnswer() {
     notes_->parentWidget()->setVisible(!notes_->text().isEmpty());
 }
 
-void ElasticHingePage::showCrank() {
-    crank_->setValue(std::round(model_->crankAngleDeg()));
+void ElasticHingePage::showAnimated() {
     animated_->setCurrentIndex(static_cast<int>(model_->animated()));
 }
 

@@ -14,7 +14,6 @@ class GuideExportForm;
 class HingeMechanismView;
 class HingePlots;
 class ResultTable;
-class ValueSlider;
 
 /// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
 class ElasticHingePage : public ScenePage {
@@ -40,14 +39,13 @@ class ElasticHingePage : public ScenePage {
     QWidget* buildSliders();
     QWidget* buildAnswer();
     void showAnswer();
-    void showCrank();
+    void showAnimated();
 
     ElasticHingeModel* model_;
     QTabWidget* forms_ = nullptr;
     GuideExportForm* export_ = nullptr;
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
-    ValueSlider* crank_ = nullptr;
     QComboBox* animated_ = nullptr;
     QLabel* verdict_ = nullptr;
     QPushButton* takePreload_ = nullptr;

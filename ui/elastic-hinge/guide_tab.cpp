@@ -199,7 +199,7 @@ void GuideTab::nameRelief() {
 void GuideTab::showMarks() {
     std::vector<PlotView::Mark> marks;
     for (const Branch branch : branches) {
-        if (const auto at = shown().centre(branch, model_->crankAngleDeg() * degree)) {
+        if (const auto at = shown().centre(branch, model_->crank()->degrees() * degree)) {
             marks.push_back({at->x, at->y, {}, colours[static_cast<std::size_t>(branch)]});
         }
     }

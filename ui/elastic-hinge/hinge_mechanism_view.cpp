@@ -61,7 +61,7 @@ double shownRoller(double radius, double startRadius) {
 
 HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
     : MechanismPicture(
-          tr("Picture of the mechanism with its hinges"),
+          model->crank(), tr("Picture of the mechanism with its hinges"),
           tr("The mechanism to scale, the guide's relief enlarged as in the plot. The guide turns "
              "with the crank, the spring stands still. Space plays the computed motion in slow "
              "motion, dragging turns the crank."),
@@ -70,7 +70,6 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
     connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 double HingeMechanismView::slowness() const {
@@ -81,7 +80,7 @@ double HingeMechanismView::slowness() const {
 void HingeMechanismView::play(double seconds) {
     const Motion* motion = model_->animatedMotion();
     if (motion == nullptr || motion->time.back() <= 0.0) {
-        model_->setCrankAngleDeg(model_->crankAngleDeg() + 360.0 * shownTurnsPerSecond * seconds);
+        model_->crank()->turnTo(model_->crank()->degrees() + 360.0 * shownTurnsPerSecond * seconds);
         return;
     }
     double time = model_->motionTime().value_or(0.0) + seconds * slowness();
@@ -91,14 +90,10 @@ void HingeMechanismView::play(double seconds) {
     model_->setMotionTime(time);
 }
 
-void HingeMechanismView::step(double degrees) {
-    turnTo(model_->crankAngleDeg() - degrees);  // the left arrow counter-clockwise
-}
-
 void HingeMechanismView::turnTo(double degrees) {
     setPlaying(false);
     model_->setMotionTime(std::nullopt);
-    model_->setCrankAngleDeg(degrees);
+    model_->crank()->turnTo(degrees);
 }
 
 drawing::Frame HingeMechanismView::frame() const {
@@ -198,7 +193,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const auto& result = model_->result();
     const auto& mechanism = result.design->mechanism();
     const Guide& guide = result.crank_guide;
-    const double phi = model_->crankAngleDeg() * degree;
+    const double phi = model_->crank()->degrees() * degree;
     const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
     const drawing::Frame map = frame();
     const double k = map.pixelsPerUnit;
@@ -319,12 +314,12 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(theme.accent(), 1.6));
     painter.setBrush(Qt::NoBrush);
     painter.drawArc(QRectF(axis - QPointF(arc, arc), QSizeF(2 * arc, 2 * arc)), 0,
-                    static_cast<int>(std::lround(model_->crankAngleDeg() * 16)));
+                    static_cast<int>(std::lround(model_->crank()->degrees() * 16)));
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
     const QRectF inside = QRectF(rect()).adjusted(8, 5, -8, -5);
     painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft,
-                     tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
+                     tr("φ = %1°").arg(QLocale().toString(model_->crank()->degrees(), 'f', 0)));
     painter.drawText(inside, Qt::AlignTop | Qt::AlignRight,
                      tr("ω = %1").arg(shownNumber(model_->shownSpeed(), units::rad_per_s, 2)));
     if (model_->shownHinge() == elastic_hinge::Hinge::crank && guide.feasible &&

@@ -21,7 +21,7 @@ class HingeMechanismView : public MechanismPicture {
     explicit HingeMechanismView(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     /// Leaves the motion and turns the crank.
-    void turnTo(double degrees);
+    void turnTo(double degrees) override;
     /// Seconds of the motion to one second on the screen.
     double slowness() const;
 
@@ -33,7 +33,8 @@ class HingeMechanismView : public MechanismPicture {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void play(double seconds) override;
-    void step(double degrees) override;
+    /// The left arrow counter-clockwise.
+    void step(double degrees) override { MechanismPicture::step(-degrees); }
 
   private:
     /// The mapping of metres to pixels; it rests while the mechanism moves.

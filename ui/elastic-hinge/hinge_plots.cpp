@@ -37,7 +37,7 @@ PlotView* HingePlotTab::addAnglePlot(const QString& title, const QString& y, int
     PlotView* plot = addPlot(title, {HingePlots::tr("φ, °"), 0.0, 360.0, true}, y, share);
     connect(plot, &PlotView::cursorMoved, model_, [this](double phi) {
         model_->setMotionTime(std::nullopt);
-        model_->setCrankAngleDeg(phi);
+        model_->crank()->turnTo(phi);
     });
     anglePlots_ << plot;
     PlotView::stack(anglePlots_);
@@ -51,7 +51,7 @@ void HingePlotTab::showAll() {
 
 void HingePlotTab::showAngle() {
     for (PlotView* plot : anglePlots_) {
-        plot->setPresentX(model_->crankAngleDeg());
+        plot->setPresentX(model_->crank()->degrees());
     }
     showPresent();
 }
@@ -70,7 +70,7 @@ HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent) : QTabWidget(p
     connect(model, &ElasticHingeModel::viewChanged, this, &HingePlots::refresh);
     // In front or not: on the page of a reference nobody changes the tab again.
     connect(model, &ElasticHingeModel::motionsChanged, this, [this] { tabs_.back()->refresh(); });
-    connect(model, &ElasticHingeModel::crankAngleChanged, this,
+    connect(model->crank(), &CrankAngle::changed, this,
             [this] { tabs_[currentIndex()]->showAngle(); });
     refresh();
 }

@@ -240,7 +240,7 @@ FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     tell();
     connect(model_, &SceneModel::changed, this, tell);
     connectTo(model, this);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
 }
 
 void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
@@ -324,7 +324,7 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     const auto& engine = result.engine;
     const auto first = static_cast<std::size_t>(result.firing.front().cylinder) - 1;
     const double zero = engine.top_dead_centre(first) - engine.crank_phase(engine.cylinders[first]);
-    const double now = model_->crankAngleDeg() * degree - zero;
+    const double now = model_->crank()->degrees() * degree - zero;
     painter.setPen(QPen(theme.accent(), 2.0));
     painter.drawLine(centre, place(now, radius - Theme::withText(30)));
     painter.setBrush(theme.accent());

@@ -26,7 +26,6 @@ using inertia_moments::Engine;
 
 namespace {
 
-constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
 // Sizes of the picture that the input does not give, in crank radii.
 constexpr double pistonHalf = 0.72;
 constexpr double crownHeight = 0.75;
@@ -74,22 +73,13 @@ double pointerAngle(const QPointF& from, const QPointF& to) {
 
 EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
     : MechanismPicture(
-          tr("Engine from the front and the crank from the side"),
+          model->crank(), tr("Engine from the front and the crank from the side"),
           tr("To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and "
              "pauses, the arrow keys step."),
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
-}
-
-void EngineView::play(double seconds) {
-    step(degreesPerSecond * seconds);
-}
-
-void EngineView::step(double degrees) {
-    model_->setCrankAngleDeg(model_->crankAngleDeg() + degrees);
 }
 
 QRectF EngineView::frontBounds() const {
@@ -122,7 +112,7 @@ void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) cons
     painter.setBrush(Qt::NoBrush);
     paintDisc(painter, frame.at(0.0, 0.0), frame.length(radius));
     for (const CylinderPose& pose :
-         inertia_moments::engine_pose(engine, model_->crankAngleDeg() * degree)) {
+         inertia_moments::engine_pose(engine, model_->crank()->degrees() * degree)) {
         const Complex axial = pose.axis_direction;
         const Complex across = axial * Complex(0.0, half);
         const Complex crown = pose.piston_pin + axial * 0.6 * radius;
@@ -159,7 +149,7 @@ void EngineView::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
-                     tr("φ = %1°").arg(fixedNumber(model_->crankAngleDeg(), 0, QLocale())));
+                     tr("φ = %1°").arg(fixedNumber(model_->crank()->degrees(), 0, QLocale())));
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
                      model_->layoutTitle(model_->layoutName()));
     drawFocus(painter);
@@ -219,7 +209,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::instance();
     const Engine& engine = model_->result().engine;
     const double radius = engine.crank_radius;
-    const double phi = model_->crankAngleDeg() * degree;
+    const double phi = model_->crank()->degrees() * degree;
     const std::vector<CylinderPose> poses = inertia_moments::engine_pose(engine, phi);
     const std::vector<int> banks = banksOf(engine.cylinders);
 
@@ -380,7 +370,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const Engine& engine = model_->result().engine;
     const auto& input = model_->input();
     const double radius = engine.crank_radius;
-    const double phi = model_->crankAngleDeg() * degree;
+    const double phi = model_->crank()->degrees() * degree;
     const std::vector<int> banks = banksOf(engine.cylinders);
 
     auto [low, high] = sideBounds();
@@ -460,12 +450,12 @@ void EngineView::mousePressEvent(QMouseEvent* event) {
     }
     setPlaying(false);
     // The crank follows the pointer round its axis without a jump.
-    dragOffset_ = model_->crankAngleDeg() - pointerAngle(crankPixel_, event->position());
+    dragOffset_ = model_->crank()->degrees() - pointerAngle(crankPixel_, event->position());
 }
 
 void EngineView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::LeftButton)) {
-        model_->setCrankAngleDeg(pointerAngle(crankPixel_, event->position()) + dragOffset_);
+        turnTo(pointerAngle(crankPixel_, event->position()) + dragOffset_);
     }
 }
 

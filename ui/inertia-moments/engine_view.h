@@ -27,8 +27,6 @@ class EngineView : public MechanismPicture {
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void play(double seconds) override;
-    void step(double degrees) override;
 
   private:
     /// Places of front and side view: one above the other, or beside each other where that makes

@@ -2,7 +2,6 @@
 
 #include <QTabWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/engine_view.h"
@@ -13,7 +12,6 @@
 #include "widgets/layouts.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -26,14 +24,8 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     QVBoxLayout* column = columnIn(this);
 
     picture_ = new EngineView(model_);
-    picturePanel_ = new PicturePanel(
-        picture_, 720.0, tr("Crank angle of the picture, from cylinder 1's axis"), this);
-    connect(picturePanel_->slider(), &ValueSlider::valueEdited, model_, &Model::setCrankAngleDeg);
-    const auto showAngle = [this] {
-        picturePanel_->slider()->setValue(std::round(model_->crankAngleDeg()));
-    };
-    connect(model_, &Model::crankAngleChanged, this, showAngle);
-    showAngle();
+    picturePanel_ =
+        new PicturePanel(picture_, tr("Crank angle of the picture, from cylinder 1's axis"), this);
     column->addWidget(picturePanel_, 5);
 
     auto* panel = new Panel(this);

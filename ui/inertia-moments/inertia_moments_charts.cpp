@@ -18,6 +18,7 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -72,13 +73,12 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsCharts::showFront);
     connect(model_, &SceneModel::changed, this, [this] {
         showMoments();
-        showCursor(model_->crankAngleDeg());
+        showCursor(model_->crank()->degrees());
     });
     connect(model_, &SceneModel::viewChanged, this, &InertiaMomentsCharts::showMoments);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
-            &InertiaMomentsCharts::showCursor);
+    connect(model_->crank(), &CrankAngle::changed, this, &InertiaMomentsCharts::showCursor);
     showMoments();
-    showCursor(model_->crankAngleDeg());
+    showCursor(model_->crank()->degrees());
 }
 
 int InertiaMomentsCharts::heightOfBoth() const {
@@ -172,7 +172,7 @@ void InertiaMomentsCharts::addMoments() {
                         .colour = 4,
                         .width = 2.2,
                         .toolTip = tr("Horizontal plane, likewise")});
-        connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
+        showCrankAngle(plot, model_->crank());
         moments_[i] = plot;
     }
 }
@@ -243,7 +243,7 @@ void InertiaMomentsCharts::addRoll() {
     roll_->addCurve({.name = tr("reaction torque"),
                      .colour = 3,
                      .toolTip = tr("Reaction of the inertia torque on the crank, −Σ F ds/dφ")});
-    connect(roll_, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
+    showCrankAngle(roll_, model_->crank());
     tabs_->addTab(roll_, tr("Roll"));
 }
 
@@ -275,7 +275,7 @@ void InertiaMomentsCharts::addCourses() {
             add(tr("Mz"), 0, 1.8, tr("Roll moment on the engine, of the engine alone"));
             add(tr("Mz left"), 5, 2.2, left);
         }
-        connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
+        showCrankAngle(plot, model_->crank());
         pair->add(plot);
         courses_[force ? 0 : 1] = plot;
     }
@@ -391,13 +391,6 @@ void InertiaMomentsCharts::showHodograph(Hodograph& hodograph, bool force) {
 }
 
 void InertiaMomentsCharts::showCursor(double crankAngle) {
-    for (PlotView* plot : moments_) {
-        plot->setPresentX(crankAngle);
-    }
-    for (PlotView* plot : courses_) {
-        plot->setPresentX(crankAngle);
-    }
-    roll_->setPresentX(crankAngle);
     // Where the vectors stand now, on their hodographs.
     const double phi = crankAngle * degree;
     const Result& result = model_->result();

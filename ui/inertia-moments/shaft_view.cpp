@@ -42,7 +42,7 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -112,7 +112,7 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     const ShaftDesign& design = result.shafts[static_cast<std::size_t>(index)];
     const bool on = design.shaft.enabled;
     const bool moment = design.shaft.balances == Balances::moment;
-    const double phi = model_->crankAngleDeg() * degree;
+    const double phi = model_->crank()->degrees() * degree;
     const double sign = design.shaft.direction == Direction::forward ? 1.0 : -1.0;
     const double turned = sign * design.shaft.order * phi;
 

@@ -7,8 +7,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "plot/picture_file.h"
+#include "plot/plot_view.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
@@ -18,12 +20,20 @@ namespace ravnoves {
 namespace {
 
 constexpr int frameMs = 16;
-constexpr qint64 longestStepMs = 100;  ///< after a standstill it goes on where it was
+constexpr qint64 longestStepMs = 100;       ///< after a standstill it goes on where it was
+constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
 
 }  // namespace
 
-MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWidget* parent)
-    : ComparedFigure(parent) {
+void showCrankAngle(PlotView* plot, CrankAngle* crank) {
+    QObject::connect(plot, &PlotView::cursorMoved, crank, &CrankAngle::turnTo);
+    QObject::connect(crank, &CrankAngle::changed, plot, &PlotView::setPresentX);
+    plot->setPresentX(crank->degrees());
+}
+
+MechanismPicture::MechanismPicture(CrankAngle* crank, const QString& name, const QString& hint,
+                                   QWidget* parent)
+    : ComparedFigure(parent), crank_(crank) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);  // it begins with its own ground
     setAccessibleName(name);
@@ -34,6 +44,11 @@ MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWi
         play(1e-3 * static_cast<double>(std::min(sinceStep_.restart(), longestStepMs)));
     });
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(crank_, &CrankAngle::changed, this, qOverload<>(&QWidget::update));
+}
+
+void MechanismPicture::play(double seconds) {
+    crank_->turnTo(crank_->degrees() + degreesPerSecond * seconds);
 }
 
 void MechanismPicture::setPlaying(bool playing) {
@@ -75,8 +90,7 @@ void MechanismPicture::drawFocus(QPainter& painter) const {
     }
 }
 
-PicturePanel::PicturePanel(MechanismPicture* picture, double most, const QString& hint,
-                           QWidget* parent)
+PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent)
     : Panel(parent), controls_(new QHBoxLayout), action_(new QAction(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(1, 1, 1, Theme::gap);
@@ -89,8 +103,16 @@ PicturePanel::PicturePanel(MechanismPicture* picture, double most, const QString
     button->setAutoRaise(true);
     button->setAccessibleName(tr("Play or pause the picture"));
     controls_->addWidget(button);
-    slider_ = new ValueSlider(tr("&φ"), 0.0, most, 1.0, 15.0, 0, QStringLiteral("°"), this);
+    const CrankAngle* crank = picture->crank();
+    slider_ =
+        new ValueSlider(tr("&φ"), 0.0, crank->cycle(), 1.0, 15.0, 0, QStringLiteral("°"), this);
     slider_->setHint(hint);
+    connect(slider_, &ValueSlider::valueEdited, picture, &MechanismPicture::turnTo);
+    const auto showAngle = [this](double degrees) { slider_->setValue(std::round(degrees)); };
+    connect(crank, &CrankAngle::changed, this, showAngle);
+    connect(crank, &CrankAngle::cycleChanged, this,
+            [this](double degrees) { slider_->setRange(0.0, degrees); });
+    showAngle(crank->degrees());
     controls_->addWidget(slider_, 1);
     action_->setToolTip(tr("Turn the crank"));
 

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "model/crank_angle.h"
 #include "widgets/compared_figure.h"
 #include "widgets/panel.h"
 
@@ -13,7 +14,11 @@ class QPen;
 
 namespace ravnoves {
 
+class PlotView;
 class ValueSlider;
+
+/// φ in a plot over it: the cursor turns the crank, a mark shows where it stands.
+void showCrankAngle(PlotView* plot, CrankAngle* crank);
 
 /// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
 /// a degree. Below its own it shows the mechanism of the reference, at the same crank angle.
@@ -22,8 +27,12 @@ class MechanismPicture : public ComparedFigure {
 
   public:
     /// @param name  for screen readers
-    MechanismPicture(const QString& name, const QString& hint, QWidget* parent = nullptr);
+    MechanismPicture(CrankAngle* crank, const QString& name, const QString& hint,
+                     QWidget* parent = nullptr);
 
+    CrankAngle* crank() const { return crank_; }
+    /// By hand: a step, the slider.
+    virtual void turnTo(double degrees) { crank_->turnTo(degrees); }
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
 
@@ -33,15 +42,16 @@ class MechanismPicture : public ComparedFigure {
   protected:
     void keyPressEvent(QKeyEvent* event) override;
     /// Moves on by the time since the picture before, s.
-    virtual void play(double seconds) = 0;
+    virtual void play(double seconds);
     /// An arrow key: −1 or +1, degrees.
-    virtual void step(double degrees) = 0;
+    virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
     /// For the mechanism of the reference: pale and wide, as its curves in the plots.
     static QPen ghostPen();
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 
   private:
+    CrankAngle* crank_;
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };
@@ -51,10 +61,8 @@ class PicturePanel : public Panel {
     Q_OBJECT
 
   public:
-    /// @param most  the largest crank angle, °
     /// @param hint  what the crank angle is
-    PicturePanel(MechanismPicture* picture, double most, const QString& hint,
-                 QWidget* parent = nullptr);
+    PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent = nullptr);
 
     ValueSlider* slider() const { return slider_; }
     /// Plays and pauses, for menu and toolbar.

@@ -88,7 +88,7 @@ TEST(BalanceShaftModel, SetsValuesByTheirKeys) {
     model.setByKey(QStringLiteral("reciprocating_masses_kg/pin"), QStringLiteral("0.3"));
     EXPECT_NEAR(model.mass("pin"), 0.3, 1e-12);
     model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("370"));
-    EXPECT_NEAR(model.crankAngleDeg(), 370.0, 1e-12);
+    EXPECT_NEAR(model.crank()->degrees(), 370.0, 1e-12);
     EXPECT_THROW(model.setByKey(QStringLiteral("crank_radus_mm"), QStringLiteral("1")), InputError);
     EXPECT_THROW(model.setByKey(QStringLiteral("means"), QStringLiteral("x")), InputError);
 }

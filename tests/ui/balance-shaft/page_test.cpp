@@ -119,7 +119,7 @@ TEST_F(BalanceShaftPageTest, MouseOverThePlotTurnsTheCrank) {
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
                      Qt::NoModifier);
     QApplication::sendEvent(plot, &move);
-    EXPECT_NEAR(model->crankAngleDeg(), 400.0, 2.0);
+    EXPECT_NEAR(model->crank()->degrees(), 400.0, 2.0);
 }
 
 TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
@@ -168,20 +168,20 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
     EXPECT_GT(model->result().dead_centre, 0.0);
     EXPECT_FALSE(page.picture()->grab().isNull());
     // A click straight above the crank's axis turns the crank there, before top dead centre.
-    model->setCrankAngleDeg(60.0);
+    model->crank()->turnTo(60.0);
     QTest::mouseClick(page.picture(), Qt::LeftButton, {}, QPoint(page.picture()->width() / 2, 30));
-    EXPECT_NEAR(model->crankAngleDeg() + model->result().dead_centre / degree, 360.0, 0.5);
+    EXPECT_NEAR(model->crank()->degrees() + model->result().dead_centre / degree, 360.0, 0.5);
     model->history()->undo();
     EXPECT_EQ(model->input().torque.cylinder.offset, 0.0);
 }
 
 TEST_F(BalanceShaftPageTest, PicturePlaysPausesAndTurns) {
     page.picture()->setFocus();
-    const double before = model->crankAngleDeg();
+    const double before = model->crank()->degrees();
     QTest::keyClick(page.picture(), Qt::Key_Space);
     EXPECT_TRUE(page.picture()->isPlaying());
     QTest::qWait(120);
-    EXPECT_NE(model->crankAngleDeg(), before);
+    EXPECT_NE(model->crank()->degrees(), before);
     QTest::keyClick(page.picture(), Qt::Key_Space);
     EXPECT_FALSE(page.picture()->isPlaying());
     page.picture()->setPlaying(true);

@@ -165,8 +165,8 @@ TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
     EXPECT_EQ(page.momentPlot()->xInterval().second, 360.0);
     auto* view = open<FlywheelView>();
     EXPECT_EQ(view->plot()->xInterval().second, 360.0);
-    model->setCrankAngleDeg(400.0);
-    EXPECT_EQ(model->crankAngleDeg(), 40.0);
+    model->crank()->turnTo(400.0);
+    EXPECT_EQ(model->crank()->degrees(), 40.0);
     EXPECT_FALSE(open<OrdersView>()->plot()->valueAt(1, 0.4)) << "half orders are of four strokes";
     // The table brings its own cycle back.
     EXPECT_EQ(model->setTorqueKind(balance_shaft::TorqueSource::Kind::table), QString());

@@ -51,7 +51,7 @@ TEST(ElasticHingeModel, SetsValuesByTheirKeys) {
     model.setByKey(QStringLiteral("kinematics"), QStringLiteral("series"));
     EXPECT_EQ(model.input().kinematics, Kinematics::series);
     model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("400"));
-    EXPECT_NEAR(model.crankAngleDeg(), 40.0, 1e-12);
+    EXPECT_NEAR(model.crank()->degrees(), 40.0, 1e-12);
     model.setByKey(QStringLiteral("exaggeration"), QStringLiteral("20"));
     EXPECT_EQ(model.exaggeration(), 20.0);
     model.setByKey(QStringLiteral("exaggeration"), QStringLiteral("auto"));
@@ -210,8 +210,8 @@ TEST(ElasticHingeModel, ThePictureFollowsTheMotion) {
     ASSERT_NE(motion, nullptr);
     const double time = 0.37 * motion->time.back();
     model.setMotionTime(time);
-    EXPECT_NEAR(std::remainder(model.crankAngleDeg() - motion->angle_at(time) / degree, 360.0), 0.0,
-                1e-9);
+    EXPECT_NEAR(std::remainder(model.crank()->degrees() - motion->angle_at(time) / degree, 360.0),
+                0.0, 1e-9);
     EXPECT_NEAR(model.shownSpeed(), motion->speed_at(time), 1e-12);
     EXPECT_GT(std::abs(model.shownSpeed() - 100.0), 1.0);
     model.setMotionTime(std::nullopt);

@@ -336,17 +336,17 @@ TEST_F(ElasticHingePageTest, MouseOverAPlotTurnsTheCrank) {
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
                      Qt::NoModifier);
     QApplication::sendEvent(plot, &move);
-    EXPECT_NEAR(model->crankAngleDeg(), 200.0, 2.0);
+    EXPECT_NEAR(model->crank()->degrees(), 200.0, 2.0);
 }
 
 TEST_F(ElasticHingePageTest, PicturePlaysPausesAndTurns) {
     waitForMotions();
     page.picture()->setFocus();
-    const double before = model->crankAngleDeg();
+    const double before = model->crank()->degrees();
     QTest::keyClick(page.picture(), Qt::Key_Space);
     EXPECT_TRUE(page.picture()->isPlaying());
     QTest::qWait(150);
-    EXPECT_NE(model->crankAngleDeg(), before);
+    EXPECT_NE(model->crank()->degrees(), before);
     EXPECT_TRUE(model->motionTime().has_value());
     QTest::keyClick(page.picture(), Qt::Key_Space);
     EXPECT_FALSE(page.picture()->isPlaying());
@@ -355,7 +355,7 @@ TEST_F(ElasticHingePageTest, PicturePlaysPausesAndTurns) {
     const QSize size = page.picture()->size();
     QTest::mouseClick(page.picture(), Qt::LeftButton, {}, QPoint(95, size.height() / 2 - 60));
     EXPECT_FALSE(page.picture()->isPlaying());
-    EXPECT_NEAR(model->crankAngleDeg(), 90.0, 10.0);
+    EXPECT_NEAR(model->crank()->degrees(), 90.0, 10.0);
     QTest::keyClick(page.picture(), Qt::Key_Left);
     EXPECT_FALSE(model->motionTime().has_value());
     page.picture()->setPlaying(true);

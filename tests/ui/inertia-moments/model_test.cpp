@@ -272,7 +272,7 @@ TEST(InertiaMomentsModel, SettingsByKeyAsOnTheCommandLine) {
     model.setByKey(QStringLiteral("layout/bank_angle_deg"), QStringLiteral("20"));
     EXPECT_NEAR(model.bankAngleDeg(), 20.0, 1e-12);
     model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("400,5"));
-    EXPECT_NEAR(model.crankAngleDeg(), 400.5, 1e-12);
+    EXPECT_NEAR(model.crank()->degrees(), 400.5, 1e-12);
     model.setByKey(QStringLiteral("layout_name"), QStringLiteral("i4"));
     EXPECT_EQ(model.layoutName(), QStringLiteral("i4"));
     model.setByKey(QStringLiteral("charts"), QStringLiteral("firing"));

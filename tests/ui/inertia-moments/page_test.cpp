@@ -624,31 +624,31 @@ TEST_F(InertiaMomentsPageTest, TheCursorTurnsTheCrankInEveryView) {
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
                      Qt::NoModifier);
     QApplication::sendEvent(plot, &move);
-    EXPECT_NEAR(model->crankAngleDeg(), 400.0, 3.0);
-    EXPECT_NEAR(page.answer()->picturePanel()->slider()->value(), model->crankAngleDeg(), 0.51);
+    EXPECT_NEAR(model->crank()->degrees(), 400.0, 3.0);
+    EXPECT_NEAR(page.answer()->picturePanel()->slider()->value(), model->crank()->degrees(), 0.51);
 }
 
 TEST_F(InertiaMomentsPageTest, PicturePlaysPausesAndTurns) {
     EngineView* picture = page.answer()->picture();
     picture->setFocus();
-    const double before = model->crankAngleDeg();
+    const double before = model->crank()->degrees();
     QTest::keyClick(picture, Qt::Key_Space);
     EXPECT_TRUE(picture->isPlaying());
     QTest::qWait(120);
-    EXPECT_NE(model->crankAngleDeg(), before);
+    EXPECT_NE(model->crank()->degrees(), before);
     QTest::keyClick(picture, Qt::Key_Space);
     EXPECT_FALSE(picture->isPlaying());
-    const double stopped = model->crankAngleDeg();
+    const double stopped = model->crank()->degrees();
     QTest::keyClick(picture, Qt::Key_Right);
-    EXPECT_NEAR(model->crankAngleDeg(), stopped + 1.0, 1e-9);
+    EXPECT_NEAR(model->crank()->degrees(), stopped + 1.0, 1e-9);
     // Dragging turns it without a jump at the press.
     QTest::mousePress(picture, Qt::LeftButton, {}, QPoint(30, 150));
-    EXPECT_NEAR(model->crankAngleDeg(), stopped + 1.0, 1e-9);
+    EXPECT_NEAR(model->crank()->degrees(), stopped + 1.0, 1e-9);
     QMouseEvent move(QEvent::MouseMove, QPoint(60, 60), picture->mapToGlobal(QPoint(60, 60)),
                      Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(picture, &move);
     QTest::mouseRelease(picture, Qt::LeftButton, {}, QPoint(60, 60));
-    EXPECT_GT(std::abs(model->crankAngleDeg() - stopped), 3.0);
+    EXPECT_GT(std::abs(model->crank()->degrees() - stopped), 3.0);
     page.sceneActions().at(0)->trigger();
     EXPECT_TRUE(picture->isPlaying());
     page.setActive(false);

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPicture>
 #include <QScrollArea>
+#include <limits>
 
 #include "events.h"
 #include "painted.h"
@@ -22,11 +23,9 @@ using namespace Qt::StringLiterals;
 
 class Framed final : public MechanismPicture {
   public:
-    Framed() : MechanismPicture(u"Picture"_s, {}) {}
+    explicit Framed(CrankAngle* crank) : MechanismPicture(crank, u"Picture"_s, {}) {}
 
   protected:
-    void play(double /*seconds*/) override {}
-    void step(double /*degrees*/) override {}
     void paintEvent(QPaintEvent* /*event*/) override {
         QPainter painter(this);
         painter.fillRect(rect(), Qt::white);
@@ -34,8 +33,24 @@ class Framed final : public MechanismPicture {
     }
 };
 
+TEST(CrankAngle, GoesRoundAndRestsAtTheEndOfItsCycle) {
+    CrankAngle crank(40.0, 720.0);
+    crank.turnTo(-30.0);
+    EXPECT_EQ(crank.degrees(), 690.0);
+    crank.turnTo(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(crank.degrees(), 690.0);
+    crank.turnTo(720.0);  // where its slider ends
+    EXPECT_EQ(crank.degrees(), 720.0);
+    crank.turnTo(721.0);
+    EXPECT_EQ(crank.degrees(), 1.0);
+    crank.turnTo(400.0);
+    crank.setCycle(360.0);
+    EXPECT_EQ(crank.degrees(), 40.0);
+}
+
 TEST(MechanismPicture, TheFrameOfTheFocusIsOnTheScreenAlone) {
-    Framed picture;
+    CrankAngle crank(0.0, 360.0);
+    Framed picture(&crank);
     test::showAt(picture, {200, 100});
     const auto onPaper = [&] {
         QPicture lines;

@@ -14,7 +14,6 @@
 #include "case-file/text_file.h"
 #include "model/case_model_json.h"
 #include "model/run_beside.h"
-#include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -82,7 +81,7 @@ Json BalanceShaftModel::resultJson() const {
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
     if (key == QLatin1String("crank_angle_deg")) {
-        setCrankAngleDeg(readNumber(key, value));
+        crank_.turnTo(readNumber(key, value));
     } else if (key == QLatin1String("means")) {
         setMeans(static_cast<Means>(oneOf(key, value, {"both", "cycle", "printed"})));
     } else {
@@ -211,7 +210,7 @@ QString BalanceShaftModel::setStrokes(int strokes) {
 
 void BalanceShaftModel::taken() {
     Q_EMIT shaftMoved();
-    setCrankAngleDeg(crankAngle_);
+    crank_.setCycle(cycleDeg());
 }
 
 double BalanceShaftModel::shaftAngleDeg() const {
@@ -252,20 +251,6 @@ void BalanceShaftModel::applyShaftAngle(double radians) {
 
 void BalanceShaftModel::pickShaftAngleDeg(double angle) {
     setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
-}
-
-void BalanceShaftModel::setCrankAngleDeg(double angle) {
-    if (!std::isfinite(angle)) {
-        return;
-    }
-    // The end of the slider is the end of the cycle.
-    if (angle != cycleDeg()) {
-        angle = wrap(angle, cycleDeg());
-    }
-    if (angle != crankAngle_) {
-        crankAngle_ = angle;
-        Q_EMIT crankAngleChanged(angle);
-    }
 }
 
 void BalanceShaftModel::setMeans(Means means) {

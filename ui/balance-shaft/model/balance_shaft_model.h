@@ -8,6 +8,7 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "model/case_model.h"
+#include "model/crank_angle.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -97,8 +98,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString setStrokes(int strokes);
     double cycleDeg() const { return input().cycle_deg(); }  ///< 360 or 720
 
-    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, within the cycle
-    void setCrankAngleDeg(double angle);
+    CrankAngle* crank() { return &crank_; }
+    const CrankAngle* crank() const { return &crank_; }
 
     Means means() const { return means_; }
     void setMeans(Means means);
@@ -141,7 +142,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
   Q_SIGNALS:
     /// α is new, and what follows it.
     void shaftMoved();
-    void crankAngleChanged(double degrees);
     void meansChanged();
 
   private:
@@ -156,7 +156,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
         bool operator==(const RelievedFor&) const = default;
     };
 
-    double crankAngle_ = 60.0;
+    CrankAngle crank_{60.0, input().cycle_deg()};
     Means means_ = Means::Both;
     mutable std::optional<RelievedFor> relievedFor_;
     mutable balance_shaft::RelievedShaft relieved_;

@@ -9,7 +9,6 @@
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/scene.h"
 #include "model/case_model_json.h"
-#include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
 #include "text/message_text.h"
@@ -110,7 +109,7 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
     const auto numbers = [&] { return readNumberList(value, Field{}, key.toStdString()); };
     if (key == QLatin1String("crank_angle_deg")) {
         setMotionTime(std::nullopt);
-        setCrankAngleDeg(readNumber(key, value));
+        crank_.turnTo(readNumber(key, value));
     } else if (key == QLatin1String("exaggeration")) {
         setExaggeration(value == QLatin1String("auto") ? std::nullopt
                                                        : std::optional(readNumber(key, value)));
@@ -163,22 +162,11 @@ void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<dou
 
 // ------------------------------------------------------------------------------------- pictures
 
-void ElasticHingeModel::setCrankAngleDeg(double angle) {
-    if (!std::isfinite(angle)) {
-        return;
-    }
-    angle = wrap(angle, 360.0);
-    if (angle != crankAngle_) {
-        crankAngle_ = angle;
-        Q_EMIT crankAngleChanged(angle);
-    }
-}
-
 void ElasticHingeModel::setMotionTime(std::optional<double> seconds) {
     motionTime_ = seconds;
     const Motion* motion = animatedMotion();
     if (seconds && motion != nullptr) {
-        setCrankAngleDeg(motion->angle_at(*seconds) / degree);
+        crank_.turnTo(motion->angle_at(*seconds) / degree);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
+#include "model/crank_angle.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -63,8 +64,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     const HingeMotions* motions() const { return motions_.get(); }
     MotionRunner* runner() { return &runner_; }
 
-    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…360
-    void setCrankAngleDeg(double angle);
+    CrankAngle* crank() { return &crank_; }
     /// Time within the motion that the picture plays, s; nothing while it is turned by hand.
     std::optional<double> motionTime() const { return motionTime_; }
     void setMotionTime(std::optional<double> seconds);
@@ -122,7 +122,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
                         elastic_hinge::GuideDrawing drawing, double stepDeg) const;
 
   Q_SIGNALS:
-    void crankAngleChanged(double degrees);
     void motionsChanged();
 
   private:
@@ -132,7 +131,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     MotionRunner runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
-    double crankAngle_ = 60.0;
+    CrankAngle crank_{60.0, 360.0};
     std::optional<double> motionTime_;
     Animated animated_ = Animated::CrankHinge;
     elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;

@@ -9,7 +9,6 @@
 #include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
-#include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -81,7 +80,7 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
     const QStringList groups{QStringLiteral("inputs"), QStringLiteral("charts"),
                              QStringLiteral("answer")};
     if (key == QLatin1String("crank_angle_deg")) {
-        setCrankAngleDeg(readNumber(key, value));
+        crank_.turnTo(readNumber(key, value));
     } else if (const auto place = groups.indexOf(key); place >= 0) {
         const auto group = static_cast<Tabs>(place);
         setTab(group, oneOf(key, value, tabNames(group)));
@@ -518,17 +517,6 @@ void InertiaMomentsModel::takeView(const SceneModel& other) {
     forces_ = model->showsForces();
     if (before != *forces_) {
         Q_EMIT viewChanged();
-    }
-}
-
-void InertiaMomentsModel::setCrankAngleDeg(double angle) {
-    if (!std::isfinite(angle)) {
-        return;
-    }
-    angle = wrap(angle, 720.0);
-    if (angle != crankAngle_) {
-        crankAngle_ = angle;
-        Q_EMIT crankAngleChanged(angle);
     }
 }
 

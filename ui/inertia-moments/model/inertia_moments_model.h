@@ -10,6 +10,7 @@
 #include "inertia-moments/presets.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
+#include "model/crank_angle.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -122,8 +123,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// with another engine shows what that one does.
     bool showsForces() const;
     void takeView(const SceneModel& other) override;
-    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
-    void setCrankAngleDeg(double angle);
+    CrankAngle* crank() { return &crank_; }
 
     /// Groups of tabs and the names by which options know their tabs, in order.
     enum class Tabs { Inputs, Charts, Answer };
@@ -141,14 +141,13 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     QString warningText() const;
 
   Q_SIGNALS:
-    void crankAngleChanged(double degrees);
     void tabChanged(InertiaMomentsModel::Tabs group, int index);
 
   private:
     /// True where cylinders and crankpins stand as in hung_.
     bool standsAsHung() const;
 
-    double crankAngle_ = 40.0;
+    CrankAngle crank_{40.0, 720.0};
     std::array<int, 3> tabs_{};
     std::optional<bool> forces_;  ///< taken from another
     /// The table whose articulated rods were put back on their crankpins.
