@@ -174,6 +174,7 @@ QWidget* MethodsPage::buildChoice() {
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
     value_ = new SweepValueField(panel);
+    value_->field()->setModel(model_);
     connect(value_, &SweepValueField::valueEdited, model_, &MethodsModel::setValue);
     case_ = captionLabel({}, panel);
     case_->setObjectName(QStringLiteral("open_case"));

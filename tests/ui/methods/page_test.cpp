@@ -87,6 +87,24 @@ TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
     EXPECT_GT(page.table()->rowCount(), 8);
 }
 
+/// A value that was typed and given up leaves nothing behind.
+TEST_F(MethodsPageTest, EscapeInTheValueFollowsTheCaseAgain) {
+    auto* value = find<NumberField>("value");
+    const auto* take = find<QPushButton>("take_case");
+    const QString before = value->text();
+    ASSERT_FALSE(take->isEnabled());
+    value->setFocus();
+    value->selectAll();
+    QTest::keyClicks(value, QString::number(model->sweep().at(0.5)));
+    EXPECT_TRUE(take->isEnabled());
+    QTest::keyClicks(value, QStringLiteral("x"));
+    EXPECT_FALSE(value->trouble().isEmpty());
+    QTest::keyClick(value, Qt::Key_Escape);
+    EXPECT_EQ(value->text(), before);
+    EXPECT_FALSE(take->isEnabled());
+    EXPECT_TRUE(model->followsCase());
+}
+
 /// Every measured point is in the chart, at its time and its error.
 TEST_F(MethodsPageTest, EveryPointIsDrawn) {
     measure();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
@@ -136,6 +137,7 @@ void MethodsModel::setKernel(std::size_t kernel) {
     if (kernel == kernel_ || kernel >= kernels().size()) {
         return;
     }
+    keepTyped();
     kernel_ = kernel;
     measurements_->cancel();
     if (auto known = measurements_->newest(this->kernel())) {
@@ -152,6 +154,7 @@ void MethodsModel::setSweep(std::size_t sweep) {
     if (sweep == sweepIndex() || sweep >= kernel().sweeps.size()) {
         return;
     }
+    keepTyped();
     chosen().sweep = sweep;
     chosen().value.reset();
     measurements_->cancel();
@@ -173,15 +176,29 @@ void MethodsModel::setValue(double value) {
     if (chosen().value == value || !std::isfinite(value)) {
         return;
     }
+    if (isEditing() && !before_) {
+        before_ = chosen();
+    }
     chosen().value = value;
     Q_EMIT valueChanged(value);
     choiceMoved(settleMs);
+}
+
+bool MethodsModel::takeBack() {
+    if (!before_) {
+        return false;
+    }
+    chosen().value = std::exchange(before_, std::nullopt)->value;
+    Q_EMIT valueChanged(value());
+    choiceMoved(settleMs);
+    return true;
 }
 
 void MethodsModel::followCase() {
     if (followsCase()) {
         return;
     }
+    keepTyped();
     chosen().value.reset();
     Q_EMIT valueChanged(value());
     choiceMoved(0);

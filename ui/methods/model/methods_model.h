@@ -74,6 +74,10 @@ class MethodsModel : public SceneModel {
     void measureAgain();
     void cancel();
 
+    // Of an editing of the value: Escape brings back also that it followed the case.
+    bool takeBack() override;
+    void keepTyped() override { before_.reset(); }
+
   Q_SIGNALS:
     void kernelChanged();
     void sweepChanged();
@@ -99,6 +103,7 @@ class MethodsModel : public SceneModel {
 
     std::size_t kernel_ = 0;
     std::vector<Choice> choices_;
+    std::optional<Choice> before_;  ///< the editing that goes on
     OpenCases openCases_;
     std::shared_ptr<const OpenCase> open_;
     /// By kernel, by sweep; the last known until they are looked up anew.
