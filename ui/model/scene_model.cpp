@@ -103,7 +103,11 @@ void giveVaried(const SceneModel& model, CaseFile& file) {
 
 void SceneModel::noteRefused(QObject* where, bool isRefused) {
     if (!isRefused) {
+        const bool isNewest = where == newestRefused();
         forgetRefusedIn(where);
+        if (isNewest) {
+            sayRefused({});  // what was said of it
+        }
         return;
     }
     refusedIn_.removeOne(where);

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -83,6 +84,17 @@ TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
     QTest::keyClicks(box, QStringLiteral("240,5"));
     QTest::keyClick(box, Qt::Key_Return);
     EXPECT_NEAR(model->shaftAngleDeg(), 240.5, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, TheStatusForgetsARefusalThatEscapeTookBack) {
+    QSignalSpy said(&page, &ScenePage::status);
+    type(field("shaft_angle_from_deg"), QStringLiteral("200"));
+    NumberField* to = field("shaft_angle_to_deg");
+    type(to, QStringLiteral("100"));
+    ASSERT_FALSE(said.last().at(0).toString().isEmpty());
+    QTest::keyClick(to, Qt::Key_Escape);
+    EXPECT_TRUE(to->trouble().isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().isEmpty());
 }
 
 TEST_F(BalanceShaftPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
