@@ -9612,6 +9612,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::EntryField</name>
+    <message>
+        <source>Refused before other values changed: %1 Enter tries it again.</source>
+        <translation>Отвергнуто до изменения других значений: %1 Enter попробует ещё раз.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::EnvelopeView</name>
     <message>
         <source>Overall size over α</source>

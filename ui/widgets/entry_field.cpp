@@ -10,13 +10,7 @@ namespace ravnoves {
 
 EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
     connect(this, &QLineEdit::textEdited, this, [this] {
-        if (!editing_) {
-            editing_ = true;
-            keepValue();
-            if (model_ != nullptr) {
-                model_->beginEditing();
-            }
-        }
+        beginEditing();
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
             setTrouble({});
@@ -40,6 +34,13 @@ void EntryField::setModel(SceneModel* model) {
     connect(model, &SceneModel::refused, this, [this](const QString& why) {
         if (isPassing_) {
             refusal_ = why;
+        }
+    });
+    connect(model, &SceneModel::changed, this, [this] {
+        if (isOfModel_ && !editing_) {
+            isOfModel_ = false;
+            sayTrouble(
+                tr("Refused before other values changed: %1 Enter tries it again.").arg(trouble_));
         }
     });
     connect(model, &SceneModel::broughtIn, this, [this] {
@@ -75,6 +76,21 @@ void EntryField::showValue() {
     setCursorPosition(0);
 }
 
+void EntryField::beginEditing() {
+    if (!editing_) {
+        editing_ = true;
+        keepValue();
+        if (model_ != nullptr) {
+            model_->beginEditing();
+        }
+    }
+}
+
+void EntryField::tryAgain() {
+    beginEditing();
+    readText();
+}
+
 void EntryField::endEditing() {
     if (std::exchange(editing_, false)) {
         if (model_ != nullptr) {
@@ -83,14 +99,19 @@ void EntryField::endEditing() {
     }
 }
 
-void EntryField::setTrouble(const QString& trouble) {
+void EntryField::setTrouble(const QString& trouble, bool isOfModel) {
+    isOfModel_ = isOfModel;
     if (trouble == trouble_) {
         return;
     }
-    trouble_ = trouble;
     if (model_ != nullptr) {
-        model_->noteRefused(this, !trouble_.isEmpty());
+        model_->noteRefused(this, !trouble.isEmpty());
     }
+    sayTrouble(trouble);
+}
+
+void EntryField::sayTrouble(const QString& trouble) {
+    trouble_ = trouble;
     describe();
     Q_EMIT troubleChanged(trouble_);
     update();
@@ -129,6 +150,9 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
         showValue();
         endEditing();
         return;
+    }
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !trouble_.isEmpty()) {
+        tryAgain();  // other values may have mended it
     }
     QLineEdit::keyPressEvent(event);
 }

@@ -14,7 +14,8 @@ namespace ravnoves {
 /// refused, the value from before the editing holds again. A refused text is never thrown away and
 /// never becomes another value by itself: it stays, with a red frame and with trouble() in words,
 /// until it is mended, Escape brings the old value back, or another value is set. Escape undoes
-/// the whole editing, valid values on the way as well.
+/// the whole editing, valid values on the way as well. Other values may mend what the model
+/// refused: once they changed, trouble() says so, and Enter tries the text again.
 ///
 /// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {
@@ -60,7 +61,8 @@ class EntryField : public QLineEdit {
     /// The rule for values in the tooltip; may be empty.
     virtual QString rule() const { return {}; }
 
-    void setTrouble(const QString& trouble);
+    /// @param isOfModel  other values of the model may mend it
+    void setTrouble(const QString& trouble, bool isOfModel = false);
     void showValue();
     void endEditing();
     /// Makes the model hold again what it held before the editing.
@@ -78,6 +80,11 @@ class EntryField : public QLineEdit {
     void describe();
 
   private:
+    void beginEditing();
+    /// Reads the refused text as if it were typed now.
+    void tryAgain();
+    void sayTrouble(const QString& trouble);
+
     QPointer<SceneModel> model_;
     QString hint_;
     QString trouble_;
@@ -87,6 +94,7 @@ class EntryField : public QLineEdit {
     bool isPassing_ = false;
     bool isDoubtful_ = false;
     bool isOfResult_ = true;
+    bool isOfModel_ = false;  ///< the trouble: nothing has changed since
 };
 
 /// An EntryField for values of one type.
@@ -162,16 +170,16 @@ class ValueEntry : public EntryField {
             if (refusal.isEmpty()) {
                 isTaken_ = true;
             } else {
-                refuse(refusal);
+                refuse(refusal, true);
             }
         }
     }
 
   private:
-    void refuse(const QString& why) {
+    void refuse(const QString& why, bool isOfModel = false) {
         bringBack();
         if (isEditing()) {
-            setTrouble(why);
+            setTrouble(why, isOfModel);
         }
     }
 

@@ -86,6 +86,28 @@ TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
     EXPECT_NEAR(model->shaftAngleDeg(), 240.5, 1e-9);
 }
 
+/// Another field mends what was refused: the words say so, and Enter tries it again as one step.
+TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainByEnter) {
+    NumberField* from = field("shaft_angle_from_deg");
+    NumberField* to = field("shaft_angle_to_deg");
+    type(from, QStringLiteral("200"));
+    type(to, QStringLiteral("100"));
+    const QString why = to->trouble();
+    EXPECT_TRUE(why.contains(QStringLiteral("greater than"))) << why.toStdString();
+    QTest::keyClick(to, Qt::Key_Return);
+    EXPECT_EQ(to->trouble(), why);
+    type(from, QStringLiteral("50"));
+    EXPECT_TRUE(to->trouble().startsWith(QStringLiteral("Refused before other values changed")));
+    const int steps = model->history()->count();
+    QTest::keyClick(to, Qt::Key_Return);
+    EXPECT_TRUE(to->trouble().isEmpty());
+    EXPECT_EQ(to->value(), 100.0);
+    EXPECT_EQ(model->history()->count(), steps + 1);
+    model->undo();
+    EXPECT_NE(to->value(), 100.0);
+    EXPECT_EQ(from->value(), 50.0);
+}
+
 TEST_F(BalanceShaftPageTest, TheStatusForgetsARefusalThatEscapeTookBack) {
     QSignalSpy said(&page, &ScenePage::status);
     type(field("shaft_angle_from_deg"), QStringLiteral("200"));
