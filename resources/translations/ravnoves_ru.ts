@@ -15040,10 +15040,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Вал %1</translation>
     </message>
     <message>
-        <source>k </source>
-        <translation>k </translation>
-    </message>
-    <message>
         <source>Remove this shaft</source>
         <translation>Удалить этот вал</translation>
     </message>

@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -40,14 +39,8 @@ class ShaftRow : public QWidget {
                 [=](bool on) { model->setShaftEnabled(index, on); });
         first->addWidget(enabled_);
 
-        auto* order = new QSpinBox(this);
-        order->setRange(1, inertia_moments::highest_order);
-        order->setPrefix(tr("k "));
-        order->setMaximumWidth(Theme::withText(52));
-        order->setKeyboardTracking(false);
-        name(order, field::shaft_order, "shaft_order_%1");
-        form_->bind(order, pointer(field::shaft_order));
-        first->addWidget(order);
+        trouble_ = new TroubleLine(this);
+        addNumber(first, field::shaft_order, "shaft_order_%1", orderWidth);
         addChoice(first, field::shaft_direction);
         addChoice(first, field::shaft_task);
 
@@ -61,7 +54,6 @@ class ShaftRow : public QWidget {
         first->addWidget(remove);
 
         auto* second = addLine(column);
-        trouble_ = new TroubleLine(this);
         column->addWidget(trouble_);
         length_ = addNumber(second, field::weight_distance, "shaft_length_%1");
         position_ = addNumber(second, field::shaft_position, "shaft_position_%1");
@@ -111,24 +103,32 @@ class ShaftRow : public QWidget {
         line->addWidget(box, 1);
     }
 
-    NumberField* addNumber(QHBoxLayout* line, const Field& field, const char* objectName) {
+    /// @param width  of the field, in pixels; 0: it shares what room there is
+    NumberField* addNumber(QHBoxLayout* line, const Field& field, const char* objectName,
+                           int width = 0) {
         auto* holder = new QWidget(this);
         QHBoxLayout* pair = rowIn(holder, Theme::gap);
         auto* target = new NumberField(field, holder);
         name(target, field, objectName);
         target->setHint(shownText(field.hint));
         target->setPlaceholderText(shownText(field.placeholder));
-        target->setMinimumWidth(Theme::withText(46));
+        if (width > 0) {
+            target->setFixedWidth(Theme::withText(width));
+        } else {
+            target->setMinimumWidth(Theme::withText(46));
+        }
         auto* label = new QLabel(
             QStringLiteral("&") + QString::fromStdString(std::string(field.symbol)), holder);
         label->setBuddy(target);
         pair->addWidget(label);
         pair->addWidget(target, 1);
-        line->addWidget(holder, 1);
+        line->addWidget(holder, width > 0 ? 0 : 1);
         form_->bind(target, pointer(field));
         trouble_->watch(target);
         return target;
     }
+
+    static constexpr int orderWidth = 30;  ///< pixels, for two digits
 
     Form* form_;
     int index_;

@@ -3,8 +3,6 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QRegularExpression>
-#include <QSignalBlocker>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -171,20 +169,6 @@ void Form::bind(QComboBox* box, const std::string& pointer) {
     add(pointer, box, [box](const FieldValue& value) {
         const int* present = std::get_if<int>(&value);
         box->setCurrentIndex(present != nullptr ? *present : -1);
-    });
-}
-
-void Form::bind(QSpinBox* box, const std::string& pointer) {
-    const FieldEntry entry = entryOf(pointer);
-    connect(box, &QSpinBox::valueChanged, this,
-            [this, place = entry.pointer, name = fieldName(entry.field)](int number) {
-                if (!model_->editField(place, number, name).isEmpty()) {
-                    showAll();
-                }
-            });
-    add(pointer, box, [box](const FieldValue& value) {
-        const QSignalBlocker quiet(box);
-        box->setValue(static_cast<int>(numberOf(value).value_or(box->minimum())));
     });
 }
 

@@ -12,7 +12,6 @@
 #include "widgets/form_section.h"
 
 class QCheckBox;
-class QSpinBox;
 class QVBoxLayout;
 
 namespace ravnoves {
@@ -61,7 +60,6 @@ class Form : public QWidget {
     // bound to a pointer may go before the form does.
     void bind(NumberField* field, const std::string& pointer);
     void bind(QComboBox* box, const std::string& pointer);
-    void bind(QSpinBox* box, const std::string& pointer);
     void bind(NumberField* field, const Field& description, Read read, Write write);
     /// Of a number in the field's unit.
     void bind(NumberField* field, Read read, Write write);

@@ -544,6 +544,22 @@ TEST_F(InertiaMomentsPageTest, ShaftsAreEditedInTheList) {
     EXPECT_FALSE(field("front_radius_mm")->isVisible());
 }
 
+TEST_F(InertiaMomentsPageTest, TheOrderOfAShaftIsAFieldAsAny) {
+    tab(Tabs::Inputs, "balancing");
+    NumberField* order = field("shaft_order_0");
+    const int before = model->input().shafts[0].order;
+    type(order, QStringLiteral("10,5"));
+    EXPECT_FALSE(order->trouble().isEmpty());
+    EXPECT_EQ(order->text(), QStringLiteral("10,5"));
+    EXPECT_EQ(model->input().shafts[0].order, before);
+    QTest::keyClick(order, Qt::Key_Escape);
+    type(order, QStringLiteral("4"));
+    EXPECT_EQ(model->input().shafts[0].order, 4);
+    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    QApplication::sendEvent(order, &undo);
+    EXPECT_FALSE(undo.isAccepted());  // the document's
+}
+
 TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     tab(Tabs::Inputs, "cylinders");
     CylinderTableModel* table = page.cylinderEditor()->tableModel();
