@@ -21,6 +21,7 @@ namespace field = elastic_hinge::field;
 
 GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {
+    ElasticHingeModel::GuideExport& chosen = model->guideExport();
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->setSpacing(Theme::space);
     section(tr("Guide for the machine shop"));
@@ -34,11 +35,13 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
                           "still: the roller then runs backwards in the guide's own axes, and the "
                           "drawing is the mirror image of the plot"));
     number(
-        field::chord_tolerance, [this] { return drawing_.chord_tolerance; },
-        [this](std::optional<double> value) { drawing_.chord_tolerance = *value; });
+        field::chord_tolerance, [&chosen] { return chosen.drawing.chord_tolerance; },
+        [&chosen](std::optional<double> value) { chosen.drawing.chord_tolerance = *value; });
     number(
-        field::table_step, [this] { return stepDeg_ * degree; },
-        [this](std::optional<double> value) { stepDeg_ = from_si(field::table_step, *value); });
+        field::table_step, [&chosen] { return chosen.stepDeg * degree; },
+        [&chosen](std::optional<double> value) {
+            chosen.stepDeg = from_si(field::table_step, *value);
+        });
     const auto button = [&](const char* name, const QString& label, const QString& hint,
                             const QString& suffix) {
         auto* write = new QPushButton(themedIcon(QStringLiteral("export")), label, this);
@@ -58,14 +61,19 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     column->addWidget(note_);
     column->addStretch();
 
-    connect(hinge_, &QComboBox::activated, this, [this] {
-        branchChosen_ = false;
+    hinge_->setCurrentIndex(static_cast<int>(chosen.hinge));
+    turns_->setCurrentIndex(chosen.drawing.guide_turns ? 0 : 1);
+    connect(hinge_, &QComboBox::activated, this, [this, &chosen](int index) {
+        chosen.hinge = static_cast<Hinge>(index);
+        chosen.branch.reset();
         showGuide();
     });
-    connect(branch_, &QComboBox::activated, this, [this] {
-        branchChosen_ = true;
+    connect(branch_, &QComboBox::activated, this, [this, &chosen](int index) {
+        chosen.branch = index == 0 ? Branch::compressed : Branch::stretched;
         showGuide();
     });
+    connect(turns_, &QComboBox::activated, this,
+            [&chosen](int index) { chosen.drawing.guide_turns = index == 0; });
     follow([this] { showGuide(); });
 }
 
@@ -78,15 +86,10 @@ QComboBox* GuideExportForm::addChoice(const char* name, const QString& label,
     return box;
 }
 
-Hinge GuideExportForm::hinge() const {
-    return static_cast<Hinge>(hinge_->currentIndex());
-}
-
 void GuideExportForm::showGuide() {
-    const Guide& guide = model_->guideOf(hinge());
-    if (!branchChosen_) {
-        branch_->setCurrentIndex(guide.branch == Branch::compressed ? 0 : 1);
-    }
+    const ElasticHingeModel::GuideExport& chosen = model_->guideExport();
+    const Guide& guide = model_->guideOf(chosen.hinge);
+    branch_->setCurrentIndex(chosen.branch.value_or(guide.branch) == Branch::compressed ? 0 : 1);
     const BranchSummary& branch = branch_->currentIndex() == 0 ? guide.compressed : guide.stretched;
     const bool possible = branch.exists && !branch.undercut;
     dxf_->setEnabled(possible);
@@ -103,9 +106,10 @@ void GuideExportForm::showGuide() {
 }
 
 QString GuideExportForm::exportTo(const QString& path) {
-    drawing_.branch = branch_->currentIndex() == 0 ? Branch::compressed : Branch::stretched;
-    drawing_.guide_turns = turns_->currentIndex() == 0;
-    return model_->exportGuide(path, hinge(), drawing_, stepDeg_);
+    const ElasticHingeModel::GuideExport& chosen = model_->guideExport();
+    elastic_hinge::GuideDrawing drawing = chosen.drawing;
+    drawing.branch = chosen.branch.value_or(model_->guideOf(chosen.hinge).branch);
+    return model_->exportGuide(path, chosen.hinge, drawing, chosen.stepDeg);
 }
 
 void GuideExportForm::ask(const QString& suffix) {

@@ -27,7 +27,6 @@ class GuideExportForm : public Form {
     QComboBox* addChoice(const char* name, const QString& label, const QStringList& words,
                          const QString& hint);
     void ask(const QString& suffix);
-    elastic_hinge::Hinge hinge() const;
 
     ElasticHingeModel* model_;
     QComboBox* hinge_;
@@ -36,9 +35,6 @@ class GuideExportForm : public Form {
     QLabel* note_;
     QPushButton* dxf_;
     QPushButton* csv_;
-    elastic_hinge::GuideDrawing drawing_;
-    double stepDeg_ = 0.5;
-    bool branchChosen_ = false;
 };
 
 }  // namespace ravnoves

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QTabWidget>
 
+#include "balance-shaft/shaft_map_view.h"
 #include "case-file/json.h"
 #include "events.h"
 #include "shell/main_window.h"
@@ -21,6 +22,7 @@
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 namespace {
@@ -155,6 +157,37 @@ TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAnew) {
     EXPECT_TRUE(model->history()->canUndo());
     EXPECT_EQ(onPage<NumberField>("crank_radius_mm")->value(), 50.0);
     EXPECT_NE(onPage<NumberField>("crank_radius_mm"), field);
+}
+
+TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
+    const auto choose = [this](const char* name, Qt::Key key) {
+        auto* box = onPage<QComboBox>(name);
+        box->setFocus();
+        QTest::keyClick(box, key);
+    };
+    window.showScene(u"elastic-hinge"_s);
+    choose("export_hinge", Qt::Key_End);
+    const int branch = 1 - onPage<QComboBox>("export_branch")->currentIndex();
+    choose("export_branch", branch == 0 ? Qt::Key_Up : Qt::Key_Down);
+    choose("export_turns", Qt::Key_Down);
+    test::type(onPage<NumberField>("chord_tolerance_mm"), u"0.01"_s);
+    test::type(onPage<NumberField>("step_deg"), u"2"_s);
+    window.showScene(u"balance-shaft"_s);
+    choose("map_criterion", Qt::Key_End);
+    auto* map = window.currentPage()->findChild<ShaftMapView*>();
+    test::type(map->weightSlider()->box(), u"70"_s);
+
+    Preferences::instance().setLanguage(u"ru"_s);
+    QApplication::processEvents();
+    map = window.currentPage()->findChild<ShaftMapView*>();
+    EXPECT_EQ(map->criterionChoice()->currentIndex(), 2);
+    EXPECT_EQ(map->weightSlider()->box()->value(), 70.0);
+    window.showScene(u"elastic-hinge"_s);
+    EXPECT_EQ(onPage<QComboBox>("export_hinge")->currentIndex(), 2);
+    EXPECT_EQ(onPage<QComboBox>("export_branch")->currentIndex(), branch);
+    EXPECT_EQ(onPage<QComboBox>("export_turns")->currentIndex(), 1);
+    EXPECT_EQ(onPage<NumberField>("chord_tolerance_mm")->value(), 0.01);
+    EXPECT_EQ(onPage<NumberField>("step_deg")->value(), 2.0);
 }
 
 TEST_F(Settings, TextGrowsAtOnce) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "balance-shaft/envelope_study.h"
+#include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "model/case_model.h"
@@ -104,6 +105,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Means means() const { return means_; }
     void setMeans(Means means);
 
+    /// What the map of places judges by; ShaftMapModel changes it.
+    PlaceCriterion& placeCriterion() { return placeCriterion_; }
+
     /// The best of the angles that can be built; of all where none can.
     const balance_shaft::Optimum& bestRange() const;
     const balance_shaft::Optimum& bestRms() const;
@@ -158,6 +162,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     CrankAngle crank_{60.0, input().cycle_deg()};
     Means means_ = Means::Both;
+    PlaceCriterion placeCriterion_;
     mutable std::optional<RelievedFor> relievedFor_;
     mutable balance_shaft::RelievedShaft relieved_;
 };

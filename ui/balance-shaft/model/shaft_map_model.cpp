@@ -32,7 +32,8 @@ ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
     : QObject(parent),
       model_(model),
       job_(new BackgroundJob(this)),
-      bandJob_(new BackgroundJob(this)) {
+      bandJob_(new BackgroundJob(this)),
+      criterion_(model->placeCriterion()) {
     job_->setPatience(500, 30);
     connect(model_, &SceneModel::changed, this, [this] { follow(); });
     connect(model_, &SceneModel::broughtIn, this, [this] { follow(true); });

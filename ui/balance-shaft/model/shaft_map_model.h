@@ -128,7 +128,7 @@ class ShaftMapModel : public QObject {
     std::optional<BandPlace> bandRange_;
     std::optional<BandPlace> bandRms_;
     QString trouble_;
-    PlaceCriterion criterion_;
+    PlaceCriterion& criterion_;  ///< the model's, which outlives the page
     ChangeContours contours_;
     std::vector<Marker> markers_;
 };

@@ -109,6 +109,15 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     }
 
     Verdict verdict() const;
+    /// How guides are exported.
+    struct GuideExport {
+        elastic_hinge::Hinge hinge = elastic_hinge::Hinge::crank;
+        std::optional<elastic_hinge::Branch> branch;  ///< none: that of the guide
+        elastic_hinge::GuideDrawing drawing;
+        double stepDeg = 0.5;
+    };
+    GuideExport& guideExport() { return guideExport_; }
+
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results quantities() const;
     /// What the user should know about the result; empty where there is nothing.
@@ -136,6 +145,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     Animated animated_ = Animated::CrankHinge;
     elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;
     std::optional<double> exaggeration_;
+    GuideExport guideExport_;
 };
 
 extern template class CaseModel<ElasticHingeScene>;
