@@ -12826,6 +12826,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 cannot be written to</source>
+<context>
+    <name>ravnoves::Presets</name>
+    <message>
+        <source>TMZ-650D</source>
+        <translation>ТМЗ-650Д</translation>
+    </message>
+</context>
         <translation>в %1 нельзя писать</translation>
     </message>
 </context>

@@ -32,7 +32,7 @@ void BalanceShaftPage::addEngine(Form* form) {
                 model_->edit(
                     tr("Preset TMZ-650D"),
                     [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
-                    QStringLiteral("TMZ-650D"));
+                    BalanceShaftScene::defaultTitle());
                 Q_EMIT model_->broughtIn();
             }
         });

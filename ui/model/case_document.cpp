@@ -20,6 +20,7 @@
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 
@@ -45,8 +46,8 @@ void remember(const QString& path) {
     QSettings().setValue(recentKey, files.mid(0, recentFiles));
 }
 
-/// The title is an example's, and so is the engine.
-bool isExample(const CaseFile& file) {
+/// The input of the example or preset whose title the file has, in this language or in English.
+std::optional<Json> namedInput(const CaseFile& file) {
     const QDir folder(QStringLiteral(":/examples"));
     for (const QString& name : folder.entryList()) {
         QFile example(folder.filePath(name));
@@ -54,11 +55,21 @@ bool isExample(const CaseFile& file) {
             const CaseFile known = parse_case(example.readAll().toStdString());
             if (known.scene == file.scene && known.title == file.title &&
                 known.input == file.input) {
-                return true;
+                return known.input;
             }
         }
     }
-    return false;
+    for (const SceneSolver& solver : scene_solvers()) {
+        if (solver.name == file.scene) {
+            for (const auto& [title, input] : solver.presets()) {
+                if (presetTitle(title).toStdString() == file.title ||
+                    title.english() == file.title) {
+                    return input;
+                }
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 bool holdsCase(const QString& path) {
@@ -220,7 +231,8 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     withinMemory([&] {
         auto rest = std::make_unique<CaseFile>(file);
-        model_->loadFile(file, context, isExample(file));
+        const std::optional<Json> named = namedInput(file);
+        model_->loadFile(file, context, named ? &*named : nullptr);
         rest_ = std::move(rest);
     });
     sources_.clear();  // they were read just now

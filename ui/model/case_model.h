@@ -153,7 +153,7 @@ class CaseModel : public SceneModel {
                            const std::optional<std::string>& input) override;
     QString inputTrouble(const std::string& input) const override;
     Json keptJson() const override;
-    void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
+    void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
     void loadInput(const Json& input, const CaseContext& context) override;
     SolveApart solvesApart() override;
     void loadDefault() override {
@@ -310,13 +310,20 @@ class CaseModel : public SceneModel {
     std::shared_ptr<const Named> defaultName() const {
         return nameOf(scene_.defaultTitle(), scene_.defaultInput());
     }
+    /// Whether an input is still the engine that the title names.
+    bool isEngine(const Input& input, const Input& named) const {
+        if constexpr (requires { scene_.isSameEngine(input, named); }) {
+            if (scene_.isSameEngine(input, named)) {
+                return true;
+            }
+        }
+        return input == named;
+    }
     /// The title that a preset or an example gives an input that may have changed since.
     QString namedTitle(const Input& input) const {
-        bool isSame = input == named_->input;
-        if constexpr (requires { scene_.isSameEngine(input, input); }) {
-            isSame = isSame || scene_.isSameEngine(input, named_->input);
-        }
-        return isSame || named_->title.isEmpty() ? named_->title : changedTitle(named_->title);
+        return isEngine(input, named_->input) || named_->title.isEmpty()
+                   ? named_->title
+                   : changedTitle(named_->title);
     }
     /// The title goes with the input, unless it is the user's.
     void retitle(State& next) const {

@@ -77,21 +77,21 @@ void CaseModel<Scene>::loadWith(Loading loading) {
 }
 
 template <typename Scene>
-void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context, bool isExample) {
+void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context,
+                                const Json* named) {
     loadWith([&] {
         Input input = withinMemory([&] { return readInput(file.input, file.kept, context); });
         const QString title = QString::fromStdString(file.title);
-        std::shared_ptr<const Named> named = isExample ? nameOf(title, input) : nullptr;
-        if (!named && title == scene_.defaultTitle()) {
-            // The preset's, which its file has as the user's own would be.
-            bool isPreset = input == scene_.defaultInput();
-            if constexpr (requires { scene_.isSameEngine(input, input); }) {
-                isPreset = isPreset || scene_.isSameEngine(input, scene_.defaultInput());
-            }
-            named = isPreset ? defaultName() : nullptr;
+        // A preset's title, which its file has as the user's own would be.
+        std::shared_ptr<const Named> kept;
+        if (named != nullptr) {
+            const Input engine = *named == file.input ? input : scene_.read(*named, context);
+            kept = isEngine(input, engine) ? nameOf(title, engine) : nullptr;
+        } else if (title == scene_.defaultTitle() && isEngine(input, scene_.defaultInput())) {
+            kept = defaultName();
         }
         load(openName(),
-             {input, title, QString::fromStdString(file.notes), named, context.directory,
+             {input, title, QString::fromStdString(file.notes), kept, context.directory,
               variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
     });
 }

@@ -176,13 +176,13 @@ void SceneModel::setStudy(const std::string& study) {
 }
 
 void SceneModel::loadCase(const Json& input, const CaseContext& context, const QString& title) {
-    loadFile({sceneName().toStdString(), title.toStdString(), input}, context, false);
+    loadFile({sceneName().toStdString(), title.toStdString(), input}, context, nullptr);
 }
 
 void SceneModel::loadInput(const Json& input, const CaseContext& context) {
     CaseFile file = caseFile();
     file.input = input;
-    loadFile(file, context, false);
+    loadFile(file, context, nullptr);
 }
 
 void SceneModel::editText(const QString& title, const QString& notes) {
@@ -230,6 +230,10 @@ FieldEntry SceneModel::describedField(std::string_view pointer) const {
     const std::vector<FieldEntry> found = describedFields(pointer);
     RAVNOVES_DEMAND(!found.empty(), "a form's field is in the input");
     return found.front();
+}
+
+CaseFile SceneModel::asNew(const CaseFile& file) const {
+    return file;
 }
 
 QString SceneModel::titleText(const QString& title) {

@@ -51,9 +51,12 @@ class SceneModel : public QObject {
     /// The case as it stands: scene, title, notes, input and what is kept.
     CaseFile caseFile() const;
     /// Takes over the same of a case as one step of the history. A fault leaves all as it was.
-    /// @param isExample  the title is that of the engine loaded, not the user's: it goes with it
+    /// @param named  the input of the preset or example that the title is of: it goes with that
+    ///               engine; null: it is the user's
     /// @throws InputError
-    virtual void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) = 0;
+    virtual void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) = 0;
+    /// The case as a new one begins with it.
+    virtual CaseFile asNew(const CaseFile& file) const;
     void loadCase(const Json& input, const CaseContext& context, const QString& title);
     /// Another input under the present title and notes.
     virtual void loadInput(const Json& input, const CaseContext& context);

@@ -76,8 +76,8 @@ std::vector<NewCase> newCases() {
         }
         for (const auto& [title, input] : solver.presets()) {
             list.push_back(
-                {NewCase::Kind::Preset, scene, messageText(title), [scene, title, input] {
-                     return CaseFile{scene.toStdString(), messageText(title).toStdString(), input};
+                {NewCase::Kind::Preset, scene, presetTitle(title), [scene, title, input] {
+                     return CaseFile{scene.toStdString(), presetTitle(title).toStdString(), input};
                  }});
         }
         std::copy_if(examples.begin(), examples.end(), std::back_inserter(list),

@@ -12,6 +12,11 @@ namespace ravnoves {
 
 namespace {
 
+/// Titles of presets that are verbatim in core: here they are found to be translated.
+[[maybe_unused]] constexpr const char* presetTitles[] = {
+    QT_TRANSLATE_NOOP("ravnoves::Presets", "TMZ-650D"),
+};
+
 /// "1.2e+20" as "1.2·10²⁰".
 QString withPower(const QString& number) {
     const qsizetype at = number.indexOf(QLatin1Char('e'));
@@ -68,6 +73,12 @@ QString messageText(const Message& message, const MessageWords& words) {
     }
     return QString::fromStdString(
         fill_pattern(words.text(message.pattern()).toStdString(), values));
+}
+
+QString presetTitle(const Message& title) {
+    return title.pattern().empty()
+               ? QCoreApplication::translate("ravnoves::Presets", title.verbatim().c_str())
+               : messageText(title);
 }
 
 QString fieldName(const Field& field) {

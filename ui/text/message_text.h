@@ -23,6 +23,8 @@ struct MessageWords {
 };
 /// A message of core, by itself in the language of the program.
 QString messageText(const Message& message, const MessageWords& words = {});
+/// A preset's title, also one that core has as words of no language.
+QString presetTitle(const Message& title);
 /// A field's label without the & of its mnemonic: the name of its undo step.
 QString fieldName(const Field& field);
 

@@ -198,7 +198,7 @@ TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
     const CaseFile file = model->caseFile();
     ASSERT_TRUE(file.kept.contains("torque")) << file.kept.dump();
     model->loadDefault();
-    model->loadFile(file, {}, false);
+    model->loadFile(file, {}, nullptr);
     EXPECT_EQ(model->input().torque.table, table);
     choose(0);
     EXPECT_EQ(model->input().torque.kind, Kind::table);

@@ -23,6 +23,7 @@
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
+#include "shell/new_cases.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
@@ -422,6 +423,36 @@ TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {
     EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D"));
     ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
     EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D (changed)"));
+}
+
+TEST_F(SavingTest, EveryPresetsNameGoesWithItsEngine) {
+    using namespace Qt::StringLiterals;
+    const QHash<QString, QString> changes{{u"balance-shaft"_s, u"crank_radius_mm=51"_s},
+                                          {u"elastic-hinge"_s, u"crank_radius_mm=51"_s},
+                                          {u"v8-plugs"_s, u"engine=8.74 l"_s},
+                                          {u"bob-weights"_s, u"engine/cylinders=8"_s},
+                                          {u"inertia-moments"_s, u"crank_radius_mm=51"_s}};
+    int kept = 0;
+    for (const NewCase& each : newCases()) {
+        if (each.kind != NewCase::Kind::Preset || each.title.contains(u"8.74"_s)) {
+            continue;
+        }
+        ASSERT_EQ(window.newCase(each.make()), QString());
+        EXPECT_EQ(model().title(), each.title);
+        if (each.scene == u"v8-plugs"_s || each.scene == u"bob-weights"_s) {
+            ASSERT_EQ(applySetting(window, u"job/customer=N"_s), QString());
+            EXPECT_EQ(model().title(), each.title);  // it is the engine's
+        }
+        ASSERT_EQ(applySetting(window, changes.value(each.scene)), QString());
+        EXPECT_EQ(model().title(), each.title + u" (changed)"_s);
+        model().undo();
+        EXPECT_EQ(model().title(), each.title);
+        CaseDocument& document = *window.documents().current().document;
+        ASSERT_EQ(document.saveTo(file("kept%1.case.json").arg(++kept)), QString());
+        ASSERT_EQ(document.reload(), QString());
+        ASSERT_EQ(applySetting(window, changes.value(each.scene)), QString());
+        EXPECT_EQ(model().title(), each.title + u" (changed)"_s);
+    }
 }
 
 TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {

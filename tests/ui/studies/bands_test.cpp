@@ -249,7 +249,7 @@ TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
         }
         file.study = {{"vary", vary}, {"watch", Json::object()}, {"samples", 64}};
         const auto page = test::makePage(GetParam());
-        page->model()->loadFile(file, {examples.path().toStdString()}, false);
+        page->model()->loadFile(file, {examples.path().toStdString()}, nullptr);
         test::showAt(*page, {1280, 800});
         ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
         int found = 0;

@@ -170,14 +170,14 @@ TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     scene().redo();
     ASSERT_EQ(study().vary.size(), 1U);
     EXPECT_EQ(study().vary[0].spread, studies::Varied::Spread::normal);
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(study().watch.at(0).max, 1100.0);
 }
 
 TEST_F(Tolerances, AStudyThatIsRefusedStaysUntilItIsCleared) {
     CaseFile file = scene().caseFile();
     file.study = {{"vary", {{"/crank_radius_mm", {{"plus", 1}}}}}, {"watch", Json::object()}};
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
     scatter("/crank_radius_mm", u"0.5"_s);
     watch("/metrics/M_ups/range_Nm");
@@ -342,7 +342,7 @@ TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {
     CaseFile file = scene().caseFile();
     file.input.erase("speed_rpm");
     file.input["angular_speed_rad_s"] = 120.0 * pi;
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(StudyModel::nominalText(speed()), u"3600\u00A0min⁻¹"_s);
     scatter("/angular_speed_rad_s", u"30"_s);
     ASSERT_EQ(study().vary.size(), 1U);
@@ -400,7 +400,7 @@ TEST_F(Tolerances, NoMethodLocksThePanel) {
     EXPECT_EQ(study(), before);
     CaseFile file = scene().caseFile();
     file.study["method"] = "grid";
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
     tolerances->model()->setMethod(studies::Method::latin_hypercube);
     EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
@@ -408,7 +408,7 @@ TEST_F(Tolerances, NoMethodLocksThePanel) {
     EXPECT_EQ(study().vary, before.vary);
     // Listed values become their range, and back.
     file.study["vary"] = {{"/crank_radius_mm", {{"values", {40.0, 44.0, 42.0}}}}};
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     ASSERT_EQ(study().method, studies::Method::grid);
     waitForAnswer();
     EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
@@ -582,7 +582,7 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     const CaseFile file = scene().caseFile();
     EXPECT_EQ(file.input["offset_mm"], 0.0);
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
-    scene().loadFile(file, scene().context(), false);
+    scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(study().vary.size(), 1U);
 }
 

@@ -38,6 +38,10 @@ QString number(double value, int decimals) {
 
 }  // namespace
 
+QString BalanceShaftScene::defaultTitle() {
+    return presetTitle(balance_shaft::presets().front().title);
+}
+
 Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
     return balance_shaft::read_input(input, context);
 }

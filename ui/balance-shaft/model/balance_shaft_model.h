@@ -23,7 +23,7 @@ struct BalanceShaftScene {
         mutable std::optional<balance_shaft::EnvelopeStudy> envelopes;
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
-    static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
+    static QString defaultTitle();
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     static void keep(Input& input, const Json& kept, const CaseContext& context);

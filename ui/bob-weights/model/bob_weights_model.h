@@ -19,6 +19,8 @@ struct BobWeightsScene {
     using Solved = bob_weights::Result;
     Input defaultInput() const;
     static QString defaultTitle() { return {}; }
+    /// The title is the engine's; its job and weights are another thing.
+    static bool isSameEngine(const Input& a, const Input& b) { return a.engine == b.engine; }
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named by the model.

@@ -65,7 +65,7 @@ Json MethodsModel::inputJson() const {
 }
 
 void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/,
-                            bool /*isExample*/) {
+                            const Json* /*named*/) {
     const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
     throw InputError(place, CORE_TEXT("core",

@@ -27,7 +27,7 @@ class MethodsModel : public SceneModel {
     bool hasCaseFile() const override { return false; }
     Json inputJson() const override;
     /// @throws InputError always: no case has this page's word
-    void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
+    void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
     /// The measured table.
     Json resultJson() const override;
     void loadDefault() override { setKernel(0); }

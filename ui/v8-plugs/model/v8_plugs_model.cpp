@@ -106,6 +106,16 @@ Input V8PlugsScene::defaultInput() const {
     return input;
 }
 
+bool V8PlugsScene::isSameEngine(const Input& input, const Input& named) {
+    const Engine& a = input.engine;
+    const Engine& b = named.engine;
+    return input.preset == named.preset && a.name == b.name &&
+           a.has_aluminium_plug == b.has_aluminium_plug && a.has_new_plug == b.has_new_plug &&
+           std::ranges::all_of(engine_fields(), [&](const EngineField& each) {
+               return !(b.*each.member) || a.*each.member == b.*each.member;
+           });
+}
+
 Input V8PlugsScene::read(const Json& input, const CaseContext& /*context*/) {
     return read_input(input, Completeness::as_is);
 }

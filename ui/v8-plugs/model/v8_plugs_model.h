@@ -20,6 +20,8 @@ struct V8PlugsScene {
     Input defaultInput() const;
     static QString defaultTitle() { return {}; }
     static Input read(const Json& input, const CaseContext& context);
+    /// Its job is another thing, and what the preset does not know may be filled in.
+    static bool isSameEngine(const Input& input, const Input& named);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
     Solved solve(const Input& input) const;
