@@ -228,6 +228,18 @@ TEST_F(ReportInWindow, PrintsTheTableOfTheTorque) {
     }
 }
 
+TEST_F(ReportInWindow, SaysNothingOfAnEmptyFieldBesideAValue) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    SceneModel& model = *window.currentPage()->model();
+    model.setByKey(u"envelope/cylinder_bore_mm"_s, u"95.5"_s);
+    model.setByKey(u"counterweight_mass_kg"_s, u"0.7"_s);
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    const QString text = fileText(html);
+    EXPECT_TRUE(text.contains(u"95.5"_s));
+    EXPECT_FALSE(text.contains(u">Empty"_s));
+}
+
 TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
     ASSERT_EQ(window.openCase(example()), QString());
     const QString html = file(u"report.html"_s);
