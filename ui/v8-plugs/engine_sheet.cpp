@@ -54,12 +54,7 @@ void EngineSheet::addPlugs(const QString& label, const QString& name, const QStr
     QCheckBox* there = ordered(box(
         name, label, hint, [this, member] { return model_->input().engine.*member; },
         [this, step = QString(label).remove(QLatin1Char('&')), group](bool on) {
-            model_->edit(step, [&](Input& input) {
-                set_plugs(input.engine, group, on);
-                if (!input.engine.has_new_plug) {
-                    input.crankshaft = Crankshaft::standard;
-                }
-            });
+            model_->setPlugs(step, group, on);
         }));
     there->setFont(Theme::font(Theme::baseSize, true));
     there->setMinimumHeight(Theme::withText(fieldHeight - 6));

@@ -328,6 +328,31 @@ void V8PlugsModel::reloadEngines() {
     }
 }
 
+void V8PlugsModel::setPlugs(const QString& name, EngineGroup group, bool present) {
+    if (!present) {
+        plugsBefore_[group] = input();
+    }
+    edit(name, [&](Input& input) {
+        set_plugs(input.engine, group, present);
+        if (!input.engine.has_new_plug) {
+            input.crankshaft = Crankshaft::standard;
+        }
+        if (!present) {
+            return;
+        }
+        const auto before = plugsBefore_.find(group);
+        const bool isSame = before != plugsBefore_.end() && before->second.preset == input.preset &&
+                            before->second.engine.name == input.engine.name;
+        if (const std::optional<Engine> known = isSame ? before->second.engine : keptEngine()) {
+            for (const EngineField& each : engine_fields()) {
+                if (each.group == group) {
+                    input.engine.*each.member = (*known).*each.member;
+                }
+            }
+        }
+    });
+}
+
 QStringList V8PlugsModel::engineNames() const {
     QStringList names;
     for (const Engine& preset : engine_presets()) {
@@ -497,6 +522,22 @@ bool V8PlugsModel::ownEngineChanged() const {
         return kept.engine != input().engine || kept.sheets != ownedSheets(input());
     } catch (const InputError&) {
         return true;
+    }
+}
+
+std::optional<Engine> V8PlugsModel::keptEngine() const {
+    if (const Engine* preset = find_preset(input().preset)) {
+        return *preset;
+    }
+    const int place = engineIndex();
+    if (!isOwnEngine(place)) {
+        return std::nullopt;
+    }
+    try {
+        return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())))
+            .engine;
+    } catch (const InputError&) {
+        return std::nullopt;
     }
 }
 

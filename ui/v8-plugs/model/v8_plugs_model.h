@@ -3,6 +3,7 @@
 #include <QList>
 #include <QStringList>
 #include <QVector>
+#include <map>
 
 #include "text/result_row.h"
 #include "v8-plugs/input.h"
@@ -19,9 +20,9 @@ struct V8PlugsScene {
     using Solved = v8_plugs::Result;
     Input defaultInput() const;
     static QString defaultTitle() { return {}; }
-    static Input read(const Json& input, const CaseContext& context);
     /// Its job is another thing, and what the preset does not know may be filled in.
     static bool isSameEngine(const Input& input, const Input& named);
+    static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
     Solved solve(const Input& input) const;
@@ -75,6 +76,9 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     bool ownEngineChanged() const;
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
+    /// Says whether the engine has the plugs of the group. The values of those that come back are
+    /// what stood there, else what the engine's own data have.
+    void setPlugs(const QString& name, v8_plugs::EngineGroup group, bool present);
     /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
     void fillNominalMasses();
     /// False where there are no such parts, or the masses are theirs.
@@ -132,15 +136,19 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
   private:
     void aboutToLoad() override {
         carried_.reset();
+        plugsBefore_.clear();
         WorkshopModel::aboutToLoad();
     }
     void takeJob(const CaseFile& file, bool isCopy) override {
         carried_.reset();
+        plugsBefore_.clear();
         WorkshopModel::takeJob(file, isCopy);
     }
     /// It is for the crankshaft that there is.
     bool isFitted(v8_plugs::OptionId id) const;
     QString optionTip(const v8_plugs::Option& option) const;
+    /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
+    std::optional<v8_plugs::Engine> keptEngine() const;
     QString engineNameTrouble(const QString& name) const;
 
     JournalJob journalEntry() const override;
@@ -153,7 +161,8 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
 
     Words words_;
     QList<JournalEngine> ownEngines_;
-    std::optional<v8_plugs::Input> carried_;  ///< what newJob() began with
+    std::optional<v8_plugs::Input> carried_;                        ///< what newJob() began with
+    std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out
 };
 
 extern template class CaseModel<V8PlugsScene>;
