@@ -208,11 +208,15 @@ CaseFile CaseDocument::read(const QString& path, QByteArray* digest) {
 }
 
 void CaseDocument::open(const CaseFile& file, const QString& path, const QByteArray& known) {
-    begin(file, {fsPath(QFileInfo(path).absolutePath())});
+    take(file, {fsPath(QFileInfo(path).absolutePath())});
     setPath(path, known);
 }
 
 void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
+    take(model_->asNew(file), context);
+}
+
+void CaseDocument::take(const CaseFile& file, const CaseContext& context) {
     load(file, context);
     model_->history()->clear();  // undo must not bring another case's values under this one's name
     setPath({}, {});
@@ -242,7 +246,7 @@ void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
 
 void CaseDocument::restore(const CaseFile& file, const CaseContext& context, const QString& path,
                            const QByteArray& known) {
-    begin(file, context);
+    take(file, context);
     path_ = path;
     disk_.setPath(path, known);
     model_->history()->resetClean();

@@ -132,6 +132,7 @@ class CaseDocument : public QObject {
     void setPath(const QString& path, const QByteArray& known);
     void tellNeed();
     void load(const CaseFile& file, const CaseContext& context);
+    void take(const CaseFile& file, const CaseContext& context);
     bool mayBeSaved() const {
         return !dialogs_.goOnWithoutRefused || dialogs_.goOnWithoutRefused();
     }

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QDate>
 #include <QLabel>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -12,6 +13,7 @@
 #include <map>
 
 #include "case-file/json.h"
+#include "model/case_document.h"
 #include "v8-plugs/page_test.h"
 #include "v8-plugs/presets.h"
 #include "workshop/checked_field.h"
@@ -63,6 +65,49 @@ TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         }
     }
+}
+
+TEST_F(V8PageTest, PlugsThatComeBackHaveTheirValues) {
+    auto* there = find<QCheckBox>("has_aluminium_plug");
+    const auto toggle = [&] {
+        there->setFocus();
+        QTest::keyClick(there, Qt::Key_Space);
+    };
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        if (page.sheets()->widget(sheet)->isAncestorOf(there)) {
+            page.sheets()->setCurrentIndex(sheet);
+        }
+    }
+    toggle();
+    EXPECT_FALSE(model->input().engine.has_aluminium_plug);
+    EXPECT_EQ(model->input().engine.aluminium_plug_mass, std::nullopt);
+    toggle();
+    EXPECT_EQ(model->input().engine, engine_presets().front());
+    type("aluminium_plug_mass_g", u"1.2"_s);
+    toggle();
+    toggle();
+    EXPECT_EQ(model->input().engine.aluminium_plug_mass, 1.2 * gram);
+    // Those of a case that has none are the paper's.
+    toggle();
+    model->loadCase(model->inputJson(), {}, {});
+    toggle();
+    EXPECT_EQ(model->input().engine, engine_presets().front());
+}
+
+TEST_F(V8PageTest, APresetBeginsAJobOfToday) {
+    const Json preset = {{"engine", "6 l"}};
+    const QString today = QDate::currentDate().toString(Qt::ISODate);
+    CaseDocument document(model, {});
+    document.begin({"v8-plugs", "V-8 of 6 litres", preset}, {});
+    EXPECT_EQ(QString::fromStdString(model->input().job.date), today);
+    EXPECT_FALSE(document.needsSaving());
+    // A job that has its day keeps it, and what is opened is as it was.
+    Json dated = model->inputJson();
+    dated["job"]["date"] = "2020-02-02";
+    document.begin({"v8-plugs", "V-8 of 6 litres", dated}, {});
+    EXPECT_EQ(model->input().job.date, "2020-02-02");
+    document.open({"v8-plugs", "V-8 of 6 litres", preset}, folder.filePath(u"a.case.json"_s));
+    EXPECT_EQ(model->input().job.date, "");
 }
 
 TEST_F(V8PageTest, EveryFieldIsLargeAndNamesItsUnit) {

@@ -61,6 +61,7 @@ class WorkshopModel : public CaseModel<Scene> {
 
     // In workshop_model_json.h.
     Json resultJson() const override;
+    CaseFile asNew(const CaseFile& file) const override;
 
   protected:
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)

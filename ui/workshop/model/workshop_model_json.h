@@ -16,6 +16,22 @@ Json WorkshopModel<Scene>::resultJson() const {
     }
 }
 
+/// A sheet without a job, such as a preset's, becomes one as any new job is: of today.
+template <typename Scene>
+CaseFile WorkshopModel<Scene>::asNew(const CaseFile& file) const {
+    CaseFile next = file;
+    try {
+        Input input = Scene::read(file.input, this->context());
+        if (input.job == decltype(input.job){}) {
+            input.job = this->scene().defaultInput().job;
+            next.input = Scene::write(input);
+        }
+    } catch (const InputError&) {
+        return file;  // loading it says why
+    }
+    return next;
+}
+
 template <typename Scene>
 void WorkshopModel<Scene>::takeJob(const CaseFile& file, bool isCopy) {
     Input next = Scene::read(file.input, this->context());
