@@ -8879,16 +8879,8 @@ but nothing can be built</source>
         <translation>Противовесов нет: включите их на вкладке «Баланс».</translation>
     </message>
     <message>
-        <source>%1: %2 at ρ %3, %4</source>
-        <translation>%1: %2 на ρ %3, %4</translation>
-    </message>
-    <message>
-        <source>force Σ exp(iκ) = %1 at %2; opposite: %3 against the rotation</source>
-        <translation>сила Σ exp(iκ) = %1 под углом %2; противоположно: %3 против вращения</translation>
-    </message>
-    <message>
-        <source>moment Σ z exp(iκ) = %1 at %2; opposite: %3 against the rotation</source>
-        <translation>момент Σ z exp(iκ) = %1 под углом %2; противоположно: %3 против вращения</translation>
+        <source>%1: %2 at ρ %3</source>
+        <translation>%1: %2 на ρ %3</translation>
     </message>
     <message>
         <source>size, mm</source>
@@ -8914,6 +8906,18 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::CycleView</name>
     <message>
+    <message>
+        <source>%1 at %2; opposite: %3 against the rotation</source>
+        <translation>%1 под углом %2; противоположно: %3 против вращения</translation>
+    </message>
+    <message>
+        <source>force Σ exp(iκ) = %1</source>
+        <translation>сила Σ exp(iκ) = %1</translation>
+    </message>
+    <message>
+        <source>moment Σ z exp(iκ) = %1</source>
+        <translation>момент Σ z exp(iκ) = %1</translation>
+    </message>
         <source>The torque is a table.
 Choose “pressure trace” or “computed cycle” on the Torque tab to see gas and inertia torque, pressure and indicator diagram.</source>
         <translation>Крутящий момент задан таблицей.

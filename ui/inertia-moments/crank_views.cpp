@@ -154,37 +154,38 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         y += used.height() + 5.0;
     };
     const auto& rotating = result.rotating;
-    const auto lag = [&](const Complex& v, double scale) {
-        return std::abs(v) > inertia_moments::zero_share * scale ? angleText(-std::arg(-v))
-                                                                 : QStringLiteral("–");
+    // What vanishes has no angle.
+    const auto isThere = [](const Complex& v, double scale) {
+        return std::abs(v) > inertia_moments::zero_share * scale;
     };
-    const auto at = [&](const Complex& v, double scale) {
-        return std::abs(v) > inertia_moments::zero_share * scale ? angleText(std::arg(v))
-                                                                 : QStringLiteral("–");
+    const auto withAngles = [&](const QString& value, const Complex& v, double scale) {
+        return isThere(v, scale) ? tr("%1 at %2; opposite: %3 against the rotation")
+                                       .arg(value, angleText(std::arg(v)), angleText(-std::arg(-v)))
+                                 : value;
     };
-    line(tr("force Σ exp(iκ) = %1 at %2; opposite: %3 against the rotation")
-             .arg(fixedNumber(std::abs(rotating.force_factor), 3, QLocale()),
-                  at(rotating.force_factor, rotating.force_scale),
-                  lag(rotating.force_factor, rotating.force_scale)),
+    const QString force = fixedNumber(std::abs(rotating.force_factor), 3, QLocale());
+    line(tr("force Σ exp(iκ) = %1")
+             .arg(withAngles(force, rotating.force_factor, rotating.force_scale)),
          theme.error(), true);
-    line(tr("moment Σ z exp(iκ) = %1 at %2; opposite: %3 against the rotation")
-             .arg(shownNumber(std::abs(rotating.moment_factor), units::mm, 1),
-                  at(rotating.moment_factor, rotating.moment_scale),
-                  lag(rotating.moment_factor, rotating.moment_scale)),
+    const QString moment = shownNumber(std::abs(rotating.moment_factor), units::mm, 1);
+    line(tr("moment Σ z exp(iκ) = %1")
+             .arg(withAngles(moment, rotating.moment_factor, rotating.moment_scale)),
          theme.curve(4), true);
     if (result.counterweights) {
         const auto& design = *result.counterweights;
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
                                 const QColor& colour) {
-            line(
-                tr("%1: %2 at ρ %3, %4")
-                    .arg(name,
-                         withUnit(std::abs(w.unbalance) > inertia_moments::zero_share * design.scale
-                                      ? shownFigures(w.mass(), units::gram, 4)
-                                      : QStringLiteral("0"),
-                                  shownUnit(units::gram).name),
-                         shownShort(w.radius, units::mm, 4), at(w.unbalance, design.scale)),
-                colour, true);
+            const bool isNeeded = isThere(w.unbalance, design.scale);
+            QString text = tr("%1: %2 at ρ %3")
+                               .arg(name,
+                                    withUnit(isNeeded ? shownFigures(w.mass(), units::gram, 4)
+                                                      : QStringLiteral("0"),
+                                             shownUnit(units::gram).name),
+                                    shownShort(w.radius, units::mm, 4));
+            if (isNeeded) {
+                text += QStringLiteral(", ") + angleText(std::arg(w.unbalance));
+            }
+            line(text, colour, true);
         };
         weight(tr("front web"), design.front, drawing::frontWeight());
         weight(tr("rear web"), design.rear, drawing::rearWeight());

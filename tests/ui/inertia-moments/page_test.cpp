@@ -28,7 +28,9 @@
 #include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
+#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_view.h"
+#include "painted.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
@@ -76,6 +78,24 @@ class InertiaMomentsPageTest : public ::testing::Test {
     InertiaMomentsPage page;
     InertiaMomentsModel* model = nullptr;
 };
+
+TEST_F(InertiaMomentsPageTest, WhatVanishesHasNoAngle) {
+    const auto texts = [this] {
+        CounterweightView view(model);
+        test::showAt(view, {700, 400});
+        QString all;
+        for (const auto& each : test::painted(view).texts) {
+            all += each.text + QLatin1Char('\n');
+        }
+        return all;
+    };
+    EXPECT_TRUE(texts().contains(QStringLiteral("opposite")));
+    model->edit(QStringLiteral("Radial"),
+                [](inertia_moments::Input& input) { input = inertia_moments::preset_radial(9); });
+    const QString said = texts();
+    EXPECT_TRUE(said.contains(QStringLiteral("moment"))) << said.toStdString();
+    EXPECT_FALSE(said.contains(QChar(0x2013))) << said.toStdString();
+}
 
 TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     const QString before = page.resultsAsText();
