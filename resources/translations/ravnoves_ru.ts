@@ -1865,10 +1865,6 @@
         <translation>Введено, но заменено взвешенным: %1.</translation>
     </message>
     <message>
-        <source>Not weighed, so what was typed counts: %1.</source>
-        <translation>Не взвешено, учитывается введённое: %1.</translation>
-    </message>
-    <message>
         <source>%1: %2 of 8 weighed; what was typed counts until all are.</source>
         <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое.</translation>
     </message>
@@ -2019,6 +2015,10 @@
     <message>
         <source>V-8 of %1 litres</source>
         <translation>V-8, %1 л</translation>
+    </message>
+    <message>
+        <source>The changes typed on sheet 1 count beside the weights: %1.</source>
+        <translation>Изменения масс, введённые на листе 1, учитываются вместе со взвешенным: %1.</translation>
     </message>
 </context>
 <context>
@@ -8723,6 +8723,10 @@ but nothing can be built</source>
         <source>Counts once every cylinder is weighed.</source>
         <translation>Считается, когда взвешены все цилиндры.</translation>
     </message>
+    <message>
+        <source>%1: %2 is still needed (%3).</source>
+        <translation>%1: нужно ещё значение «%2» (%3).</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobWeightsPage</name>
@@ -8902,10 +8906,6 @@ but nothing can be built</source>
         <source>moment Σ z exp(iκ)</source>
         <translation>момент Σ z exp(iκ)</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::CycleView</name>
-    <message>
     <message>
         <source>%1 at %2; opposite: %3 against the rotation</source>
         <translation>%1 под углом %2; противоположно: %3 против вращения</translation>
@@ -8918,6 +8918,10 @@ but nothing can be built</source>
         <source>moment Σ z exp(iκ) = %1</source>
         <translation>момент Σ z exp(iκ) = %1</translation>
     </message>
+</context>
+<context>
+    <name>ravnoves::CycleView</name>
+    <message>
         <source>The torque is a table.
 Choose “pressure trace” or “computed cycle” on the Torque tab to see gas and inertia torque, pressure and indicator diagram.</source>
         <translation>Крутящий момент задан таблицей.
@@ -12823,6 +12827,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::Presets</name>
+    <message>
+        <source>TMZ-650D</source>
+        <translation>ТМЗ-650Д</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::Recovery</name>
     <message>
         <source>Unsaved changes are not kept for a crash: %1</source>
@@ -12830,13 +12841,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>%1 cannot be written to</source>
-<context>
-    <name>ravnoves::Presets</name>
-    <message>
-        <source>TMZ-650D</source>
-        <translation>ТМЗ-650Д</translation>
-    </message>
-</context>
         <translation>в %1 нельзя писать</translation>
     </message>
 </context>
@@ -16330,8 +16334,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>вычисляется…</translation>
     </message>
     <message>
-        <source>Printed numbers: %1</source>
-        <translation>Напечатанных чисел: %1</translation>
+        <source>Printed numbers: %1 – %2</source>
+        <translation>Напечатанных чисел: %1 — %2</translation>
     </message>
 </context>
 <context>

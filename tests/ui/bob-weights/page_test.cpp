@@ -556,7 +556,7 @@ TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
     EXPECT_TRUE(
         label("troubles")
             .contains(
-                u"Sheet 4, Front plane: Radius is still needed. Of the rim that is drilled"_s))
+                u"Sheet 4, Front plane: Radius is still needed (of the rim that is drilled"_s))
         << label("troubles").toStdString();
     typeReadings();
     type("diameters_mm", QString());
@@ -570,6 +570,13 @@ TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
     EXPECT_TRUE(label("troubles").contains(u"Sheet 5, drills: Deepest hole is still needed."_s))
         << label("troubles").toStdString();
     type("maximum_depth_mm", u"20"_s);
+    type("slug_density_kg_m3", u"17000"_s);
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 5, heavy metal: Slug diameter is still needed (of the slugs at hand)."_s))
+        << label("troubles").toStdString();
+    type("slug_density_kg_m3", QString());
     type("grade_mm_s", u"6.3"_s);
     EXPECT_TRUE(label("troubles").contains(u"Sheet 4, what may remain: "_s));
     EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << label("troubles").toStdString();

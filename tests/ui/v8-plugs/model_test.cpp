@@ -235,7 +235,7 @@ TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
               u"Typed, but replaced by the weights: "
               "repair piston and rings Δmᵣₚ 2.00\u00A0g."_s);
     EXPECT_EQ(said.at(1),
-              u"Not weighed, so what was typed counts: "
+              u"The changes typed on sheet 1 count beside the weights: "
               "rod big end 0.50\u00A0g, repair shells Δmₛₕ 1.10\u00A0g."_s);
     EXPECT_EQ(said.at(2), u"Rod, big end: 1 of 8 weighed; what was typed counts until all are."_s);
     EXPECT_EQ(model.crankpinResults().rows.at(0).at(1), u"22.20"_s);

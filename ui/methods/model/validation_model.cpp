@@ -206,8 +206,7 @@ QString ValidationModel::countsText() const {
         all += n;
         parts << QStringLiteral("%1: %2").arg(verdictTitle(verdict)).arg(n);
     }
-    return tr("Printed numbers: %1").arg(all) + QStringLiteral(" – ") +
-           parts.join(QStringLiteral(", "));
+    return tr("Printed numbers: %1 – %2").arg(all).arg(parts.join(QStringLiteral(", ")));
 }
 
 QStringList ValidationModel::paperTitles() const {

@@ -84,7 +84,8 @@ QStringList typedBesideWeights(const Words& words, const Input& input) {
     }
     if (!kept.isEmpty()) {
         list << (input.changes_known()
-                     ? words.translate("V8", "Not weighed, so what was typed counts: %1.")
+                     ? words.translate("V8",
+                                       "The changes typed on sheet 1 count beside the weights: %1.")
                      : words.translate("V8",
                                        "Typed on sheet 1, but the weights are to count, and no "
                                        "column of them is whole yet: %1."))
