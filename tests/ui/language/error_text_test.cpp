@@ -13,22 +13,18 @@
 #include <utility>
 #include <vector>
 
-#include "balance-shaft/input.h"
 #include "balance-shaft/torque_table.h"
-#include "bob-weights/input.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/range.h"
 #include "case-file/text_file.h"
-#include "elastic-hinge/input.h"
-#include "inertia-moments/input.h"
 #include "language/catalogue.h"
+#include "scene_tests.h"
 #include "scenes/scenes.h"
 #include "text/field_names.h"
 #include "text/language.h"
 #include "text/number_text.h"
-#include "v8-plugs/input.h"
 
 namespace ravnoves {
 namespace {
@@ -101,15 +97,12 @@ void collect(const Json& value, const Json::json_pointer& at,
 
 /// The fields of a scene.
 const FieldNames& namesOf(const std::string& scene) {
-    static const std::map<std::string, FieldNames> all{
-        {"balance-shaft", FieldNames({describe_fields<balance_shaft::Input>()})},
-        {"bob-weights", FieldNames({describe_fields<bob_weights::Input>()})},
-        {"elastic-hinge", FieldNames({describe_fields<elastic_hinge::Input>()})},
-        {"inertia-moments", FieldNames({describe_fields<inertia_moments::Input>()})},
-        {"v8-plugs", FieldNames({describe_fields<v8_plugs::Input>()})}};
-    static const FieldNames none;
-    const auto found = all.find(scene);
-    return found == all.end() ? none : found->second;
+    static std::map<std::string, FieldNames> all;
+    const auto [place, isNew] = all.try_emplace(scene);
+    if (const auto page = isNew ? test::makePage(scene) : nullptr) {
+        place->second = FieldNames({page->model()->describedFields()});
+    }
+    return place->second;
 }
 
 /// No pointer, no key with its unit, no JSON.
