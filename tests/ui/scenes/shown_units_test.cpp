@@ -187,7 +187,7 @@ TEST_P(PageInOtherUnits, HasNothingLeftInItsOwn) {
         QRegularExpression::UseUnicodePropertiesOption);
     // The pattern finds them where they are …
     const Said own = allOf();
-    EXPECT_TRUE(own.texts.filter(left).size() > 8 || GetParam() == "methods");
+    EXPECT_TRUE(own.texts.filter(left).size() > 3 || GetParam() == "methods");
     // … and elsewhere there are none.
     chooseUnits();
     const Said other = allOf();
@@ -205,7 +205,7 @@ TEST_P(PageInOtherUnits, HasNothingLeftInItsOwn) {
     for (qsizetype i = 0; i < own.tables.size(); ++i) {
         compare(own.tables[i], other.tables[i], converted);
     }
-    EXPECT_TRUE(converted > 5 || GetParam() == "methods") << converted;
+    EXPECT_TRUE(converted > 1 || GetParam() == "methods") << converted;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PageInOtherUnits, ::testing::ValuesIn(test::sceneNames()),
