@@ -468,7 +468,7 @@ TEST(MethodsInTheWindow, HasNoCaseToSave) {
         EXPECT_TRUE(action(keys)->isEnabled());
     }
     const QString tip = action(needCase[1])->toolTip();
-    QTest::keyClick(&window, Qt::Key_6, Qt::ControlModifier);
+    ASSERT_TRUE(window.showScene(QStringLiteral("methods")));
     ASSERT_EQ(window.currentScene(), QStringLiteral("methods"));
     for (const QKeySequence& keys : needCase) {
         EXPECT_FALSE(action(keys)->isEnabled());
