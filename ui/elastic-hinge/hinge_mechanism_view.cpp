@@ -324,8 +324,9 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
                      tr("ω = %1").arg(shownNumber(model_->shownSpeed(), units::rad_per_s, 2)));
     if (model_->shownHinge() == elastic_hinge::Hinge::crank && guide.feasible &&
         model_->exaggeration() > 1.0) {
-        painter.drawText(inside, Qt::AlignBottom | Qt::AlignLeft,
-                         tr("relief × %1").arg(formNumber(model_->exaggeration(), QLocale(), 6)));
+        drawing::drawWithHalo(
+            painter, inside, Qt::AlignBottom | Qt::AlignLeft,
+            tr("relief × %1").arg(formNumber(model_->exaggeration(), QLocale(), 6)));
     }
     if (isPlaying() && model_->animatedMotion() != nullptr) {
         painter.drawText(inside, Qt::AlignBottom | Qt::AlignRight,

@@ -80,7 +80,8 @@ HingePlotTab* makeMotionTab(ElasticHingeModel* model, QWidget* parent) {
     addProgress(bar, model->runner());
     PlotView* speed = addSpeedPlot(tab);
     tab->refresh = [=, shownTurns = 0.0]() mutable {
-        text->setText(model->motionsText());
+        // No unit is broken behind its stroke.
+        text->setText(model->motionsText().replace(u'/', QStringLiteral("/\u2060")));
         const double turns = model->input().motion.value_or(elastic_hinge::MotionWish{}).turns;
         if (turns != shownTurns) {
             shownTurns = turns;
