@@ -65,8 +65,7 @@ class Search {
         if (!question_.largest_size) {
             return true;
         }
-        const BoxSize box = places_.box(place);
-        return box.width * box.height <= *question_.largest_size * (1.0 + size_rounding);
+        return places_.box(place).area() <= *question_.largest_size * (1.0 + size_rounding);
     }
 
     PlaceValue ask(const Place& place) {
@@ -104,8 +103,8 @@ class Search {
         if (least_width * least_height > largest * (1.0 + size_rounding)) {
             return false;
         }
-        const Place gradient = box.width * box.by_height + box.height * box.by_width;
-        const double size = box.width * box.height;
+        const Place gradient = box.by_area();
+        const double size = box.area();
         if (size + gradient.norm() * r < largest) {
             return true;
         }
@@ -144,8 +143,8 @@ class Search {
         constexpr int tries = 3;
         for (int i = 0; i < tries && !is_small_enough(place); ++i) {
             const BoxSize box = places_.box(place);
-            const Place gradient = box.width * box.by_height + box.height * box.by_width;
-            const double excess = box.width * box.height - *question_.largest_size;
+            const Place gradient = box.by_area();
+            const double excess = box.area() - *question_.largest_size;
             polygon.cut({-gradient, excess - gradient.dot(place)});
             if (polygon.size() == 0) {
                 break;

@@ -129,8 +129,7 @@ PlaceQuestion PositionStudy::Prepared::question_of_size() const {
     PlaceQuestion question;
     question.criterion = [this](const Eigen::Vector2d& at) -> PlaceValue {
         const BoxSize box = places.box(at);
-        return {box.width * box.height, box.width * box.by_height + box.height * box.by_width,
-                box.by_width.norm() * box.by_height.norm()};
+        return {box.area(), box.by_area(), box.by_width.norm() * box.by_height.norm()};
     };
     // Crank and shaft side by side, l and the crank's radius wide, the crank's diameter high.
     const double radius = places.view().crank_swing_radius;

@@ -40,6 +40,9 @@ struct BoxSize {
     double width = 0.0;
     double height = 0.0;
     Eigen::Vector2d by_width, by_height;
+
+    double area() const { return width * height; }  ///< m²
+    Eigen::Vector2d by_area() const { return width * by_height + height * by_width; }
 };
 
 /// Where the shaft's axis can be, as BuildableAngles says of a circle, and within the limits given.
