@@ -66,7 +66,7 @@ void Message::add(int value) {
 void Message::add(std::size_t value) {
     add(static_cast<double>(value));
 }
-void Message::add(const Number& value) {
+void Message::add(Number value) {
     arguments_.emplace_back(value);
 }
 void Message::add(Text value) {
@@ -78,20 +78,14 @@ void Message::add(const char* value) {
 void Message::add(std::string_view value) {
     add(std::string(value));
 }
-void Message::add(const std::string& value) {
-    arguments_.emplace_back(value);
-}
-void Message::add(std::string&& value) {
+void Message::add(std::string value) {
     arguments_.emplace_back(std::move(value));
 }
-void Message::add(const Message& value) {
-    arguments_.emplace_back(value);
-}
-void Message::add(Message&& value) {
+void Message::add(Message value) {
     arguments_.emplace_back(std::move(value));
 }
-void Message::add(const Argument& value) {
-    arguments_.push_back(value);
+void Message::add(Argument value) {
+    arguments_.push_back(std::move(value));
 }
 
 Message joined(Message a, Message b) {
