@@ -218,6 +218,7 @@ TEST(ElasticHingeExportRefusals, SayWhy) {
     drawing.roller_radius = 0.2;
     EXPECT_NE(test::error_of([&] { guide_dxf(guide, drawing); }).find("undercut"),
               std::string::npos);
+    EXPECT_NE(test::error_of([&] { guide_csv(guide, {}, 0.0); }), "no error");
     EXPECT_EQ(test::error_of([&] { guide_csv(guide, {}, 0.005); }),
               "step: must be from 0.01 to 90°, got 0.005°");
 }
