@@ -26,6 +26,7 @@ class SpeedView : public QWidget {
     BackgroundJob* job() const;
     PlotView* anglePlot() const { return angles_; }
     SpeedMapPlot* mapPlot() const { return map_; }
+    QComboBox* criterionChoice() const { return criterion_; }
     QString answer() const;
 
   protected:

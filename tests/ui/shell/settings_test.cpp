@@ -11,6 +11,7 @@
 #include <QTabWidget>
 
 #include "balance-shaft/shaft_map_view.h"
+#include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
 #include "events.h"
 #include "shell/main_window.h"
@@ -176,12 +177,18 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     choose("map_criterion", Qt::Key_End);
     auto* map = window.currentPage()->findChild<ShaftMapView*>();
     test::type(map->weightSlider()->box(), u"70"_s);
+    const auto speedCriterion = [this] {
+        return window.currentPage()->findChild<SpeedView*>()->criterionChoice();
+    };
+    speedCriterion()->setFocus();
+    QTest::keyClick(speedCriterion(), Qt::Key_End);
 
     Preferences::instance().setLanguage(u"ru"_s);
     QApplication::processEvents();
     map = window.currentPage()->findChild<ShaftMapView*>();
     EXPECT_EQ(map->criterionChoice()->currentIndex(), 2);
     EXPECT_EQ(map->weightSlider()->box()->value(), 70.0);
+    EXPECT_EQ(speedCriterion()->currentIndex(), 1);
     window.showScene(u"elastic-hinge"_s);
     EXPECT_EQ(onPage<QComboBox>("export_hinge")->currentIndex(), 2);
     EXPECT_EQ(onPage<QComboBox>("export_branch")->currentIndex(), branch);

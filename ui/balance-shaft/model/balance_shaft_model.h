@@ -8,6 +8,7 @@
 #include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
+#include "balance-shaft/speed_study.h"
 #include "model/case_model.h"
 #include "model/crank_angle.h"
 #include "text/result_row.h"
@@ -107,6 +108,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     /// What the map of places judges by; ShaftMapModel changes it.
     PlaceCriterion& placeCriterion() { return placeCriterion_; }
+    /// What SpeedStudyModel shows its map by.
+    balance_shaft::SpeedStudy::Criterion& speedCriterion() { return speedCriterion_; }
 
     /// The best of the angles that can be built; of all where none can.
     const balance_shaft::Optimum& bestRange() const;
@@ -163,6 +166,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     CrankAngle crank_{60.0, input().cycle_deg()};
     Means means_ = Means::Both;
     PlaceCriterion placeCriterion_;
+    balance_shaft::SpeedStudy::Criterion speedCriterion_ = {};
     mutable std::optional<RelievedFor> relievedFor_;
     mutable balance_shaft::RelievedShaft relieved_;
 };

@@ -45,7 +45,10 @@ double SpeedStudyModel::Map::part(int speed, int angle) const {
 }
 
 SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model, QObject* parent)
-    : QObject(parent), model_(model), job_(new BackgroundJob(this)) {
+    : QObject(parent),
+      model_(model),
+      job_(new BackgroundJob(this)),
+      criterion_(model->speedCriterion()) {
     connect(model_, &SceneModel::changed, this, [this] { stale_ = true; });
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) { take({}, why); });
 }

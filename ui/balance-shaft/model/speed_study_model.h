@@ -109,7 +109,7 @@ class SpeedStudyModel : public QObject {
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
-    Criterion criterion_ = Criterion::range;
+    Criterion& criterion_;  ///< the model's, which outlives the page
     Study study_;
     QString trouble_;  ///< why the last run gave nothing
     bool stale_ = true;
