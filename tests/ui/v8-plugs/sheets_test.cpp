@@ -97,8 +97,11 @@ TEST_F(V8PageTest, PlugsThatComeBackHaveTheirValues) {
 TEST_F(V8PageTest, APresetBeginsAJobOfToday) {
     const Json preset = {{"engine", "6 l"}};
     const QString today = QDate::currentDate().toString(Qt::ISODate);
+    model->edit({}, [](v8_plugs::Input& input) { input.tolerance = 7.0 * units::gram_mm; });
+    model->keepTolerance();  // the shop's
     CaseDocument document(model, {});
     document.begin({"v8-plugs", "V-8 of 6 litres", preset}, {});
+    EXPECT_DOUBLE_EQ(model->input().tolerance, 7.0 * units::gram_mm);
     EXPECT_EQ(QString::fromStdString(model->input().job.date), today);
     EXPECT_FALSE(document.needsSaving());
     // A job that has its day keeps it, and what is opened is as it was.
@@ -106,6 +109,10 @@ TEST_F(V8PageTest, APresetBeginsAJobOfToday) {
     dated["job"]["date"] = "2020-02-02";
     document.begin({"v8-plugs", "V-8 of 6 litres", dated}, {});
     EXPECT_EQ(model->input().job.date, "2020-02-02");
+    dated["job"]["date"] = "";
+    dated["tolerance_g_mm"] = 3;  // the case's own
+    document.begin({"v8-plugs", "V-8 of 6 litres", dated}, {});
+    EXPECT_DOUBLE_EQ(model->input().tolerance, 3.0 * units::gram_mm);
     document.open({"v8-plugs", "V-8 of 6 litres", preset}, folder.filePath(u"a.case.json"_s));
     EXPECT_EQ(model->input().job.date, "");
 }

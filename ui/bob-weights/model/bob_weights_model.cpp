@@ -39,10 +39,14 @@ std::optional<WeighIn> rulesAlone(const Input& input) {
 Input BobWeightsScene::defaultInput() const {
     Input input;
     input.engine.bank_angle = 90.0 * degree;
+    startJob(input);
+    return input;
+}
+
+void BobWeightsScene::startJob(Input& input) const {
     if (dated) {
         input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
     }
-    return input;
 }
 
 Input BobWeightsScene::read(const Json& input, const CaseContext& /*context*/) {

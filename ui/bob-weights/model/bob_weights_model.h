@@ -18,6 +18,7 @@ struct BobWeightsScene {
     using Input = bob_weights::Input;
     using Solved = bob_weights::Result;
     Input defaultInput() const;
+    void startJob(Input& input) const;
     static QString defaultTitle() { return {}; }
     /// The title is the engine's; its job and weights are another thing.
     static bool isSameEngine(const Input& a, const Input& b) { return a.engine == b.engine; }

@@ -98,12 +98,19 @@ double shopsTolerance() {
 Input V8PlugsScene::defaultInput() const {
     Input input;
     takePreset(input, engine_presets().front());
-    if (dated) {
-        input.tolerance = shopsTolerance();
-        input.job.technician = JobDesk::rememberedTechnician().toStdString();
-        input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-    }
+    startJob(input);
     return input;
+}
+
+void V8PlugsScene::startJob(Input& input) const {
+    if (!dated) {
+        return;
+    }
+    if (input.tolerance == default_tolerance) {
+        input.tolerance = shopsTolerance();
+    }
+    input.job.technician = JobDesk::rememberedTechnician().toStdString();
+    input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
 }
 
 bool V8PlugsScene::isSameEngine(const Input& input, const Input& named) {

@@ -19,6 +19,7 @@ struct V8PlugsScene {
     using Input = v8_plugs::Input;
     using Solved = v8_plugs::Result;
     Input defaultInput() const;
+    void startJob(Input& input) const;
     static QString defaultTitle() { return {}; }
     /// Its job is another thing, and what the preset does not know may be filled in.
     static bool isSameEngine(const Input& input, const Input& named);

@@ -11,6 +11,7 @@ namespace ravnoves {
 /// its place in the journal. Beside what CaseModel asks for, `Scene` says
 ///
 ///     bool dated;              // a new job is of today
+///     void startJob(Input&) const;  // fills in what a new job has then
 ///     PlacingSearch* placing;  // finds the best placing; null: solve() finds it itself
 ///     static Json solvedJson(const Json& input, const CaseContext&);  // throws InputError
 template <typename Scene>

@@ -23,7 +23,7 @@ CaseFile WorkshopModel<Scene>::asNew(const CaseFile& file) const {
     try {
         Input input = Scene::read(file.input, this->context());
         if (input.job == decltype(input.job){}) {
-            input.job = this->scene().defaultInput().job;
+            this->scene().startJob(input);
             next.input = Scene::write(input);
         }
     } catch (const InputError&) {
