@@ -113,7 +113,7 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     });
     form->section(tr("Torque between the rows of its table"));
     form->choice("/interpolation");
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
 
     auto* tabs = new QTabWidget(this);
     tabs->setDocumentMode(true);

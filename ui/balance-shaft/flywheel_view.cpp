@@ -73,7 +73,7 @@ QWidget* FlywheelView::buildForm() {
         captionLabel(tr("The load takes the mean torque. The inertia of piston and rod is in the "
                         "torque already and is not a part of J."),
                      form));
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
     return form;
 }
 

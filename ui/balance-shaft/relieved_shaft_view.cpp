@@ -263,7 +263,7 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
                               "speed_margin", "bearing_load_limit_N"}) {
         form->number((std::string("/relieved_shaft/") + limit).c_str());
     }
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
     column->addWidget(form, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
     export_->setToolTip(tr("Section and side view, real size, for the machine shop"));

@@ -184,7 +184,7 @@ QWidget* ShaftMapView::buildLimits() {
         tr("Besides what the shaft must clear: for example a wall of the crankcase. What is empty "
            "does not limit. The sizes of the engine are on the Inputs tab."),
         section));
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
     constexpr int enough = 340;  // no field stands far from its name
     form->setMaximumWidth(Theme::withText(enough));
     form->setObjectName(QStringLiteral("limits"));

@@ -187,7 +187,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     FormSection* cylinder = form->section(tr("Cylinder"));
     addNumbers(form, "/torque/pressure", {field::bore, field::offset, field::crankcase_pressure});
     cylinder->addWide(captionLabel(tr("The rod length is on the Inputs tab."), form));
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
         const QString path = askOpenPath(this, tr("Read pressure trace"), {}, tablesFilter());
         if (path.isEmpty()) {
@@ -235,7 +235,7 @@ QWidget* TorqueSourceEditor::buildCycle() {
         number->setDigits(6);
     }
     addNumbers(form, place, {field::combustion_start, field::combustion_duration, field::wiebe_m});
-    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    form->column()->addStretch();
     return scrolled(form, this);
 }
 

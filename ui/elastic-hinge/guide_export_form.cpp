@@ -22,8 +22,7 @@ namespace field = elastic_hinge::field;
 GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {
     ElasticHingeModel::GuideExport& chosen = model->guideExport();
-    auto* column = static_cast<QVBoxLayout*>(layout());
-    column->setSpacing(Theme::space);
+    column()->setSpacing(Theme::space);
     section(tr("Guide for the machine shop"));
     hinge_ = addChoice("export_hinge", tr("&Hinge"),
                        {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
@@ -47,7 +46,7 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
         auto* write = new QPushButton(themedIcon(QStringLiteral("export")), label, this);
         write->setObjectName(QLatin1String(name));
         write->setToolTip(hint);
-        column->addWidget(write);
+        column()->addWidget(write);
         connect(write, &QPushButton::clicked, this, [=, this] { ask(suffix); });
         return write;
     };
@@ -58,8 +57,8 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
                   tr("Crank angle, polar angle, radius, x and y of path and profile; °, mm"),
                   QStringLiteral("csv"));
     note_ = captionLabel({}, this);
-    column->addWidget(note_);
-    column->addStretch();
+    column()->addWidget(note_);
+    column()->addStretch();
 
     hinge_->setCurrentIndex(static_cast<int>(chosen.hinge));
     turns_->setCurrentIndex(chosen.drawing.guide_turns ? 0 : 1);

@@ -8,9 +8,8 @@
 namespace ravnoves {
 
 GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Form(model, parent) {
-    auto* column = static_cast<QVBoxLayout*>(layout());
-    column->setSpacing(Theme::space);
-    column->addWidget(captionLabel(
+    column()->setSpacing(Theme::space);
+    column()->addWidget(captionLabel(
         tr("Finds stiffness and preload that give the crank's guide a relief that can be made, "
            "with the free length, the roller and the side of the spring as they are."),
         this));
@@ -18,17 +17,17 @@ GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Fo
     number("/guide_search/relief_mm");
     number("/guide_search/outer_diameter_mm");
     number("/guide_search/smallest_spring_length_mm");
-    column->addWidget(headingLabel(tr("Found"), this));
+    column()->addWidget(headingLabel(tr("Found"), this));
     auto* answer = new QLabel(this);
     answer->setWordWrap(true);
     answer->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answer->setObjectName(QStringLiteral("search_answer"));
-    column->addWidget(answer);
+    column()->addWidget(answer);
     auto* take = new QPushButton(tr("Use &these values"), this);
     take->setObjectName(QStringLiteral("take_proposal"));
     take->setToolTip(tr("Sets c and ρ₀ to the values found"));
-    column->addWidget(take);
-    column->addStretch();
+    column()->addWidget(take);
+    column()->addStretch();
     connect(take, &QPushButton::clicked, model, &ElasticHingeModel::takeProposal);
     showAnswer_ = [=] {
         answer->setText(model->proposalText());

@@ -31,7 +31,7 @@ HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     number("/profile_error_waves");
     addMotion();
     addFamilies();
-    static_cast<QVBoxLayout*>(layout())->addStretch();
+    column()->addStretch();
 }
 
 void HingeInputs::addObjectBox(const Field& field, const QString& name,

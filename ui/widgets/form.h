@@ -32,6 +32,8 @@ class Form : public QWidget {
     FormSection* section(const QString& title);
     /// The section that rows are added to now.
     FormSection* current() const { return current_; }
+    /// Where the sections stand, and what is to stand between them.
+    QVBoxLayout* column() const { return column_; }
 
     /// A row for a number (or a whole number) of the input.
     NumberField* number(const char* pointer);
@@ -70,10 +72,6 @@ class Form : public QWidget {
 
     /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
-
-  protected:
-    /// Where the sections stand, and what is to stand between them.
-    QVBoxLayout* column() const { return column_; }
 
   private:
     using Show = std::function<void(const FieldValue& value)>;
