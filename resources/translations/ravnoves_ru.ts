@@ -9622,8 +9622,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::EntryField</name>
     <message>
-        <source>Refused before other values changed: %1 Enter tries it again.</source>
-        <translation>Отвергнуто до изменения других значений: %1 Enter попробует ещё раз.</translation>
+        <source>Refused before other values changed; Enter tries it again: %1</source>
+        <translation>Отвергнуто до того, как изменились другие значения; Enter проверит ещё раз: %1</translation>
     </message>
 </context>
 <context>

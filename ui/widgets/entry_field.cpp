@@ -40,7 +40,7 @@ void EntryField::setModel(SceneModel* model) {
         if (isOfModel_ && !editing_) {
             isOfModel_ = false;
             sayTrouble(
-                tr("Refused before other values changed: %1 Enter tries it again.").arg(trouble_));
+                tr("Refused before other values changed; Enter tries it again: %1").arg(trouble_));
         }
     });
     connect(model, &SceneModel::broughtIn, this, [this] {
