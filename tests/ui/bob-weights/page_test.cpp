@@ -38,6 +38,7 @@
 #include "workshop/checked_field.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/verdict.h"
+#include "workshop_page_test.h"
 
 namespace ravnoves {
 namespace {
@@ -45,51 +46,14 @@ namespace {
 using namespace Qt::StringLiterals;
 using namespace bob_weights;
 
-class BobPageTest : public ::testing::Test {
+class BobPageTest : public test::WorkshopPageTest<BobWeightsPage> {
   protected:
-    BobPageTest() : page(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr) {
-        test::showAt(page, {1187, 712});
-        page.activateWindow();
-        model = page.viewModel();
-        page.openJournal();
-    }
-
-    template <typename Widget>
-    Widget* find(const char* name) {
-        return test::named<Widget>(page, name);
-    }
     QString label(const char* name) {
         settle();
         return find<QLabel>(name)->text().replace(QChar(0x00A0), u' ');
     }
-    /// A placing that is looked for is found.
-    void settle() {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !model->isSearching(); }));
-    }
-    /// As a person does: the sheet's tab, the field, its text, Enter.
-    void type(const char* name, const QString& text) {
-        auto* field = find<QWidget>(name);
-        for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-            if (page.sheets()->widget(sheet)->isAncestorOf(field)) {
-                page.sheets()->setCurrentIndex(sheet);
-            }
-        }
-        field->setFocus(Qt::TabFocusReason);
-        QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
-        QTest::keyClick(field, Qt::Key_Delete);
-        QTest::keyClicks(field, text);
-        QTest::keyClick(field, Qt::Key_Return);
-    }
-    /// A question before it has taken the focus.
-    void save() {
-        page.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
-        pressSave();
-    }
-    void pressSave() {
-        QTest::keyClick(&page, Qt::Key_F2);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !model->desk()->isWaiting(); }, 20'000));
-    }
+    void save() { press(Qt::Key_F2); }
+    void pressSave() { pressNow(Qt::Key_F2); }
     void typeShopCard() {
         const std::pair<const char*, const char*> masses[] = {
             {"rings", "69.5"},      {"piston", "583.9"},  {"pin", "173.6"},   {"locks", "4.8"},
@@ -167,10 +131,6 @@ class BobPageTest : public ::testing::Test {
         }
         return texts.join(u'\n').replace(QChar(0x00A0), u' ');
     }
-
-    QTemporaryDir folder;
-    BobWeightsPage page;
-    BobWeightsModel* model = nullptr;
 };
 
 TEST_F(BobPageTest, ShopCardByKeys) {

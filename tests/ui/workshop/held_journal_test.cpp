@@ -18,36 +18,22 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/v8_plugs_page.h"
 #include "widgets/number_field.h"
+#include "workshop_page_test.h"
 
 namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
 
-class HeldJournal : public ::testing::Test {
+class HeldJournal : public test::WorkshopPageTest<V8PlugsPage> {
   protected:
-    HeldJournal() : page(path(), nullptr) {
-        test::showAt(page, {1187, 712});
-        page.activateWindow();
-        page.openJournal();
+    HeldJournal() {
         type("engine_number", u"53-11"_s);
         type("rod_big_end", u"1"_s);
     }
 
     QString path() const { return QDir(folder.path()).filePath(u"journal.sqlite"_s); }
-    JobDesk& desk() { return *page.viewModel()->desk(); }
-    void type(const char* name, const QString& text) {
-        auto* field = test::named<QWidget>(page, name);
-        for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-            if (page.fieldsOf(sheet).contains(field)) {
-                page.sheets()->setCurrentIndex(sheet);
-            }
-        }
-        field->setFocus();
-        QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
-        QTest::keyClicks(field, text);
-        QTest::keyClick(field, Qt::Key_Return);
-    }
+    JobDesk& desk() { return *model->desk(); }
     void save() {
         page.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
@@ -71,8 +57,6 @@ class HeldJournal : public ::testing::Test {
         return form.at("input").at("mass_changes_g").value("rod_big_end", 0.0);
     }
 
-    QTemporaryDir folder;
-    V8PlugsPage page;
     QProcess other;
 };
 
