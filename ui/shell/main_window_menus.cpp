@@ -364,11 +364,9 @@ void MainWindow::fillNewMenu() {
 
 void MainWindow::fillExamples() {
     examplesMenu_->clear();
-    for (const NewCase& each : newCases()) {
-        if (each.kind == NewCase::Kind::Example) {
-            examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
-                                     this, [this, each] { beginOrSayWhy(each.make()); });
-        }
+    for (const NewCase& each : newExamples()) {
+        examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
+                                 this, [this, each] { beginOrSayWhy(each.make()); });
     }
 }
 

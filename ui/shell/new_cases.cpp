@@ -32,6 +32,10 @@ QString shown(const char* text) {
     return QCoreApplication::translate("ravnoves::NewCases", text);
 }
 
+QString nameOf(const SceneSolver& solver) {
+    return QString::fromLatin1(solver.name.data(), static_cast<qsizetype>(solver.name.size()));
+}
+
 CaseFile readInside(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
@@ -54,19 +58,28 @@ QString listed(const NewCase& each) {
     return each.title;
 }
 
-std::vector<NewCase> newCases() {
-    std::vector<NewCase> examples;
+std::vector<NewCase> newExamples() {
+    std::vector<NewCase> found;
     const QDir folder(QStringLiteral(":/examples"));
     for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
         const QString path = folder.filePath(name);
         const CaseFile file = readInside(path);
-        examples.push_back({NewCase::Kind::Example, QString::fromStdString(file.scene),
-                            shown(file.title.c_str()), [path] { return readInside(path); }});
+        found.push_back({NewCase::Kind::Example, QString::fromStdString(file.scene),
+                         shown(file.title.c_str()), [path] { return readInside(path); }});
     }
     std::vector<NewCase> list;
     for (const SceneSolver& solver : scene_solvers()) {
-        const QString scene =
-            QString::fromLatin1(solver.name.data(), static_cast<qsizetype>(solver.name.size()));
+        std::copy_if(found.begin(), found.end(), std::back_inserter(list),
+                     [&](const NewCase& each) { return each.scene == nameOf(solver); });
+    }
+    return list;
+}
+
+std::vector<NewCase> newCases() {
+    const std::vector<NewCase> examples = newExamples();
+    std::vector<NewCase> list;
+    for (const SceneSolver& solver : scene_solvers()) {
+        const QString scene = nameOf(solver);
         const QString path = QStringLiteral(":/templates/%1.case.json").arg(scene);
         if (QFile::exists(path)) {
             list.push_back(

@@ -29,4 +29,7 @@ QString listed(const NewCase& each);
 /// examples.
 std::vector<NewCase> newCases();
 
+/// The examples among them, in the same order.
+std::vector<NewCase> newExamples();
+
 }  // namespace ravnoves

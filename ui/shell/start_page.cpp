@@ -10,10 +10,12 @@
 #include <QSvgRenderer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "model/case_document.h"
 #include "shell/scene_list.h"
+#include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
@@ -57,20 +59,21 @@ class SceneCard : public StartButton {
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override {
-        return pictureHeight(width) + Theme::space + title(width).height() + Theme::gap +
-               summary(width).height() + Theme::margin;
+        const Texts texts = textsAt(width);
+        return pictureHeight(width) + Theme::space + texts.title.height() + Theme::gap +
+               texts.summary.height() + Theme::margin;
     }
     QSize sizeHint() const override { return {200, heightForWidth(200)}; }
     /// No word is cut.
     QSize minimumSizeHint() const override {
         int width = 120;
-        const auto fit = [&width](const QFontMetrics& metrics, const QString& words) {
+        const auto fit = [&width](const QFont& font, const QString& words) {
             for (const QString& word : words.split(QLatin1Char(' '))) {
-                width = std::max(width, metrics.horizontalAdvance(word) + 2 * Theme::margin + 2);
+                width = std::max(width, qCeil(textWidth(font, word)) + 2 * Theme::margin + 2);
             }
         };
-        fit(QFontMetrics(titleFont()), text());
-        fit(fontMetrics(), summary_);
+        fit(titleFont(), text());
+        fit(font(), summary_);
         return {width, heightForWidth(std::max(width, 200))};
     }
 
@@ -89,12 +92,16 @@ class SceneCard : public StartButton {
         int top = pictureHeight(width()) + Theme::space;
         painter.setPen(theme.text());
         painter.setFont(titleFont());
-        const QRect heading = title(width());
-        painter.drawText(heading.translated(0, top), wrap, text());
-        top += heading.height() + Theme::gap;
+        const Texts texts = textsAt(width());
+        painter.drawText(texts.title.translated(0, top), wrap, text());
+        top += texts.title.height() + Theme::gap;
         painter.setFont(font());
         painter.setPen(theme.mutedText());
-        painter.drawText(summary(width()).translated(0, top), wrap, summary_);
+        painter.drawText(texts.summary.translated(0, top), wrap, summary_);
+    }
+    void changeEvent(QEvent* event) override {
+        known_.clear();
+        StartButton::changeEvent(event);
     }
 
   private:
@@ -108,8 +115,20 @@ class SceneCard : public StartButton {
         bold.setBold(true);
         return bold;
     }
-    QRect title(int width) const { return wrapped(QFontMetrics(titleFont()), text(), width); }
-    QRect summary(int width) const { return wrapped(fontMetrics(), summary_, width); }
+    /// Where its texts go at a width, from the top of each.
+    struct Texts {
+        QRect title;
+        QRect summary;
+    };
+    /// A layout asks for the same few widths again and again; to break lines takes long.
+    Texts textsAt(int width) const {
+        const auto [at, isNew] = known_.try_emplace(width);
+        if (isNew) {
+            at->second = {wrapped(QFontMetrics(titleFont()), text(), width),
+                          wrapped(fontMetrics(), summary_, width)};
+        }
+        return at->second;
+    }
     static QRect wrapped(const QFontMetrics& metrics, const QString& text, int width) {
         return metrics.boundingRect(QRect(Theme::margin, 0, width - 2 * Theme::margin, 10'000),
                                     wrap, text);
@@ -117,6 +136,7 @@ class SceneCard : public StartButton {
 
     QString summary_;
     QString svg_;
+    mutable std::map<int, Texts> known_;  ///< by width
 };
 
 /// A line that leads to a case: an icon and a text, shortened where it does not fit.
@@ -224,13 +244,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     recent_->addStretch();
     examplesBox_ = new QWidget(content);
     QVBoxLayout* examples = column(examplesBox_, tr("Examples"));
-    for (const NewCase& each : newCases()) {
-        if (each.kind == NewCase::Kind::Example) {
-            auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.title,
-                              QStringLiteral("start-example"),
-                              [this, each] { Q_EMIT newRequested(each.make()); });
-            made->setToolTip(each.title);
-        }
+    for (const NewCase& each : newExamples()) {
+        auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.title,
+                          QStringLiteral("start-example"),
+                          [this, each] { Q_EMIT newRequested(each.make()); });
+        made->setToolTip(each.title);
     }
     examples->addStretch();
     arrange();

@@ -172,6 +172,17 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     EXPECT_EQ(paths, QStringList{path});
 }
 
+// A card knows its lines from the last time: not beyond a change of the size of text.
+TEST_F(StartPageTest, CardsGrowWithTheirText) {
+    const int usual = card(u"balance-shaft"_s)->heightForWidth(200);
+    Theme::instance().setTextScale(2.0);
+    QApplication::processEvents();
+    EXPECT_GT(card(u"balance-shaft"_s)->heightForWidth(200), usual + 20);
+    Theme::instance().setTextScale(1.0);
+    QApplication::processEvents();
+    EXPECT_EQ(card(u"balance-shaft"_s)->heightForWidth(200), usual);
+}
+
 // Everything that a new case may begin with can be loaded, and shows something.
 TEST(NewCases, AreTakenByTheirScenes) {
     QWidget place;
