@@ -51,7 +51,7 @@ const QString currentKey = QStringLiteral("session/current");  ///< a file, or a
 
 MainWindow::MainWindow(First first) {
     keepTextPlain();
-    setWindowIcon(QIcon(QStringLiteral(":/icons/ravnoves.svg")));
+    setWindowIcon(themedIcon(QStringLiteral("ravnoves")));
     setMinimumSize(800, 500);
     resize(1280, 800);
     setAcceptDrops(true);

@@ -4,6 +4,8 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QSvgRenderer>
+#include <algorithm>
+#include <vector>
 
 #include "theme/theme.h"
 
@@ -19,32 +21,51 @@ class ThemedIconEngine : public QIconEngine {
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode,
                QIcon::State state) override {
-        const Theme& theme = Theme::instance();
-        QColor colour = theme.text();
-        if (mode == QIcon::Disabled) {
-            colour = theme.border();
-        } else if (state == QIcon::On) {
-            colour = theme.accent();
-        }
         QByteArray svg = svg_;
-        svg.replace("currentColor", colour.name().toLatin1());
+        svg.replace("currentColor", colourOf(mode, state).name().toLatin1());
         QSvgRenderer renderer(svg);
         painter->setRenderHint(QPainter::Antialiasing);
         renderer.render(painter, rect);
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        const QRgb colour = colourOf(mode, state).rgb();
+        const auto known = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& each) {
+            return each.colour == colour && each.picture.size() == size;
+        });
+        if (known != drawn_.end()) {
+            return known->picture;
+        }
         QPixmap pixmap(size);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
         paint(&painter, QRect(QPoint(), size), mode, state);
+        painter.end();
+        constexpr std::size_t most = 4;  // a button's states; of a theme or a scale before no more
+        if (drawn_.size() == most) {
+            drawn_.erase(drawn_.begin());
+        }
+        drawn_.push_back({colour, pixmap});
         return pixmap;
     }
 
     QIconEngine* clone() const override { return new ThemedIconEngine(*this); }
 
   private:
+    struct Drawn {
+        QRgb colour;
+        QPixmap picture;
+    };
+
+    static QColor colourOf(QIcon::Mode mode, QIcon::State state) {
+        const Theme& theme = Theme::instance();
+        return mode == QIcon::Disabled ? theme.border()
+               : state == QIcon::On    ? theme.accent()
+                                       : theme.text();
+    }
+
     QByteArray svg_;
+    std::vector<Drawn> drawn_;
 };
 
 }  // namespace

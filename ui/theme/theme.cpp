@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QHash>
+#include <QIcon>
 #include <QLineEdit>
 #include <QPainter>
 #include <QPalette>
@@ -17,6 +18,7 @@
 
 #include "text/text_width.h"
 #include "theme/desktop_colour_scheme.h"
+#include "theme/icons.h"
 
 namespace ravnoves {
 
@@ -94,9 +96,9 @@ Option outlined(Option option) {
 
 /// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, with
 /// outlines that are seen, and with marks, arrows and handles that go with the text.
-class DenseTabs : public QProxyStyle {
+class ProgramStyle : public QProxyStyle {
   public:
-    DenseTabs() : QProxyStyle(QStringLiteral("Fusion")) {}
+    ProgramStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
@@ -142,6 +144,15 @@ class DenseTabs : public QProxyStyle {
             default:
                 return QProxyStyle::styleHint(hint, option, widget, returned);
         }
+    }
+
+    /// What leads to the actions that have no room has the theme's colour; and Qt loads all its
+    /// readers of pictures for its own.
+    QIcon standardIcon(StandardPixmap icon, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        return icon == SP_ToolBarHorizontalExtensionButton
+                   ? themedIcon(QStringLiteral("more"))
+                   : QProxyStyle::standardIcon(icon, option, widget);
     }
 
     /// A title that fits but for a fraction of a pixel is not shortened.
@@ -397,7 +408,7 @@ Theme& Theme::instance() {
 }
 
 void Theme::install(Mode mode) {
-    QApplication::setStyle(new DenseTabs);
+    QApplication::setStyle(new ProgramStyle);
     if (const QScreen* screen = QGuiApplication::primaryScreen()) {
         // The desktop's large text; what differs little from the usual resolution is that.
         constexpr double usualDpi = 96.0;

@@ -8,6 +8,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QIcon>
 #include <QLineEdit>
 #include <QPixmapCache>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "theme/icons.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -160,6 +162,37 @@ TEST_F(Style, PaintingNewWidgetsKeepsNothing) {
     const double before = paint(20);
     const double bytes = paint(200) - before;
     EXPECT_LT(bytes / 200.0, 500.0) << "bytes a page";
+}
+
+/// The colour of the most opaque pixel.
+QColor inkOf(const QIcon& icon) {
+    const QImage picture = icon.pixmap(24).toImage().convertToFormat(QImage::Format_ARGB32);
+    QColor ink(Qt::transparent);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const QColor here = picture.pixelColor(x, y);
+            ink = here.alpha() > ink.alpha() ? here : ink;
+        }
+    }
+    return ink;
+}
+
+// An icon keeps its picture, but not beyond a change of the theme; and what the style adds, as the
+// mark of a tool bar without room, is no dark picture on a dark ground.
+TEST_F(Style, IconsHaveTheThemesColour) {
+    const QIcon own = themedIcon(u"open"_s);
+    const QIcon more =
+        QApplication::style()->standardIcon(QStyle::SP_ToolBarHorizontalExtensionButton);
+    for (const auto mode :
+         {Theme::Mode::Light, Theme::Mode::Dark, Theme::Mode::Light, Theme::Mode::Dark}) {
+        Theme::instance().setMode(mode);
+        EXPECT_EQ(inkOf(own).rgb(), Theme::instance().text().rgb());
+        EXPECT_EQ(inkOf(more).rgb(), Theme::instance().text().rgb());
+        const QPixmap disabled = own.pixmap(24, QIcon::Disabled);
+        EXPECT_EQ(inkOf(disabled).rgb(), Theme::instance().border().rgb());
+    }
+    EXPECT_EQ(own.pixmap(16).size(), QSize(16, 16));
+    EXPECT_EQ(own.pixmap(48).size(), QSize(48, 48));
 }
 
 }  // namespace
