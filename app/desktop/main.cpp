@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
+#include <optional>
 
 #include "report/case_report.h"
 #include "shell/documents.h"
@@ -122,11 +123,12 @@ int main(int argc, char** argv) {
     }
     parser.process(app);  // --help and --version
 
-    const QTemporaryDir noSettings;
+    std::optional<QTemporaryDir> noSettings;
     const QString noFile = ravnoves::noFileForSettings();
     if (isSilent || !noFile.isEmpty()) {
         // Nothing of the user's settings may change the picture; and no pipe is waited for.
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, noSettings.path());
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                           noSettings.emplace().path());
     }
     if (isSilent) {
         ravnoves::Journal::setKept(false);
