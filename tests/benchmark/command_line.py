@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Times whole runs of ravnoves-cli, taken in turns: medians of processor and wall time, and the share of
-`--version` in the same turns. Then the most memory that a batch and a study take, small and large.
+"""Times whole runs of ravnoves-cli, taken in turns: the median of the processor time, beside that of
+`--version`, and its share in the same turns. Then the most memory that a batch and a study take,
+beside those of a hundredth of the size. Lines `name | value | rival | share`, as table.py has them.
 
-command_line.py PROGRAM [RUNS [CASES]]    60 runs each; a batch of 100 000 cases, ten times the samples
+command_line.py PROGRAM [RUNS [CASES]]    60 runs each; a batch of 100 000 cases, a study of a
+                                          hundred times as many samples
 """
 
 import json
@@ -11,24 +13,20 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "examples"
 ONLY = ["--only", "/metrics/M_ups/range_Nm,/optimum/range"]
 
 
-def run(command, read=None):
-    """Processor and wall time, ms."""
-    begin = time.perf_counter()
+def run(command):
+    """Processor time, ms."""
     silent = [(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)]
-    if read:
-        silent.append((os.POSIX_SPAWN_OPEN, 0, read, os.O_RDONLY, 0))
     child = os.posix_spawn(command[0], command, os.environ, file_actions=silent)
     _, status, used = os.wait4(child, 0)
     if status != 0:
         sys.exit(f"{command}: status {status}")
-    return 1e3 * (used.ru_utime + used.ru_stime), 1e3 * (time.perf_counter() - begin)
+    return 1e3 * (used.ru_utime + used.ru_stime)
 
 
 def peak(command, read=None):
@@ -42,6 +40,12 @@ def peak(command, read=None):
     return int(measured.stdout)
 
 
+def print_peaks(name, peaks):
+    small, large = peaks
+    print(f"memory at most, {name} (rival: a hundredth of them) | {large / 1024:.1f} MB | "
+          f"{small / 1024:.1f} MB | {large / small:.2f}")
+
+
 def main():
     program = sys.argv[1]
     runs = int(sys.argv[2]) if len(sys.argv) > 2 else 60
@@ -51,29 +55,33 @@ def main():
     for name in ("v8-4.25-repair", "vr5-volkswagen", "zotov-energy", "tmz-650d"):
         commands.append([program, "solve", str(EXAMPLES / f"{name}.case.json")])
     taken = [[run(command) for command in commands] for _ in range(runs)]
-    for k, command in enumerate(commands):
-        processor, wall = (statistics.median(turn[k][i] for turn in taken) for i in (0, 1))
-        share, wall_share = (statistics.median(turn[k][i] / turn[0][i] for turn in taken)
-                             for i in (0, 1))
-        words = " ".join(command[1:]).replace(f"{EXAMPLES}/", "")
-        print(f"command {words:78} processor {processor:6.2f} ms {share:5.2f}  "
-              f"wall {wall:6.2f} ms {wall_share:5.2f}")
+    version = statistics.median(turn[0] for turn in taken)
+    for k, command in enumerate(commands[1:], 1):
+        words = " ".join(Path(word).name if word.endswith(".json") else word for word in command[1:])
+        share = statistics.median(turn[k] / turn[0] for turn in taken)
+        print(f"{words.replace(',', ', ')} (rival: --version) | "
+              f"{statistics.median(turn[k] for turn in taken):.2f} ms | {version:.2f} ms | {share:.2f}")
 
     case = json.loads((EXAMPLES / "tmz-650d.case.json").read_text())
     with tempfile.TemporaryDirectory() as folder:
+        peaks = []
         for count in (cases // 100, cases):
             lines = Path(folder, "lines")
             with lines.open("w") as file:
-                file.writelines([json.dumps(case) + "\n"] * count)
-            print(f"memory  batch of {count} cases: "
-                  f"{peak([program, 'solve', '--batch', *ONLY], lines)} kB")
+                for _ in range(count):
+                    file.write(json.dumps(case) + "\n")
+            peaks.append(peak([program, "solve", "--batch", *ONLY], lines))
+            lines.unlink()
+        print_peaks(f"batch of {cases} cases", peaks)
         case["study"] = {"vary": {"/crank_radius_mm": {"plus_minus": 0.02}},
                          "watch": {"/metrics/M_ups/range_Nm": {}}}
-        for count in (cases // 10, 10 * cases):
+        peaks = []
+        for count in (cases, 100 * cases):
             case["study"]["samples"] = count
             path = Path(folder, "study.case.json")
             path.write_text(json.dumps(case))
-            print(f"memory  study of {count} samples: {peak([program, 'study', str(path)])} kB")
+            peaks.append(peak([program, "study", str(path)]))
+        print_peaks(f"study of {100 * cases} samples", peaks)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Prints the table of speeds and memory, each beside what a user would pick instead.
 
-    tests/benchmark/table.py [BUILD] [--quick]      BUILD: build/benchmark, of the preset `benchmark`
+    tests/benchmark/table.py [BUILD] [--quick | --long]     BUILD: build/benchmark, of the preset
+                                                            `benchmark`
+--long: batches of a million cases and studies of a hundred million samples, some ten minutes more.
 
 Absolute times move by a factor of two on a shared machine; the shares, each of two times of one
-run, do not. Every program of PROGRAMS prints lines `name | value | rival | share`; start and memory
-are measured here, on the program itself.
+run, do not. Every program of PROGRAMS prints lines `name | value | rival | share`; PAIRS are two
+benchmarks of one program; start and the window's memory are measured here, on the program itself.
 """
 
+import json
 import os
 import re
 import signal
@@ -19,11 +22,46 @@ import time
 
 QUICK = "--quick" in sys.argv
 BUILD = next((word for word in sys.argv[1:] if not word.startswith("-")), "build/benchmark")
+LONG = "--long" in sys.argv
 STEPS = "60" if QUICK else "500"
 RUNS = 5 if QUICK else 21
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+# Two benchmarks of one program, by what they took: what it is, the program, here, the rival.
+PAIRS = [
+    ("360 α of 721 rows: exact range and RMS (rival: ranges of samples, Eigen)",
+     "bench-core-balance-shaft",
+     lambda took: took["sweep/rows:721/cubic:0"], lambda took: took["plain_range_sweep"]),
+    ("the same of a spline", "bench-core-balance-shaft",
+     lambda took: took["sweep/rows:721/cubic:1"], lambda took: took["plain_range_sweep"]),
+    ("a new α: curve of 721 points and all its figures (rival: its range, Eigen)",
+     "bench-core-balance-shaft",
+     lambda took: took["move_shaft/rows:721/cubic:0"],
+     lambda took: took["plain_range_sweep"] / 360),
+    ("the same of a spline", "bench-core-balance-shaft",
+     lambda took: took["move_shaft/rows:721/cubic:1"],
+     lambda took: took["plain_range_sweep"] / 360),
+    ("the best α, certain (rival: 360 ranges of samples, Eigen)", "bench-core-balance-shaft",
+     lambda took: took["best_angle/rows:721/cubic:0"], lambda took: took["plain_range_sweep"]),
+    ("the best place, certain (rival: Nelder-Mead)", "bench-core-balance-shaft",
+     lambda took: took["best_place/721"], lambda took: took["nelder_mead_place/721"]),
+    ("map of places (rival: a plain loop)", "bench-core-balance-shaft",
+     lambda took: took["map_of_places/49"], lambda took: took["plain_map_of_places/49"]),
+    ("piston at 721 angles, exact (rival: the loop closed by Newton's method)",
+     "bench-core-inertia-moments",
+     lambda took: took["PistonOfSliderCrank"], lambda took: took["PistonByNewtonClosure"]),
+    ("moment and side force of the hinges at one more λ, 721 angles (rival: seven curves, Eigen)",
+     "bench-core-elastic-hinge",
+     lambda took: (took["curves_at_lambdas/9"] - took["curves_at_lambdas/1"]) / 8,
+     lambda took: took["curves_in_plain_eigen"]),
+    ("a case of the hinges: curves, three guides, checks (rival: seven curves, Eigen)",
+     "bench-core-elastic-hinge",
+     lambda took: took["solve_a_case"], lambda took: took["curves_in_plain_eigen"]),
+]
 
 # Program of the benchmarks, its arguments, and what it finds in the environment.
 PROGRAMS = [
+    (["bench-core-growth", "--table"], {}),
     (["bench-ui-frames", "--table", "--steps", STEPS], {}),
     (["bench-ui-frames", "--table", "--steps", STEPS, "--size", "1920x1080"], {}),
     (["bench-ui-frames", "--table", "--steps", STEPS], {"QT_SCALE_FACTOR": "2"}),
@@ -54,6 +92,44 @@ def rows_of(program, more, home):
                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True).stdout
     rows = [[part.strip() for part in line.split("|")] for line in printed.splitlines()]
     return [row for row in rows if len(row) == 4]
+
+
+def took(program):
+    """Names of a program's benchmarks that PAIRS may want, and their processor times, ns."""
+    printed = subprocess.run(
+        [os.path.join(BUILD, "tests/benchmark", program), "--benchmark_format=json",
+         f"--benchmark_min_time={0.05 if QUICK else 0.5}"],
+        text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True).stdout
+    unit = {"ns": 1.0, "us": 1e3, "ms": 1e6}
+    return {each["name"]: each["cpu_time"] * unit[each["time_unit"]]
+            for each in json.loads(printed)["benchmarks"]}
+
+
+def time_text(ns):
+    for name, size in (("ms", 1e6), ("µs", 1e3)):
+        if ns >= size:
+            return f"{ns / size:.3g} {name}"
+    return f"{ns:.3g} ns"
+
+
+def pair_rows():
+    programs = {}
+    rows = []
+    for what, program, here, rival in PAIRS:
+        if program not in programs:
+            programs[program] = took(program)
+        a, b = here(programs[program]), rival(programs[program])
+        rows.append([what, time_text(a), time_text(b), f"{a / b:.2f}"])
+    return rows
+
+
+def command_rows():
+    cases = "1000" if QUICK else "1000000" if LONG else "20000"
+    printed = subprocess.run(
+        [sys.executable, os.path.join(HERE, "command_line.py"),
+         os.path.join(BUILD, "bin/ravnoves-cli"), str(3 * RUNS), cases],
+        text=True, stdout=subprocess.PIPE, check=True).stdout
+    return [[part.strip() for part in line.split("|")] for line in printed.splitlines()]
 
 
 def painted(command, stays=0.0):
@@ -113,7 +189,7 @@ def memory_rows():
 
 def main():
     with tempfile.TemporaryDirectory() as home:
-        rows = start_rows() + memory_rows()
+        rows = start_rows() + command_rows() + pair_rows() + memory_rows()
         for program, more in PROGRAMS:
             rows += rows_of(program, more, home)
     print("| what | here | rival | share |\n|---|---|---|---|")

@@ -95,6 +95,19 @@ void solve_a_case(benchmark::State& state) {
 }
 BENCHMARK(solve_a_case)->Unit(benchmark::kMicrosecond);
 
+/// The same with all curves at so many other λ: what they cost is the difference.
+void curves_at_lambdas(benchmark::State& state) {
+    const Input input = preset_zotov();
+    SolveOptions options;
+    for (int i = 0; i < static_cast<int>(state.range(0)); ++i) {
+        options.lambdas.push_back(0.3 + 0.05 * i);
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(solve(input, options));
+    }
+}
+BENCHMARK(curves_at_lambdas)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
+
 /// The rival: seven of its curves written down in arrays of Eigen, without
 /// derivatives, guides and checks.
 void curves_in_plain_eigen(benchmark::State& state) {

@@ -2,7 +2,8 @@
 /// sizes, the exponent fitted to them on log axes, and the one that theory gives. Then the most
 /// memory that this process has had, before and after ten times as many cases and samples.
 ///
-/// bench-core-growth [NAME]: only what begins with NAME.
+/// bench-core-growth [NAME | --table]: only what begins with NAME; or the exponents alone, in lines
+/// for table.py.
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -233,8 +235,9 @@ void print_memory(const std::string& name, const std::function<Work(int size)>& 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string only = argc > 1 ? argv[1] : "";
-    if (std::string("memory").starts_with(only)) {
+    const bool table = argc > 1 && std::string_view(argv[1]) == "--table";
+    const std::string only = argc > 1 && !table ? argv[1] : "";
+    if (!table && std::string("memory").starts_with(only)) {
         print_memory("cases of a batch", batch_of, 2000);
         print_memory("samples of a study", study_of, 100'000);
     }
@@ -245,6 +248,14 @@ int main(int argc, char** argv) {
         std::vector<std::pair<double, double>> points;
         for (const int size : growth.sizes) {
             points.emplace_back(size, seconds_of(growth.prepare(size)));
+        }
+        if (table) {
+            const double exponent = exponent_of(points);
+            std::printf("exponent of cost over %s, %d to %d (rival: theory) | %.2f | %.2f | %.2f\n",
+                        growth.name.c_str(), growth.sizes.front(), growth.sizes.back(), exponent,
+                        growth.theory, exponent / growth.theory);
+            std::fflush(stdout);
+            continue;
         }
         std::printf("growth  %-24s exponent %5.2f  theory %4.2f ", growth.name.c_str(),
                     exponent_of(points), growth.theory);
