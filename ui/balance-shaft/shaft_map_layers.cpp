@@ -6,6 +6,7 @@
 
 #include "balance-shaft/place_scale.h"
 #include "balance-shaft/shaft_map_signs.h"
+#include "plot/model/stroke.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 
@@ -77,13 +78,15 @@ std::vector<QPolygonF> drawContours(QPainter& painter,
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const bool zero = contours[i].level == 0.0;
         painter.setPen(zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0));
+        std::vector<QPolygonF> lines;
+        lines.reserve(contours[i].lines.size());
         for (const QPolygonF& metres : contours[i].lines) {
-            const QPolygonF line = scale.line(metres);
-            painter.drawPolyline(line);
-            if (line.size() > longest[i].size()) {
-                longest[i] = line;
+            lines.push_back(scale.line(metres));
+            if (lines.back().size() > longest[i].size()) {
+                longest[i] = lines.back();
             }
         }
+        paintLines(painter, lines);
     }
     return longest;
 }

@@ -133,6 +133,38 @@ TEST(LineBrush, APaintedLineIsThatOfQt) {
     }
 }
 
+TEST(LineBrush, PaintedLinesStayInTheirClipAndCrossNoDarker) {
+    const std::vector<QPolygonF> lines{{{0, 0}, {240, 160}}, {{0, 160}, {240, 0}}, {{5, 5}}, {}};
+    for (const bool clipped : {false, true}) {
+        QImage image = paper();
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(QColor(0, 0, 0, 128), 3.0));
+        const QRect seen = clipped ? QRect(60, 40, 100, 80) : image.rect();
+        if (clipped) {
+            painter.setClipRect(seen);
+        }
+        paintLines(painter, lines);
+        painter.end();
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                EXPECT_GE(qGray(image.pixel(x, y)), 126) << x << ' ' << y;
+                EXPECT_TRUE(seen.contains(x, y) || qGray(image.pixel(x, y)) == 255)
+                    << x << ' ' << y;
+            }
+        }
+        EXPECT_EQ(qGray(image.pixel(120, 80)), 127);
+    }
+    QImage none = paper();
+    QPainter painter(&none);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(QRect(200, 0, 20, 20));
+    paintLines(painter, {{{0, 100}, {100, 100}}});
+    paintLines(painter, {});
+    painter.end();
+    EXPECT_EQ(none, paper());
+}
+
 TEST(LineBrush, DashesAreAsLongAsAsked) {
     QImage image(40, 9, QImage::Format_RGB32);
     image.fill(Qt::white);

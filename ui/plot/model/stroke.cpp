@@ -27,6 +27,18 @@ bool canBrush(const QPainter& painter) {
            transform.m11() == transform.m22() && painter.pen().style() == Qt::SolidLine;
 }
 
+/// What of the lines is seen, in pixels of the device.
+QRectF seenPart(const QPainter& painter, const std::vector<QPolygonF>& lines, double room) {
+    const QTransform& transform = painter.deviceTransform();
+    QRectF box;
+    for (const QPolygonF& line : lines) {
+        if (line.size() > 1) {
+            box |= transform.map(line).boundingRect().adjusted(-room, -room, room, room);
+        }
+    }
+    return painter.hasClipping() ? box & transform.mapRect(painter.clipBoundingRect()) : box;
+}
+
 /// None where it would be too large, as what lies far outside is.
 std::optional<Overlay> overlayFor(const QRectF& box) {
     constexpr double most = 4e6;  // pixels
@@ -55,31 +67,37 @@ QPointF along(const QPointF& from, const QPointF& to, double length) {
 }  // namespace
 
 void paintLine(QPainter& painter, const QPolygonF& line) {
+    paintLines(painter, {line});
+}
+
+void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
     const QPen pen = painter.pen();
-    const double scale = painter.deviceTransform().m11();
-    const double width = pen.widthF() * scale;
-    if (line.size() < 2 || width < 1.0 || pen.capStyle() == Qt::RoundCap || !canBrush(painter)) {
-        painter.drawPolyline(line);
-        return;
-    }
-    QPolygonF onDevice = painter.deviceTransform().map(line);
-    const double room = width + 1.0;
-    auto overlay = overlayFor(onDevice.boundingRect().adjusted(-room, -room, room, room));
+    const double width = pen.widthF() * painter.deviceTransform().m11();
+    auto overlay = width < 1.0 || pen.capStyle() == Qt::RoundCap || !canBrush(painter)
+                       ? std::nullopt
+                       : overlayFor(seenPart(painter, lines, width + 1.0));
     if (!overlay) {
-        painter.drawPolyline(line);
+        for (const QPolygonF& line : lines) {
+            painter.drawPolyline(line);
+        }
         return;
     }
-    onDevice.translate(-overlay->corner);
-    LineBrush brush(overlay->picture, overlay->picture.rect());
-    if (pen.capStyle() == Qt::SquareCap) {
-        const double half = 0.5 * width;
-        const qsizetype last = onDevice.size() - 1;
-        const QPointF atStart = along(onDevice[0], onDevice[1], half);
-        const QPointF atEnd = along(onDevice[last - 1], onDevice[last], half);
-        onDevice.front() -= atStart;
-        onDevice.back() += atEnd;
+    const double squareEnd = pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
+    std::vector<QPolygonF> onDevice;
+    onDevice.reserve(lines.size());
+    for (const QPolygonF& line : lines) {
+        if (line.size() < 2) {
+            continue;
+        }
+        QPolygonF& moved = onDevice.emplace_back(painter.deviceTransform().map(line));
+        moved.translate(-overlay->corner);
+        const qsizetype last = moved.size() - 1;
+        const QPointF atStart = along(moved[0], moved[1], squareEnd);
+        const QPointF atEnd = along(moved[last - 1], moved[last], squareEnd);
+        moved.front() -= atStart;
+        moved.back() += atEnd;
     }
-    brush.draw({onDevice}, 1.0, pen.color(), width);
+    LineBrush(overlay->picture, overlay->picture.rect()).draw(onDevice, 1.0, pen.color(), width);
     lay(painter, *overlay);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPolygonF>
+#include <vector>
 
 class QPainter;
 
@@ -10,5 +11,8 @@ namespace ravnoves {
 /// wider than a pixel: Qt's stroker takes longer. Anywhere else, and with round ends, it is a
 /// polyline of Qt's.
 void paintLine(QPainter& painter, const QPolygonF& line);
+
+/// Several lines of one pen: where they meet, a pale pen gets no darker.
+void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines);
 
 }  // namespace ravnoves
