@@ -104,9 +104,9 @@ inline constexpr Field counterweight_mass{
     .range = Range::at_least(0),
     .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
     .symbol = "m₁",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Empty: by equation (1), m₁ = mⱼ r / (2 ρ₁). A number overrides it. "
-                      "TMZ-650D: 0.658 kg."),
+    .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights. TMZ-650D: 0.658 kg."),
+    .if_empty =
+        CORE_TEXT("balance-shaft", "by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it"),
     .placeholder = CORE_TEXT("balance-shaft", "by (1)")};
 inline constexpr Field centre_distance{
     .key = "centre_distance_mm",
@@ -160,7 +160,8 @@ inline constexpr Field rod_length{
     .symbol = "L",
     .hint = CORE_TEXT("balance-shaft",
                       "Between the centres of the rod's eyes. It decides what can be built, the "
-                      "r/L of the torque's check and a computed torque. Empty: r / 0.3."),
+                      "r/L of the torque's check and a computed torque."),
+    .if_empty = CORE_TEXT("balance-shaft", "r / 0.3"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 /// Part of m_j r that an engine without a shaft balances on the crank.
 inline constexpr Field crank_share{
@@ -178,25 +179,24 @@ inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
                                      .unit = units::mm,
                                      .range = Range::greater_than(0),
                                      .label = CORE_TEXT("balance-shaft", "Cylinder &bore"),
-                                     .hint = CORE_TEXT("balance-shaft", "Empty: the stroke, 2 r."),
+                                     .if_empty = CORE_TEXT("balance-shaft", "the stroke, 2 r"),
                                      .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_top{
     .key = "cylinder_top_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Cylinder &top"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Top of the engine above the crank axis. Empty: the piston pin at top dead "
-                      "centre and half the bore."),
+    .hint = CORE_TEXT("balance-shaft", "Top of the engine above the crank axis."),
+    .if_empty = CORE_TEXT("balance-shaft", "the piston pin at top dead centre and half the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_bottom{
     .key = "cylinder_bottom_mm",
     .unit = units::mm,
     .range = Range::at_least(0),
     .label = CORE_TEXT("balance-shaft", "Cylinder bott&om"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Lower end of the cylinder above the crank axis. Empty: the piston pin at "
-                      "bottom dead centre less 0.3 of the bore."),
+    .hint = CORE_TEXT("balance-shaft", "Lower end of the cylinder above the crank axis."),
+    .if_empty =
+        CORE_TEXT("balance-shaft", "the piston pin at bottom dead centre less 0.3 of the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_wall{
     .key = "cylinder_wall_mm",
@@ -204,8 +204,8 @@ inline constexpr Field cylinder_wall{
     .range = Range::at_least(0),
     .label = CORE_TEXT("balance-shaft", "C&ylinder wall"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Thickness of the cylinder's wall, which the shaft must not meet. Empty: "
-                      "0.06 of the bore."),
+                      "Thickness of the cylinder's wall, which the shaft must not meet."),
+    .if_empty = CORE_TEXT("balance-shaft", "0.06 of the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field rod_width{
     .key = "rod_width_mm",
@@ -214,7 +214,8 @@ inline constexpr Field rod_width{
     .label = CORE_TEXT("balance-shaft", "Rod widt&h"),
     .hint = CORE_TEXT("balance-shaft",
                       "Across the rod, round ends included, in the front view; the shaft must "
-                      "clear all that the rod sweeps. Empty: r / 2."),
+                      "clear all that the rod sweeps."),
+    .if_empty = CORE_TEXT("balance-shaft", "r / 2"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field clearance{
     .key = "clearance_mm",
@@ -229,26 +230,27 @@ inline constexpr Field crank_swing_radius{
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Circle swept by crank and counterweight. Empty: r and half the rod's width, "
-                      "or the shaft's default where that is larger."),
+    .hint = CORE_TEXT("balance-shaft", "Circle swept by crank and counterweight."),
+    .if_empty = CORE_TEXT(
+        "balance-shaft", "r and half the rod's width, or the shaft's default where that is larger"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field shaft_swing_radius{
     .key = "shaft_swing_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Circle swept by the balance shaft. Empty: the half disc of steel, as long "
-                      "as the bore, that has the unbalance m₁ ρ₁."),
+    .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft."),
+    .if_empty =
+        CORE_TEXT("balance-shaft",
+                  "the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Gear tip r&adius"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Tip circle of each of the two gears. Empty: l/2, the pitch circle."),
+    .hint = CORE_TEXT("balance-shaft", "Tip circle of each of the two gears."),
+    .if_empty = CORE_TEXT("balance-shaft", "l/2, the pitch circle"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field wall{.key = "wall_mm",
                             .unit = units::mm,
@@ -285,8 +287,8 @@ inline constexpr Field shaft_angle_from{
     .label = CORE_TEXT("balance-shaft", "α from"),
     .symbol = "α",
     .hint = CORE_TEXT("balance-shaft",
-                      "The shaft's angle is at least this, in the direction of rotation. Empty: 0 "
-                      "where the other end is given."),
+                      "The shaft's angle is at least this, in the direction of rotation."),
+    .if_empty = CORE_TEXT("balance-shaft", "0 where the other end is given"),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field shaft_angle_to{
     .key = "shaft_angle_to_deg",
@@ -294,9 +296,8 @@ inline constexpr Field shaft_angle_to{
     .range = Range::between(-360, 720),
     .label = CORE_TEXT("balance-shaft", "α to"),
     .symbol = "α",
-    .hint =
-        CORE_TEXT("balance-shaft",
-                  "The shaft's angle is at most this. Empty: 360° where the other end is given."),
+    .hint = CORE_TEXT("balance-shaft", "The shaft's angle is at most this."),
+    .if_empty = CORE_TEXT("balance-shaft", "360° where the other end is given"),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_left{
     .key = "left_mm",
@@ -574,8 +575,8 @@ inline constexpr Field bearing_span{
     .label = CORE_TEXT("balance-shaft", "Bearin&g span L"),
     .symbol = "L",
     .hint = CORE_TEXT("balance-shaft",
-                      "Between the middles of the two bearings, the relief in the middle. Empty: "
-                      "b + D, half a diameter of whole bar on both sides."),
+                      "Between the middles of the two bearings, the relief in the middle."),
+    .if_empty = CORE_TEXT("balance-shaft", "b + D, half a diameter of whole bar on both sides"),
     .placeholder = CORE_TEXT("balance-shaft", "b + D")};
 inline constexpr Field allowable_stress{
     .key = "allowable_stress_MPa",
@@ -591,11 +592,10 @@ inline constexpr Field permitted_sag{
     .unit = units::mm,
     .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Permitted sag"),
-    .hint =
-        CORE_TEXT("balance-shaft",
-                  "Largest deflection at speed, with that of the weight. Empty: L / 1200, which "
-                  "tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 "
-                  "(Shigley, Table 7-2)."),
+    .hint = CORE_TEXT("balance-shaft", "Largest deflection at speed, with that of the weight."),
+    .if_empty = CORE_TEXT("balance-shaft",
+                          "L / 1200, which tilts the journals by about 0.0027 rad; ball bearings "
+                          "take 0.001 to 0.003 (Shigley, Table 7-2)"),
     .placeholder = CORE_TEXT("balance-shaft", "L / 1200")};
 inline constexpr Field speed_margin{
     .key = "speed_margin",
@@ -610,8 +610,8 @@ inline constexpr Field bearing_limit{
     .range = Range::greater_than(0, 1e9),
     .label = CORE_TEXT("balance-shaft", "Bearing load &up to"),
     .hint = CORE_TEXT("balance-shaft",
-                      "What one bearing can bear at this speed, by its maker's catalogue. Empty: "
-                      "the load is computed but not judged."),
+                      "What one bearing can bear at this speed, by its maker's catalogue."),
+    .if_empty = CORE_TEXT("balance-shaft", "the load is computed but not judged"),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 
 }  // namespace ravnoves::balance_shaft::field

@@ -64,9 +64,10 @@ inline constexpr Field reciprocating_percent{
     .unit = units::percent,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("bob-weights", "Reciprocating &factor"),
-    .hint = CORE_TEXT("bob-weights",
-                      "Part of the reciprocating mass that the counterweights take up. Empty: what "
-                      "theory gives for the engine; the maker's figure goes before it."),
+    .hint =
+        CORE_TEXT("bob-weights", "Part of the reciprocating mass that the counterweights take up."),
+    .if_empty = CORE_TEXT("bob-weights",
+                          "what theory gives for the engine; the maker's figure goes before it"),
     .placeholder = CORE_TEXT("bob-weights", "by theory")};
 inline constexpr Field overbalance_percent{
     .key = "overbalance_percent",
@@ -125,8 +126,8 @@ inline constexpr Field from_angle{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill from"),
     .hint = CORE_TEXT("bob-weights",
-                      "The sector of the counterweight that may be drilled begins here. Empty: all "
-                      "round."),
+                      "The sector of the counterweight that may be drilled begins here."),
+    .if_empty = CORE_TEXT("bob-weights", "all round"),
     .placeholder = CORE_TEXT("bob-weights", "all round")};
 inline constexpr Field to_angle{
     .key = "to_deg",
@@ -152,8 +153,8 @@ inline constexpr Field reading_position{
     .unit = units::mm,
     .range = plane_position.range,
     .label = CORE_TEXT("bob-weights", "Read at"),
-    .hint =
-        CORE_TEXT("bob-weights", "Where the machine reads. Empty: in the correction plane itself."),
+    .hint = CORE_TEXT("bob-weights", "Where the machine reads."),
+    .if_empty = CORE_TEXT("bob-weights", "in the correction plane itself"),
     .placeholder = CORE_TEXT("bob-weights", "the plane")};
 inline constexpr Field unbalance{.key = "unbalance_g_mm",
                                  .unit = units::gram_mm,
@@ -247,13 +248,13 @@ inline constexpr Field plane_tolerance{
     .label = CORE_TEXT("bob-weights", "&Limit of a plane"),
     .hint = CORE_TEXT("bob-weights", "Unbalance that may remain in each plane."),
     .placeholder = CORE_TEXT("V8", "needed")};
-inline constexpr Field centre_of_mass{
-    .key = "centre_of_mass_mm",
-    .unit = units::mm,
-    .range = plane_position.range,
-    .label = CORE_TEXT("bob-weights", "Centre of mass"),
-    .hint = CORE_TEXT("bob-weights", "Along the crankshaft. Empty: midway."),
-    .placeholder = CORE_TEXT("bob-weights", "midway")};
+inline constexpr Field centre_of_mass{.key = "centre_of_mass_mm",
+                                      .unit = units::mm,
+                                      .range = plane_position.range,
+                                      .label = CORE_TEXT("bob-weights", "Centre of mass"),
+                                      .hint = CORE_TEXT("bob-weights", "Along the crankshaft."),
+                                      .if_empty = CORE_TEXT("bob-weights", "midway"),
+                                      .placeholder = CORE_TEXT("bob-weights", "midway")};
 inline constexpr Field front_bearing{
     .key = "front_bearing_mm",
     .unit = units::mm,

@@ -27,6 +27,7 @@ struct Field {
     Text label{};
     std::string_view symbol{};  ///< in formulas, for example "r"
     Text hint{};                ///< what it means, an example, its source
+    Text if_empty{};            ///< what an empty field stands for, as read after "Empty:"
     Text placeholder{};         ///< what an empty field of the form stands for ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
     std::span<const Word> words{};

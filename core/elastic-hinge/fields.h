@@ -231,8 +231,8 @@ inline constexpr Field counterweight_weight{
     .range = Range::between(0, 1e12),
     .label = CORE_TEXT("elastic-hinge", "Weight P&₄"),
     .symbol = "P₄",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean."),
+    .if_empty = CORE_TEXT("elastic-hinge",
+                          "solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean"),
     .placeholder = CORE_TEXT("elastic-hinge", "by (10)"),
 };
 inline constexpr Field counterweight_mass{
@@ -241,7 +241,7 @@ inline constexpr Field counterweight_mass{
     .range = Range::between(0, 1e11),
     .label = CORE_TEXT("elastic-hinge", "Mass m&₄"),
     .symbol = "m₄",
-    .hint = counterweight_weight.hint,
+    .if_empty = counterweight_weight.if_empty,
     .placeholder = counterweight_weight.placeholder,
 };
 inline constexpr std::array counterweight_inertia_words{
@@ -306,8 +306,8 @@ inline constexpr Field smallest_spring_length{
     .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Shortest spring"),
-    .hint = CORE_TEXT("elastic-hinge",
-                      "The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀."),
+    .hint = CORE_TEXT("elastic-hinge", "The spring gets no shorter than that (its solid length)."),
+    .if_empty = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
     .placeholder = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
 };
 
@@ -326,7 +326,8 @@ inline constexpr Field start_speed{
     .label = CORE_TEXT("elastic-hinge", "Off-design sp&eed"),
     .hint = CORE_TEXT("elastic-hinge",
                       "A start away from the design speed ω, for comparison: the hinge is exact at "
-                      "one speed only. Empty: 1.2 ω."),
+                      "one speed only."),
+    .if_empty = CORE_TEXT("elastic-hinge", "1.2 ω"),
     .placeholder = CORE_TEXT("elastic-hinge", "1.2 ω"),
 };
 inline constexpr Field start_angle{

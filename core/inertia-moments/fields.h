@@ -142,8 +142,8 @@ inline constexpr Field knuckle_radius{
     .range = Range::between(0, 1e6),
     .symbol = "rₖ",
     .hint = CORE_TEXT("inertia-moments",
-                      "Articulated rod: distance of its knuckle pin from the crankpin's centre; "
-                      "empty: the rod runs on the crankpin itself")};
+                      "Articulated rod: distance of its knuckle pin from the crankpin's centre."),
+    .if_empty = CORE_TEXT("inertia-moments", "the rod runs on the crankpin itself")};
 inline constexpr Field knuckle_angle{
     .key = "knuckle_angle_deg",
     .unit = units::degree,
@@ -151,21 +151,23 @@ inline constexpr Field knuckle_angle{
     .symbol = "γₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: its knuckle pin about the crankpin, counter-clockwise from "
-                      "the master rod's axis; empty: the difference of the bank angles")};
+                      "the master rod's axis."),
+    .if_empty = CORE_TEXT("inertia-moments", "the difference of the bank angles")};
 inline constexpr Field articulated_length{
     .key = "rod_length_mm",
     .unit = units::mm,
     .range = Range::greater_than(0, 1e6),
     .symbol = "l",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Articulated rod: its length from knuckle pin to piston pin; empty: the "
-                      "master rod's less the knuckle radius")};
+    .hint =
+        CORE_TEXT("inertia-moments", "Articulated rod: its length from knuckle pin to piston pin."),
+    .if_empty = CORE_TEXT("inertia-moments", "the master rod's less the knuckle radius")};
 inline constexpr Field master{
     .key = "master",
     .range = Range::between(0, most_cylinders),
     .hint = CORE_TEXT("inertia-moments",
-                      "Articulated rod: number of the cylinder with its master rod; empty or 0: "
-                      "the only rod that runs on the crankpin itself")};
+                      "Articulated rod: number of the cylinder with its master rod."),
+    .if_empty =
+        CORE_TEXT("inertia-moments", "as 0, the only rod that runs on the crankpin itself")};
 inline constexpr Field knuckle_mass{
     .key = "knuckle_mass_kg",
     .unit = units::kg,
@@ -308,8 +310,8 @@ inline constexpr Field shaft_position{
     .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Place of the shaft"),
     .symbol = "z",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Axial position of the weight; empty: at the point that moments refer to"),
+    .hint = CORE_TEXT("inertia-moments", "Axial position of the weight."),
+    .if_empty = CORE_TEXT("inertia-moments", "at the point that moments refer to"),
     .placeholder = CORE_TEXT("inertia-moments", "c. m.")};
 inline constexpr Field weight_radius{
     .key = "weight_radius_mm",
@@ -317,9 +319,9 @@ inline constexpr Field weight_radius{
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Radius of the shaft's weights"),
     .symbol = "ρ",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Radius of the weights' centres of mass; gives their mass. Empty: only mρ is "
-                      "given.")};
+    .hint =
+        CORE_TEXT("inertia-moments", "Radius of the weights' centres of mass; gives their mass."),
+    .if_empty = CORE_TEXT("inertia-moments", "only mρ is given")};
 inline constexpr Field phase_error{
     .key = "phase_error_deg",
     .unit = units::degree,

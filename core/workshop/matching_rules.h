@@ -108,10 +108,11 @@ inline constexpr Field crankpin_angles{
     .unit = units::degree,
     .range = Range::between(-720, 720),
     .label = CORE_TEXT("matching", "Crankpins at"),
-    .hint = CORE_TEXT("matching",
-                      "Angles of the throws from the front, in the sense from the second bank to "
-                      "the first. Empty: those usual for the engine, a cross-plane V-8 at 0; 90; "
-                      "270; 180."),
+    .hint = CORE_TEXT(
+        "matching",
+        "Angles of the throws from the front, in the sense from the second bank to the first."),
+    .if_empty =
+        CORE_TEXT("matching", "those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180"),
     .placeholder = CORE_TEXT("matching", "as usual")};
 inline constexpr Field cylinder_spacing{
     .key = "cylinder_spacing_mm",

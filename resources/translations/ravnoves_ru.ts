@@ -1513,40 +1513,20 @@
         <translation>&amp;Диаметр полости</translation>
     </message>
     <message>
-        <source>Of the bore that is there. Empty: a solid plug.</source>
-        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
-    </message>
-    <message>
         <source>Bore de&amp;pth</source>
         <translation>&amp;Глубина полости</translation>
-    </message>
-    <message>
-        <source>From the outer face. Empty: a solid plug.</source>
-        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
     </message>
     <message>
         <source>&amp;Cutter diameter</source>
         <translation>Диаметр &amp;фрезы</translation>
     </message>
     <message>
-        <source>Empty: no boring is planned.</source>
-        <translation>Пусто: расточка не считается.</translation>
-    </message>
-    <message>
         <source>&amp;Wall that must stay</source>
         <translation>&amp;Стенка не меньше</translation>
     </message>
     <message>
-        <source>Between the bore and the root of the thread. Empty: no limit.</source>
-        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
-    </message>
-    <message>
         <source>B&amp;ottom that must stay</source>
         <translation>Д&amp;но не меньше</translation>
-    </message>
-    <message>
-        <source>Between the bore and the inner face. Empty: no limit.</source>
-        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
     </message>
     <message>
         <source>&amp;Steel</source>
@@ -2020,6 +2000,34 @@
         <source>The changes typed on sheet 1 count beside the weights: %1.</source>
         <translation>Изменения масс, введённые на листе 1, учитываются вместе со взвешенным: %1.</translation>
     </message>
+    <message>
+        <source>Of the bore that is there.</source>
+        <translation>Имеющейся полости.</translation>
+    </message>
+    <message>
+        <source>a solid plug</source>
+        <translation>сплошная пробка</translation>
+    </message>
+    <message>
+        <source>From the outer face.</source>
+        <translation>От наружного торца.</translation>
+    </message>
+    <message>
+        <source>no boring is planned</source>
+        <translation>расточка не считается</translation>
+    </message>
+    <message>
+        <source>Between the bore and the root of the thread.</source>
+        <translation>Между полостью и впадиной резьбы.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>без предела</translation>
+    </message>
+    <message>
+        <source>Between the bore and the inner face.</source>
+        <translation>Между полостью и внутренним торцом.</translation>
+    </message>
 </context>
 <context>
     <name>Workshop</name>
@@ -2147,10 +2155,6 @@
         <translation>&amp;Масса противовеса m₁</translation>
     </message>
     <message>
-        <source>Empty: by equation (1), m₁ = mⱼ r / (2 ρ₁). A number overrides it. TMZ-650D: 0.658 kg.</source>
-        <translation>Пусто: по формуле (1), m₁ = mⱼ r / (2 ρ₁). Число её заменяет. ТМЗ-650Д: 0,658 кг.</translation>
-    </message>
-    <message>
         <source>by (1)</source>
         <translation>по (1)</translation>
     </message>
@@ -2199,10 +2203,6 @@
         <translation>Ди&amp;аметр цилиндра</translation>
     </message>
     <message>
-        <source>Empty: the stroke, 2 r.</source>
-        <translation>Пусто: равен ходу, 2 r.</translation>
-    </message>
-    <message>
         <source>Crank swing radi&amp;us</source>
         <translation>Радиус оборота криво&amp;шипа</translation>
     </message>
@@ -2213,10 +2213,6 @@
     <message>
         <source>Gear tip r&amp;adius</source>
         <translation>Радиус вершин зу&amp;бьев</translation>
-    </message>
-    <message>
-        <source>Tip circle of each of the two gears. Empty: l/2, the pitch circle.</source>
-        <translation>Окружность вершин каждой из двух шестерён. Пусто: l/2, делительная окружность.</translation>
     </message>
     <message>
         <source>Housing &amp;wall and gap</source>
@@ -2655,32 +2651,16 @@
         <translation>Верх ц&amp;илиндра</translation>
     </message>
     <message>
-        <source>Top of the engine above the crank axis. Empty: the piston pin at top dead centre and half the bore.</source>
-        <translation>Верх двигателя над осью коленчатого вала. Пусто: верхняя мёртвая точка пальца и половина диаметра.</translation>
-    </message>
-    <message>
         <source>Cylinder bott&amp;om</source>
         <translation>Низ ци&amp;линдра</translation>
-    </message>
-    <message>
-        <source>Lower end of the cylinder above the crank axis. Empty: the piston pin at bottom dead centre less 0.3 of the bore.</source>
-        <translation>Нижний конец цилиндра над осью коленчатого вала. Пусто: нижняя мёртвая точка пальца минус 0,3 диаметра.</translation>
     </message>
     <message>
         <source>C&amp;ylinder wall</source>
         <translation>Стенка &amp;цилиндра</translation>
     </message>
     <message>
-        <source>Thickness of the cylinder&apos;s wall, which the shaft must not meet. Empty: 0.06 of the bore.</source>
-        <translation>Толщина стенки цилиндра, которой вал не должен касаться. Пусто: 0,06 диаметра.</translation>
-    </message>
-    <message>
         <source>Rod widt&amp;h</source>
         <translation>Ширина &amp;шатуна</translation>
-    </message>
-    <message>
-        <source>Across the rod, round ends included, in the front view; the shaft must clear all that the rod sweeps. Empty: r / 2.</source>
-        <translation>Поперёк шатуна на виде спереди, с круглыми концами; вал не должен задевать ничего, что описывает шатун. Пусто: r / 2.</translation>
     </message>
     <message>
         <source>Gap of the sha&amp;ft</source>
@@ -2689,14 +2669,6 @@
     <message>
         <source>Least gap between the shaft&apos;s swing circle and crank, rod and cylinder; an angle with less cannot be built.</source>
         <translation>Наименьший зазор между окружностью вала и кривошипом, шатуном и цилиндром; угол с меньшим зазором построить нельзя.</translation>
-    </message>
-    <message>
-        <source>Circle swept by crank and counterweight. Empty: r and half the rod&apos;s width, or the shaft&apos;s default where that is larger.</source>
-        <translation>Окружность, описываемая кривошипом и противовесом. Пусто: r и половина ширины шатуна или то, что принимается для вала, если это больше.</translation>
-    </message>
-    <message>
-        <source>Circle swept by the balance shaft. Empty: the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁.</source>
-        <translation>Окружность, описываемая балансирным валом. Пусто: стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁.</translation>
     </message>
     <message>
         <source>The pair of gears that drives the shaft.</source>
@@ -2915,16 +2887,8 @@
         <translation>α от</translation>
     </message>
     <message>
-        <source>The shaft&apos;s angle is at least this, in the direction of rotation. Empty: 0 where the other end is given.</source>
-        <translation>Угол вала не меньше этого, в направлении вращения. Пусто: 0, если задан другой конец.</translation>
-    </message>
-    <message>
         <source>α to</source>
         <translation>α до</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s angle is at most this. Empty: 360° where the other end is given.</source>
-        <translation>Угол вала не больше этого. Пусто: 360°, если задан другой конец.</translation>
     </message>
     <message>
         <source>Least x</source>
@@ -3043,10 +3007,6 @@
         <translation>&amp;Пролёт L</translation>
     </message>
     <message>
-        <source>Between the middles of the two bearings, the relief in the middle. Empty: b + D, half a diameter of whole bar on both sides.</source>
-        <translation>Между серединами двух подшипников, снятый участок посередине. Пусто: b + D, по половине диаметра целого прутка с обеих сторон.</translation>
-    </message>
-    <message>
         <source>b + D</source>
         <translation>b + D</translation>
     </message>
@@ -3063,10 +3023,6 @@
         <translation>Допускаемый про&amp;гиб</translation>
     </message>
     <message>
-        <source>Largest deflection at speed, with that of the weight. Empty: L / 1200, which tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 (Shigley, Table 7-2).</source>
-        <translation>Наибольший прогиб на ходу вместе с прогибом от веса. Пусто: L / 1200, при этом шейки наклоняются примерно на 0,0027 рад; шариковые подшипники допускают от 0,001 до 0,003 (Shigley, табл. 7-2).</translation>
-    </message>
-    <message>
         <source>L / 1200</source>
         <translation>L / 1200</translation>
     </message>
@@ -3081,10 +3037,6 @@
     <message>
         <source>Bearing load &amp;up to</source>
         <translation>Нагрузка подшипника &amp;до</translation>
-    </message>
-    <message>
-        <source>What one bearing can bear at this speed, by its maker&apos;s catalogue. Empty: the load is computed but not judged.</source>
-        <translation>Что выдержит один подшипник при этой частоте по каталогу. Пусто: нагрузка вычисляется, но не оценивается.</translation>
     </message>
     <message>
         <source>Torque of the engine</source>
@@ -3267,10 +3219,6 @@
         <translation>Подшипник несёт %1; его предел %2.</translation>
     </message>
     <message>
-        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque. Empty: r / 0.3.</source>
-        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент. Пусто: r / 0,3.</translation>
-    </message>
-    <message>
         <source>of the exact s″: −r₁ cos(θ − δ) is its first order; ω angular speed, θ − φ the same at every angle</source>
         <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
     </message>
@@ -3325,6 +3273,122 @@
     <message>
         <source>must hold as many numbers as %1, %2</source>
         <translation>чисел должно быть столько же, сколько в «%1», %2</translation>
+    </message>
+    <message>
+        <source>One of the two equal counterweights. TMZ-650D: 0.658 kg.</source>
+        <translation>Один из двух одинаковых противовесов. ТМЗ-650Д: 0,658 кг.</translation>
+    </message>
+    <message>
+        <source>by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it</source>
+        <translation>по формуле (1), m₁ = mⱼ r / (2 ρ₁); число её заменяет</translation>
+    </message>
+    <message>
+        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque.</source>
+        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент.</translation>
+    </message>
+    <message>
+        <source>r / 0.3</source>
+        <translation>r / 0,3</translation>
+    </message>
+    <message>
+        <source>the stroke, 2 r</source>
+        <translation>равен ходу, 2 r</translation>
+    </message>
+    <message>
+        <source>Top of the engine above the crank axis.</source>
+        <translation>Верх двигателя над осью коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>the piston pin at top dead centre and half the bore</source>
+        <translation>верхняя мёртвая точка пальца и половина диаметра</translation>
+    </message>
+    <message>
+        <source>Lower end of the cylinder above the crank axis.</source>
+        <translation>Нижний конец цилиндра над осью коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>the piston pin at bottom dead centre less 0.3 of the bore</source>
+        <translation>нижняя мёртвая точка пальца минус 0,3 диаметра</translation>
+    </message>
+    <message>
+        <source>Thickness of the cylinder&apos;s wall, which the shaft must not meet.</source>
+        <translation>Толщина стенки цилиндра, которой вал не должен касаться.</translation>
+    </message>
+    <message>
+        <source>0.06 of the bore</source>
+        <translation>0,06 диаметра</translation>
+    </message>
+    <message>
+        <source>Across the rod, round ends included, in the front view; the shaft must clear all that the rod sweeps.</source>
+        <translation>Поперёк шатуна на виде спереди, с круглыми концами; вал не должен задевать ничего, что описывает шатун.</translation>
+    </message>
+    <message>
+        <source>r / 2</source>
+        <translation>r / 2</translation>
+    </message>
+    <message>
+        <source>Circle swept by crank and counterweight.</source>
+        <translation>Окружность, описываемая кривошипом и противовесом.</translation>
+    </message>
+    <message>
+        <source>r and half the rod&apos;s width, or the shaft&apos;s default where that is larger</source>
+        <translation>r и половина ширины шатуна или то, что принимается для вала, если это больше</translation>
+    </message>
+    <message>
+        <source>Circle swept by the balance shaft.</source>
+        <translation>Окружность, описываемая балансирным валом.</translation>
+    </message>
+    <message>
+        <source>the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁</source>
+        <translation>стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁</translation>
+    </message>
+    <message>
+        <source>Tip circle of each of the two gears.</source>
+        <translation>Окружность вершин каждой из двух шестерён.</translation>
+    </message>
+    <message>
+        <source>l/2, the pitch circle</source>
+        <translation>l/2, делительная окружность</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s angle is at least this, in the direction of rotation.</source>
+        <translation>Угол вала не меньше этого, в направлении вращения.</translation>
+    </message>
+    <message>
+        <source>0 where the other end is given</source>
+        <translation>0, если задан другой конец</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s angle is at most this.</source>
+        <translation>Угол вала не больше этого.</translation>
+    </message>
+    <message>
+        <source>360° where the other end is given</source>
+        <translation>360°, если задан другой конец</translation>
+    </message>
+    <message>
+        <source>Between the middles of the two bearings, the relief in the middle.</source>
+        <translation>Между серединами двух подшипников, снятый участок посередине.</translation>
+    </message>
+    <message>
+        <source>b + D, half a diameter of whole bar on both sides</source>
+        <translation>b + D, по половине диаметра целого прутка с обеих сторон</translation>
+    </message>
+    <message>
+        <source>Largest deflection at speed, with that of the weight.</source>
+        <translation>Наибольший прогиб на ходу вместе с прогибом от веса.</translation>
+    </message>
+    <message>
+        <source>L / 1200, which tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 (Shigley, Table 7-2)</source>
+        <translation>L / 1200, при этом шейки наклоняются примерно на 0,0027 рад; шариковые подшипники допускают от 0,001 до 0,003 (Shigley, табл. 7-2)</translation>
+    </message>
+    <message>
+        <source>What one bearing can bear at this speed, by its maker&apos;s catalogue.</source>
+        <translation>Что выдержит один подшипник при этой частоте по каталогу.</translation>
+    </message>
+    <message>
+        <source>the load is computed but not judged</source>
+        <translation>нагрузка вычисляется, но не оценивается</translation>
     </message>
 </context>
 <context>
@@ -3542,10 +3606,6 @@
         <translation>&amp;Доля возвратно-поступательной</translation>
     </message>
     <message>
-        <source>Part of the reciprocating mass that the counterweights take up. Empty: what theory gives for the engine; the maker&apos;s figure goes before it.</source>
-        <translation>Часть возвратно-поступательной массы, которую снимают противовесы. Пусто: по теории для этого двигателя; данные изготовителя важнее.</translation>
-    </message>
-    <message>
         <source>by theory</source>
         <translation>по теории</translation>
     </message>
@@ -3598,16 +3658,8 @@
         <translation>Радиус</translation>
     </message>
     <message>
-        <source>Of the rim that is drilled; grams at a radius are given for it too.</source>
-        <translation>Обода, который сверлят; для него же даны граммы на радиусе.</translation>
-    </message>
-    <message>
         <source>Drill from</source>
         <translation>Сверлить от</translation>
-    </message>
-    <message>
-        <source>The sector of the counterweight that may be drilled begins here. Empty: all round.</source>
-        <translation>Здесь начинается сектор противовеса, который можно сверлить. Пусто: весь круг.</translation>
     </message>
     <message>
         <source>all round</source>
@@ -3624,10 +3676,6 @@
     <message>
         <source>Read at</source>
         <translation>Измерено в</translation>
-    </message>
-    <message>
-        <source>Where the machine reads. Empty: in the correction plane itself.</source>
-        <translation>Где измеряет станок. Пусто: в самой плоскости коррекции.</translation>
     </message>
     <message>
         <source>the plane</source>
@@ -3722,10 +3770,6 @@
         <translation>&amp;Диаметр вставки</translation>
     </message>
     <message>
-        <source>Of the slugs at hand.</source>
-        <translation>Имеющихся вставок.</translation>
-    </message>
-    <message>
         <source>no slugs</source>
         <translation>без вставок</translation>
     </message>
@@ -3752,10 +3796,6 @@
     <message>
         <source>Centre of mass</source>
         <translation>Центр масс</translation>
-    </message>
-    <message>
-        <source>Along the crankshaft. Empty: midway.</source>
-        <translation>Вдоль вала. Пусто: посередине.</translation>
     </message>
     <message>
         <source>midway</source>
@@ -3944,6 +3984,38 @@
     <message>
         <source>To the full diameter: the cone of the drill&apos;s point lies beyond it.</source>
         <translation>До полного диаметра: конус сверла лежит глубже.</translation>
+    </message>
+    <message>
+        <source>Part of the reciprocating mass that the counterweights take up.</source>
+        <translation>Часть возвратно-поступательной массы, которую снимают противовесы.</translation>
+    </message>
+    <message>
+        <source>what theory gives for the engine; the maker&apos;s figure goes before it</source>
+        <translation>по теории для этого двигателя; данные изготовителя важнее</translation>
+    </message>
+    <message>
+        <source>The sector of the counterweight that may be drilled begins here.</source>
+        <translation>Здесь начинается сектор противовеса, который можно сверлить.</translation>
+    </message>
+    <message>
+        <source>Where the machine reads.</source>
+        <translation>Где измеряет станок.</translation>
+    </message>
+    <message>
+        <source>in the correction plane itself</source>
+        <translation>в самой плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Along the crankshaft.</source>
+        <translation>Вдоль вала.</translation>
+    </message>
+    <message>
+        <source>Of the rim that is drilled; grams at a radius are given for it too.</source>
+        <translation>Обода, который сверлят; для него же даны граммы на радиусе.</translation>
+    </message>
+    <message>
+        <source>Of the slugs at hand.</source>
+        <translation>Имеющихся вставок.</translation>
     </message>
 </context>
 <context>
@@ -4712,10 +4784,6 @@
         <translation>Вес P&amp;₄</translation>
     </message>
     <message>
-        <source>Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean.</source>
-        <translation>Пусто: находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего.</translation>
-    </message>
-    <message>
         <source>by (10)</source>
         <translation>по (10)</translation>
     </message>
@@ -4784,10 +4852,6 @@
         <translation>&amp;Кратчайшая пружина</translation>
     </message>
     <message>
-        <source>The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.</source>
-        <translation>Короче пружина не бывает (витки сомкнуты). Пусто: 0,4 ℓ₀.</translation>
-    </message>
-    <message>
         <source>0.4 ℓ₀</source>
         <translation>0,4 ℓ₀</translation>
     </message>
@@ -4802,10 +4866,6 @@
     <message>
         <source>Off-design sp&amp;eed</source>
         <translation>Нерасчётная &amp;ω</translation>
-    </message>
-    <message>
-        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only. Empty: 1.2 ω.</source>
-        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости. Пусто: 1,2 ω.</translation>
     </message>
     <message>
         <source>1.2 ω</source>
@@ -5143,6 +5203,18 @@
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
     </message>
+    <message>
+        <source>solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean</source>
+        <translation>находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего</translation>
+    </message>
+    <message>
+        <source>The spring gets no shorter than that (its solid length).</source>
+        <translation>Короче пружина не бывает (витки сомкнуты).</translation>
+    </message>
+    <message>
+        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only.</source>
+        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости.</translation>
+    </message>
 </context>
 <context>
     <name>inertia-moments</name>
@@ -5387,20 +5459,12 @@
         <translation>Место вала</translation>
     </message>
     <message>
-        <source>Axial position of the weight; empty: at the point that moments refer to</source>
-        <translation>Положение груза вдоль вала; пусто: в точке, относительно которой берутся моменты</translation>
-    </message>
-    <message>
         <source>c. m.</source>
         <translation>ц. м.</translation>
     </message>
     <message>
         <source>Radius of the shaft&apos;s weights</source>
         <translation>Радиус грузов вала</translation>
-    </message>
-    <message>
-        <source>Radius of the weights&apos; centres of mass; gives their mass. Empty: only mρ is given.</source>
-        <translation>Радиус центров масс грузов; даёт их массу. Пусто: известно только mρ.</translation>
     </message>
     <message>
         <source>Phase of the shaft</source>
@@ -5691,22 +5755,6 @@
         <translation>Шатун цилиндра прицеплен пальцем к главному шатуну своей шейки (звёзды); без этого шатун стоит на самой шейке.</translation>
     </message>
     <message>
-        <source>Articulated rod: distance of its knuckle pin from the crankpin&apos;s centre; empty: the rod runs on the crankpin itself</source>
-        <translation>Прицепной шатун: расстояние пальца прицепа от центра шейки; пусто: шатун стоит на самой шейке</translation>
-    </message>
-    <message>
-        <source>Articulated rod: its knuckle pin about the crankpin, counter-clockwise from the master rod&apos;s axis; empty: the difference of the bank angles</source>
-        <translation>Прицепной шатун: угол его пальца прицепа вокруг шейки, против часовой стрелки от оси главного шатуна; пусто: разность углов рядов</translation>
-    </message>
-    <message>
-        <source>Articulated rod: its length from knuckle pin to piston pin; empty: the master rod&apos;s less the knuckle radius</source>
-        <translation>Прицепной шатун: длина от пальца прицепа до поршневого пальца; пусто: длина главного без радиуса прицепа</translation>
-    </message>
-    <message>
-        <source>Articulated rod: number of the cylinder with its master rod; empty or 0: the only rod that runs on the crankpin itself</source>
-        <translation>Прицепной шатун: номер цилиндра с его главным шатуном; пусто или 0: единственный шатун на самой шейке</translation>
-    </message>
-    <message>
         <source>Articulated rod: part of the cylinder&apos;s rotating mass that lies at the knuckle pin instead of the crankpin</source>
         <translation>Прицепной шатун: часть вращающейся массы цилиндра, которая находится у пальца прицепа, а не у шейки</translation>
     </message>
@@ -5966,6 +6014,54 @@
         <source>Radial engine, %1 cylinders</source>
         <translation>Звезда, цилиндров: %1</translation>
     </message>
+    <message>
+        <source>Articulated rod: distance of its knuckle pin from the crankpin&apos;s centre.</source>
+        <translation>Прицепной шатун: расстояние пальца прицепа от центра шейки.</translation>
+    </message>
+    <message>
+        <source>the rod runs on the crankpin itself</source>
+        <translation>шатун стоит на самой шейке</translation>
+    </message>
+    <message>
+        <source>Articulated rod: its knuckle pin about the crankpin, counter-clockwise from the master rod&apos;s axis.</source>
+        <translation>Прицепной шатун: угол его пальца прицепа вокруг шейки, против часовой стрелки от оси главного шатуна.</translation>
+    </message>
+    <message>
+        <source>the difference of the bank angles</source>
+        <translation>разность углов рядов</translation>
+    </message>
+    <message>
+        <source>Articulated rod: its length from knuckle pin to piston pin.</source>
+        <translation>Прицепной шатун: длина от пальца прицепа до поршневого пальца.</translation>
+    </message>
+    <message>
+        <source>the master rod&apos;s less the knuckle radius</source>
+        <translation>длина главного без радиуса прицепа</translation>
+    </message>
+    <message>
+        <source>Articulated rod: number of the cylinder with its master rod.</source>
+        <translation>Прицепной шатун: номер цилиндра с его главным шатуном.</translation>
+    </message>
+    <message>
+        <source>as 0, the only rod that runs on the crankpin itself</source>
+        <translation>как 0, единственный шатун на самой шейке</translation>
+    </message>
+    <message>
+        <source>Axial position of the weight.</source>
+        <translation>Положение груза вдоль вала.</translation>
+    </message>
+    <message>
+        <source>at the point that moments refer to</source>
+        <translation>в точке, относительно которой берутся моменты</translation>
+    </message>
+    <message>
+        <source>Radius of the weights&apos; centres of mass; gives their mass.</source>
+        <translation>Радиус центров масс грузов; даёт их массу.</translation>
+    </message>
+    <message>
+        <source>only mρ is given</source>
+        <translation>известно только mρ</translation>
+    </message>
 </context>
 <context>
     <name>matching</name>
@@ -6098,10 +6194,6 @@
         <translation>Углы шеек</translation>
     </message>
     <message>
-        <source>Angles of the throws from the front, in the sense from the second bank to the first. Empty: those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180.</source>
-        <translation>Углы колен спереди, в направлении от второго ряда к первому. Пусто: обычные для двигателя, крестообразный вал V-8: 0; 90; 270; 180.</translation>
-    </message>
-    <message>
         <source>as usual</source>
         <translation>обычные</translation>
     </message>
@@ -6140,6 +6232,14 @@
     <message>
         <source>No placing brings the crankpins within %1 of one another: they are made as equal as can be. Take off what the heavier parts have too much.</source>
         <translation>Никакая расстановка не сводит шатунные шейки в пределы %1: они уравнены, насколько возможно. Снимите лишнее с более тяжёлых деталей.</translation>
+    </message>
+    <message>
+        <source>Angles of the throws from the front, in the sense from the second bank to the first.</source>
+        <translation>Углы колен спереди, в направлении от второго ряда к первому.</translation>
+    </message>
+    <message>
+        <source>those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180</source>
+        <translation>обычные для двигателя, крестообразный вал V-8: 0; 90; 270; 180</translation>
     </message>
 </context>
 <context>
@@ -9694,6 +9794,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1: from %2 to %3 over %4 and %5.</source>
         <translation>%1: от %2 до %3 над %4 и %5.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::Fields</name>
+    <message>
+        <source>Empty: %1.</source>
+        <translation>Пусто: %1.</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ void HingeInputs::addObjectBox(const Field& field, const QString& name,
                                std::function<bool(const Input&)> has,
                                std::function<void(Input&, bool)> set) {
     box(
-        name, shownText(field.label), shownText(field.hint),
+        name, shownText(field.label), fieldHint(field),
         [this, has = std::move(has)] { return has(model_->input()); },
         [this, step = fieldName(field), set = std::move(set)](bool on) {
             model_->edit(step, [&](Input& input) { set(input, on); });
@@ -66,8 +66,7 @@ void HingeInputs::addMechanism() {
     choice(
         QStringLiteral("masses_given_as"), shownText(field::given_as.label),
         {shownTitle(tr("weights, N")).text, shownTitle(tr("masses, kg")).text},
-        shownText(field::given_as.hint),
-        [this] { return model_->input().masses_as_weights ? 0 : 1; },
+        fieldHint(field::given_as), [this] { return model_->input().masses_as_weights ? 0 : 1; },
         [this](int index) {
             model_->edit(tr("Weights or masses"),
                          [index](Input& input) { input.masses_as_weights = index == 0; });

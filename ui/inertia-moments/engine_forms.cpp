@@ -138,7 +138,7 @@ void EngineForm::showLayout() {
 void EngineForm::addFiringOrder() {
     auto* order = new FiringOrderField(model_, this);
     order->setObjectName(QStringLiteral("firing_order"));
-    order->setHint(shownText(field::firing_order.hint));
+    order->setHint(fieldHint(field::firing_order));
     current()->addWidget(shownText(field::firing_order.label), order);
     order->setModel(model_);
     QLabel* misfit = copyableCaption("firing_misfit", current());

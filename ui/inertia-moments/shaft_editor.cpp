@@ -83,7 +83,7 @@ class ShaftRow : public QWidget {
         widget->setObjectName(QString::fromLatin1(objectName).arg(index_));
         widget->setAccessibleName(
             tr("Shaft %1: %2").arg(QString::number(index_ + 1), fieldName(field)));
-        widget->setToolTip(shownText(field.hint));
+        widget->setToolTip(fieldHint(field));
     }
 
     std::string pointer(const Field& field) const {
@@ -110,7 +110,7 @@ class ShaftRow : public QWidget {
         QHBoxLayout* pair = rowIn(holder, Theme::gap);
         auto* target = new NumberField(field, holder);
         name(target, field, objectName);
-        target->setHint(shownText(field.hint));
+        target->setHint(fieldHint(field));
         target->setPlaceholderText(shownText(field.placeholder));
         if (width > 0) {
             target->setFixedWidth(Theme::withText(width));

@@ -29,10 +29,6 @@ QString firstSentence(QString text) {
     return text.endsWith(QLatin1Char('.')) ? text.chopped(1) : text;
 }
 
-bool isOfEmpty(const Text& hint) {
-    return !hint.empty() && std::string_view(hint.english).starts_with("Empty: ");
-}
-
 /// A number of the case as it is typed; in the unit that the user has chosen with the digits that
 /// mean something.
 QString numberText(double number, const ShownUnit& unit = {}) {
@@ -115,10 +111,8 @@ class Inputs {
 
     QString meaningOf(const std::string& pointer) const {
         const FieldEntry* entry = entryAt(pointer);
-        // What an empty field would mean explains no value.
-        return entry == nullptr || isOfEmpty(entry->field.hint)
-                   ? QString()
-                   : firstSentence(shownText(entry->field.hint));
+        // What the field would stand for while it is empty explains no value.
+        return entry == nullptr ? QString() : firstSentence(shownText(entry->field.hint));
     }
 
     ShownUnit unitOf(const std::string& pointer) const {

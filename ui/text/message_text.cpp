@@ -85,4 +85,14 @@ QString fieldName(const Field& field) {
     return shownText(field.label).remove(QLatin1Char('&'));
 }
 
+QString fieldHint(const Field& field) {
+    QStringList sentences{shownText(field.hint)};
+    if (!field.if_empty.empty()) {
+        sentences << QCoreApplication::translate("ravnoves::Fields", "Empty: %1.")
+                         .arg(shownText(field.if_empty));
+    }
+    sentences.removeAll(QString());
+    return sentences.join(QLatin1Char(' '));
+}
+
 }  // namespace ravnoves

@@ -25,8 +25,7 @@ void JobSheet::buildWork() {
     engine_->setObjectName(QStringLiteral("engine"));
     engine_->setPlaceholderText(shownText(field::engine.placeholder));
     enlarge(engine_);
-    current()->addWidget(shownText(field::engine.label), engine_, {},
-                         shownText(field::engine.hint));
+    current()->addWidget(shownText(field::engine.label), engine_, {}, fieldHint(field::engine));
     connect(engine_, &QComboBox::activated, this, [this](int place) {
         model_->chooseEngine(place);
         showEngines();

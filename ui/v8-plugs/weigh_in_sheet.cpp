@@ -22,8 +22,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : MatchingSheet
     section({});
     ordered(box(
         QStringLiteral("changes_from_weigh_in"), tr("Take the mass changes &from this sheet"),
-        shownText(field::changes_source.hint),
-        [model] { return model->input().changes_from_weigh_in; },
+        fieldHint(field::changes_source), [model] { return model->input().changes_from_weigh_in; },
         [model](bool on) {
             model->edit(fieldName(field::changes_source), [&](Input& input) {
                 input.changes_from_weigh_in = on;

@@ -20,7 +20,7 @@ SliderOwn completed(SceneModel* model, const char* pointer, const SliderScale& s
         own.label = shownText(field.label);
     }
     if (own.hint.isEmpty()) {
-        own.hint = shownText(field.hint);
+        own.hint = fieldHint(field);
     }
     if (own.name.isEmpty()) {
         own.name = QString::fromStdString(std::string(field.key));

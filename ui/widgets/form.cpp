@@ -181,7 +181,7 @@ QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) 
     for (const Word& word : entry.field.words) {
         box->addItem(shownText(word.label), isWhole ? whole_number(word) : box->count());
     }
-    current_->addWidget(shownText(entry.field.label), box, {}, shownText(entry.field.hint));
+    current_->addWidget(shownText(entry.field.label), box, {}, fieldHint(entry.field));
     auto* trouble = new TroubleLine(current_);
     trouble->setObjectName(box->objectName() + QStringLiteral("Refused"));
     current_->addWide(trouble);
@@ -210,7 +210,7 @@ QWidget* Form::flag(const char* pointer) {
     const FieldEntry entry = model_->describedField(pointer);
     auto* box = new QCheckBox(shownText(entry.field.label), current_);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
-    box->setToolTip(shownText(entry.field.hint));
+    box->setToolTip(fieldHint(entry.field));
     box->setAccessibleName(fieldName(entry.field));
     current_->addWide(box);
     connect(box, &QCheckBox::clicked, this,
@@ -234,7 +234,7 @@ QLineEdit* Form::text(const char* pointer) {
         },
         current_);
     field->setObjectName(QString::fromStdString(std::string(entry.field.key)));
-    current_->addWidget(shownText(entry.field.label), field, {}, shownText(entry.field.hint));
+    current_->addWidget(shownText(entry.field.label), field, {}, fieldHint(entry.field));
     field->setModel(model_);
     add(pointer, field, [field](const FieldValue& value) {
         const std::string* words = std::get_if<std::string>(&value);

@@ -20,7 +20,7 @@ NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(pare
     const ShownUnit unit = shownUnit(field);
     factor_ = unit.factor;
     setRange(field.range, unit.name);
-    setHint(shownText(field.hint));
+    setHint(fieldHint(field));
     setPlaceholderText(shownText(field.placeholder));
     setAccessibleName(unit_.isEmpty() ? fieldName(field)
                                       : fieldName(field) + QStringLiteral(", ") + unit_);

@@ -181,7 +181,7 @@ void MatchingSheet::addMoves(int row) {
             QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
         makeCell(box);
         box->setAccessibleName(fieldName(field));
-        box->setToolTip(shownText(field.hint));
+        box->setToolTip(fieldHint(field));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumWidth(Theme::withText(cellWidth));
         box->setMinimumHeight(Theme::withText(cellHeight));
@@ -193,7 +193,7 @@ void MatchingSheet::addMoves(int row) {
             edit_(name, [&](Rules& rules) { rules.*member = static_cast<Moves>(at); });
         });
         const bool isSet = part == Part::piston || part == Part::rod_big_end;
-        follow([this, box, member, isSet, hint = shownText(field.hint)] {
+        follow([this, box, member, isSet, hint = fieldHint(field)] {
             box->setCurrentIndex(static_cast<int>(rules_().*member));
             // By another rule the parts would not go back to where they were weighed.
             const bool isFixed = !isSet && isMoved_();

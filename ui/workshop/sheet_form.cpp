@@ -74,7 +74,7 @@ void SheetForm::checked(const Field& description, const CheckedText& text) {
                                   ? text.shown(example)
                                   : shownText(description.placeholder));
     enlarge(field);
-    field->setHint(shownText(description.hint));
+    field->setHint(fieldHint(description));
     field->setModel(model_);
     field->setIsOfResult(text.isOfResult);
     const QString unit = shownUnit(description).name;

@@ -288,5 +288,21 @@ TEST(Scenes, HavePresetsThatReadBack) {
     }
 }
 
+TEST(Scenes, SayApartFromAHintWhatAnEmptyFieldStandsFor) {
+    static const std::regex empty("\\bempty\\b", std::regex::icase);
+    for (const Scene& each : scenes()) {
+        for (const FieldEntry& entry : each.describe()) {
+            const std::string_view hint = entry.field.hint.english;
+            const std::string_view if_empty = entry.field.if_empty.english;
+            EXPECT_FALSE(std::regex_search(hint.begin(), hint.end(), empty))
+                << each.name << ": " << entry.pointer;
+            // "A sentence. Empty: what it stands for."
+            EXPECT_TRUE(if_empty.empty() || hint.empty() || hint.ends_with('.'))
+                << each.name << ": " << entry.pointer;
+            EXPECT_FALSE(if_empty.ends_with('.')) << each.name << ": " << entry.pointer;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves

@@ -106,7 +106,7 @@ QString usual(const FieldEntry& entry) {
 
 QString meaning(const FieldEntry& entry) {
     const QString name = fieldName(entry.field);
-    const QString hint = shownText(entry.field.hint);
+    const QString hint = fieldHint(entry.field);
     QString text = name.isEmpty() || hint.isEmpty() ? name + hint : name + u". "_s + hint;
     return text.replace(u'|', u"\\|"_s);
 }

@@ -25,12 +25,14 @@
 #include "methods/methods_page.h"
 #include "model/background_job.h"
 #include "scene_tests.h"
+#include "scenes/open_example.h"
 #include "shell/help_window.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/key_words.h"
 #include "text/language.h"
+#include "text/message_text.h"
 #include "text/preferences.h"
 
 namespace ravnoves {
@@ -201,6 +203,25 @@ TEST_P(RussianPage, ChangesWhileItsWindowIsOpen) {
         ADD_FAILURE() << "still in English: " << text.toStdString();
     }
     Preferences::instance().setLanguage({});
+}
+
+TEST_P(RussianPage, SaysBehindItsHintWhatAnEmptyFieldStandsFor) {
+    for (const auto& [language, empty] :
+         {std::pair(u"en"_s, u"Empty: "_s), std::pair(u"ru"_s, u"Пусто: "_s)}) {
+        installLanguage(language);
+        const auto page = test::makePage(GetParam());
+        test::openExample(*page->model());
+        const QString texts = textsBelow(*page).join(u'\n');
+        for (const FieldEntry& entry : page->model()->describedFields()) {
+            if (!entry.field.if_empty.empty()) {
+                const QString hint = shownText(entry.field.hint);
+                const QString wanted = (hint.isEmpty() ? hint : hint + u' ') + empty +
+                                       shownText(entry.field.if_empty) + u'.';
+                EXPECT_TRUE(texts.contains(wanted))
+                    << entry.pointer << ": " << wanted.toStdString();
+            }
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(test::sceneNames()),

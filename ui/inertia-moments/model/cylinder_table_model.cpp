@@ -381,7 +381,7 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
             return unit.isEmpty() ? symbol : symbol + QStringLiteral(", ") + unit;
         }
         case Qt::ToolTipRole:
-            return shownText(field.hint);
+            return fieldHint(field);
         default:
             return {};
     }
