@@ -117,8 +117,10 @@ inline constexpr Field plane_radius{
     .unit = units::mm,
     .range = Range::between(1, 2000),
     .label = CORE_TEXT("bob-weights", "Radius"),
-    .hint = CORE_TEXT("bob-weights",
-                      "Of the rim that is drilled; grams at a radius are given for it too."),
+    .hint =
+        CORE_TEXT("bob-weights",
+                  "From the axis to the rim that is drilled; grams at a radius are given for it "
+                  "too."),
     .placeholder = CORE_TEXT("V8", "needed")};
 inline constexpr Field from_angle{
     .key = "from_deg",
@@ -224,12 +226,13 @@ inline constexpr Field maximum_angle{
 inline constexpr Field slug{
     .key = "slug",
     .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};
-inline constexpr Field slug_diameter{.key = "diameter_mm",
-                                     .unit = units::mm,
-                                     .range = Range::greater_than(0, 100),
-                                     .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
-                                     .hint = CORE_TEXT("bob-weights", "Of the slugs at hand."),
-                                     .placeholder = CORE_TEXT("bob-weights", "no slugs")};
+inline constexpr Field slug_diameter{
+    .key = "diameter_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 100),
+    .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
+    .hint = CORE_TEXT("bob-weights", "Diameter of the slugs at hand."),
+    .placeholder = CORE_TEXT("bob-weights", "no slugs")};
 inline constexpr Field slug_density{
     .key = "density_kg_m3",
     .unit = units::kg_m3,

@@ -4010,12 +4010,12 @@
         <translation>Вдоль вала.</translation>
     </message>
     <message>
-        <source>Of the rim that is drilled; grams at a radius are given for it too.</source>
-        <translation>Обода, который сверлят; для него же даны граммы на радиусе.</translation>
+        <source>From the axis to the rim that is drilled; grams at a radius are given for it too.</source>
+        <translation>От оси до обода, который сверлят; для него же даны граммы на радиусе.</translation>
     </message>
     <message>
-        <source>Of the slugs at hand.</source>
-        <translation>Имеющихся вставок.</translation>
+        <source>Diameter of the slugs at hand.</source>
+        <translation>Диаметр имеющихся вставок.</translation>
     </message>
 </context>
 <context>
@@ -8822,10 +8822,6 @@ but nothing can be built</source>
     <message>
         <source>Counts once every cylinder is weighed.</source>
         <translation>Считается, когда взвешены все цилиндры.</translation>
-    </message>
-    <message>
-        <source>%1: %2 is still needed (%3).</source>
-        <translation>%1: нужно ещё значение «%2» (%3).</translation>
     </message>
 </context>
 <context>

@@ -516,7 +516,7 @@ TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
     EXPECT_TRUE(
         label("troubles")
             .contains(
-                u"Sheet 4, Front plane: Radius is still needed (of the rim that is drilled"_s))
+                u"Sheet 4, Front plane: Radius is still needed. From the axis to the rim that is drilled"_s))
         << label("troubles").toStdString();
     typeReadings();
     type("diameters_mm", QString());
@@ -534,7 +534,7 @@ TEST_F(BobPageTest, WhatIsMissingIsSaidWithItsPlace) {
     EXPECT_TRUE(
         label("troubles")
             .contains(
-                u"Sheet 5, heavy metal: Slug diameter is still needed (of the slugs at hand)."_s))
+                u"Sheet 5, heavy metal: Slug diameter is still needed. Diameter of the slugs at hand."_s))
         << label("troubles").toStdString();
     type("slug_density_kg_m3", QString());
     type("grade_mm_s", u"6.3"_s);

@@ -6,7 +6,6 @@
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/input_error.h"
-#include "text/capital.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
@@ -14,15 +13,6 @@
 namespace ravnoves {
 
 using namespace bob_weights;
-
-namespace {
-
-/// A hint that is no sentence by itself: "Of the slugs at hand."
-bool isOfSomething(const Text& hint) {
-    return !hint.empty() && std::string_view(hint.english).starts_with("Of ");
-}
-
-}  // namespace
 
 QString BobWeightsModel::shownError(const InputError& error) const {
     const QStringList place =
@@ -74,9 +64,6 @@ QString BobWeightsModel::missingText(const std::string& where) const {
                        ? tr("%1: %2 are still needed, in %3, one after the other: %4")
                              .arg(sheet, name, shownUnit(units::mm).name,
                                   numberListText({8, 10, 12.5}, missing))
-                   : isOfSomething(missing.hint)
-                       ? tr("%1: %2 is still needed (%3).")
-                             .arg(sheet, name, inSentence(shownText(missing.hint)).chopped(1))
                        : tr("%1: %2 is still needed. %3").arg(sheet, name, shownText(missing.hint));
         }
     }
