@@ -38,6 +38,27 @@ known() {
             fault "$program.fish does not name $word"
     done
 }
+# known_of COMMAND OPTION…: each stands in the command's own part of the four files.
+known_of() {
+    local command=$1 part word
+    shift
+    declare -A parts=(
+        [1]=$(sed -n "/^\.SS $command\$/,/^\.S/p" "$packaging/man/ravnoves-cli.1" |
+            sed 's/\\-/-/g; s/\\f[BIPR]//g')
+        [bash]=$(grep -E "^ +$command\) words" "$packaging/completion/ravnoves-cli.bash")
+        [zsh]=$(sed -n "/^    $command)\$/,/;;/p" "$packaging/completion/ravnoves-cli.zsh")
+        # With its dashes again.
+        [fish]=$(grep -E "_from [^']*\b$command\b" "$packaging/completion/ravnoves-cli.fish" |
+            sed 's/ -s / -/; s/ -l / --/')
+    )
+    for word in "$@"; do
+        words=$((words + 1))
+        for part in "${!parts[@]}"; do
+            grep -E -- "(^|[^-a-z])$word([^-a-z]|\$)" <<<"${parts[$part]}" >/dev/null ||
+                fault "ravnoves-cli.$part does not name $word of $command"
+        done
+    done
+}
 # The options that a --help lists, at the start of its lines.
 options() { sed -nE 's/^ +(-[^ ].*)$/\1/p' | sed -E 's/  .*//' | grep -oE '(^|[ ,])--?[a-z][a-z-]*' | tr -d ' ,'; }
 
@@ -49,8 +70,8 @@ mapfile -t commands < <(sed -n '/^Subcommands:/,$s/^  \([a-z][a-z-]*\) .*/\1/p' 
 known ravnoves-cli "${commands[@]}"
 for command in "${commands[@]}"; do
     "$cli" "$command" --help >"$folder/help"
-    mapfile -t listed < <(options <"$folder/help")
-    known ravnoves-cli "${listed[@]}"
+    mapfile -t listed < <(options <"$folder/help" | grep -vxE -e '-h|--help')
+    known_of "$command" "${listed[@]}"
     kernels=$(sed -n 's/^Kernels: \(.*\)\.$/\1/p' "$folder/help")
     # shellcheck disable=SC2086 # words
     known ravnoves-cli ${kernels//,/}
