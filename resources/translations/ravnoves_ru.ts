@@ -8703,7 +8703,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Notes on the job card</source>
-        <translation>Заметки на карте работы</translation>
+        <translation>Примечания на карте</translation>
     </message>
 </context>
 <context>
@@ -11804,7 +11804,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Notes on the job card</source>
-        <translation>Примечания для карты</translation>
+        <translation>Примечания на карте</translation>
     </message>
 </context>
 <context>
