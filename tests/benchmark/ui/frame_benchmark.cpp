@@ -6,9 +6,9 @@
 ///
 /// Then the wheel over the largest plot, the cursor in it and the window's size, likewise.
 ///
-/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--alone] [--events] [--table]
-/// --alone: without the rival, for a profile of the page; --events: likewise, and which events of
-/// which widgets it went to.
+/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--events] [--table]
+/// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page;
+/// --events: likewise, and which events of which widgets it went to.
 
 #include <QApplication>
 #include <QChart>
@@ -229,6 +229,11 @@ struct Options {
     QSize size{1280, 800};
     bool events = false;  ///< says which events the time went to
     bool table = false;   ///< says it in lines for table.py
+    QString only;         ///< gesture
+
+    bool wants(const char* gesture) const {
+        return only.isEmpty() || only == QLatin1String(gesture);
+    }
 };
 
 void print(const std::string& name, const Options& options, std::vector<double> wall,
@@ -311,20 +316,26 @@ void timeGestures(const std::string& name, const Options& options, QWidget* page
                               Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
             QApplication::sendEvent(plot, &event);
         };
-        time(name + ", wheel", options, wheel, rival);
-        plot->resetZoom();
+        if (options.wants("wheel")) {
+            time(name + ", wheel", options, wheel, rival);
+            plot->resetZoom();
+        }
         const auto move = [&](int step) {
             const QPointF at = place(step);
             QMouseEvent event(QEvent::MouseMove, at, plot->mapToGlobal(at), Qt::NoButton,
                               Qt::NoButton, Qt::NoModifier);
             QApplication::sendEvent(plot, &event);
         };
-        time(name + ", cursor", options, move, rival);
+        if (options.wants("cursor")) {
+            time(name + ", cursor", options, move, rival);
+        }
     }
     const auto resize = [&](int step) {
         page->resize(options.size - QSize(3, 2) * (step % 40 < 20 ? step % 20 : 20 - step % 20));
     };
-    time(name + ", resize", options, resize, rival);
+    if (options.wants("resize")) {
+        time(name + ", resize", options, resize, rival);
+    }
 }
 
 void run(const std::string& name, const std::function<Drag()>& make, const Options& options,
@@ -336,11 +347,13 @@ void run(const std::string& name, const std::function<Drag()>& make, const Optio
     for (int turn = 0; turn < 5; ++turn) {
         QApplication::processEvents();
     }
-    time(
-        name, options, [&](int step) { drag.move(step, options.steps); }, rival);
+    if (isRival || options.wants("drag")) {
+        time(
+            name, options, [&](int step) { drag.move(step, options.steps); }, rival);
+    }
     if (!isRival) {
         Options few = options;
-        few.steps = std::min(options.steps, 200);
+        few.steps = options.only.isEmpty() ? std::min(options.steps, 200) : options.steps;
         timeGestures(name, few, drag.page, rival);
     }
     delete drag.page;
@@ -388,6 +401,8 @@ int main(int argc, char** argv) {
         } else if (arguments[i] == QLatin1String("--size") && i + 1 < arguments.size()) {
             const QStringList parts = arguments[++i].split(QLatin1Char('x'));
             options.size = QSize(parts.value(0).toInt(), parts.value(1).toInt());
+        } else if (arguments[i] == QLatin1String("--only") && i + 1 < arguments.size()) {
+            options.only = arguments[++i];
         } else if (arguments[i] == QLatin1String("--alone")) {
             alone = true;
         } else if (arguments[i] == QLatin1String("--events")) {
