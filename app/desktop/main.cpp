@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
         qunsetenv("QT_FONT_DPI");
         // Before Qt starts: what an option says, or none.
         const QByteArray scale = valueOf(argc, argv, "--scale");
-        scale.isEmpty() ? qunsetenv("QT_SCALE_FACTOR") : qputenv("QT_SCALE_FACTOR", scale);
+        // What else is given is refused below.
+        scale == "2" ? qputenv("QT_SCALE_FACTOR", scale) : qunsetenv("QT_SCALE_FACTOR");
     }
     if (report && !given(argc, argv, {"-platform"})) {
         qputenv("QT_QPA_PLATFORM", "offscreen");  // no window flashes up
@@ -122,6 +123,10 @@ int main(int argc, char** argv) {
         return fail(parser.errorText());
     }
     parser.process(app);  // --help and --version
+
+    if (const QString scale = parser.value(scaleOption); scale != u"1" && scale != u"2") {
+        return fail(u"--scale: must be 1 or 2, got %1"_s.arg(scale));
+    }
 
     std::optional<QTemporaryDir> noSettings;
     const QString noFile = ravnoves::noFileForSettings();

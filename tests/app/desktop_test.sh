@@ -77,6 +77,9 @@ refused "bad.json: /input/crank_radius_mm: must be greater than 0, got -46" \
     --screenshot page.png --case bad.json
 refused "balance-shaft" --screenshot page.png --scene balance-shafts
 refused "--size" --screenshot page.png --size 12
+for scale in nan 1e9 0 100 3 1.5 abc 2x ''; do
+    refused "--scale: must be 1 or 2" --screenshot page.png --scale "$scale"
+done
 refused "--size" --screenshot page.png --size 999999x999999
 refused "--theme" --screenshot page.png --theme blue
 refused "--set" --screenshot page.png --set shaft_angle_deg
