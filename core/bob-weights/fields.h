@@ -117,10 +117,10 @@ inline constexpr Field plane_radius{
     .unit = units::mm,
     .range = Range::between(1, 2000),
     .label = CORE_TEXT("bob-weights", "Radius"),
-    .hint =
-        CORE_TEXT("bob-weights",
-                  "From the axis to the rim that is drilled; grams at a radius are given for it "
-                  "too."),
+    .hint = CORE_TEXT(
+        "bob-weights",
+        "From the axis to the rim that is drilled: what is to be taken off at a radius is "
+        "given for this one."),
     .placeholder = CORE_TEXT("V8", "needed")};
 inline constexpr Field from_angle{
     .key = "from_deg",
@@ -137,6 +137,7 @@ inline constexpr Field to_angle{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill to"),
     .hint = CORE_TEXT("bob-weights", "The sector ends here, in the sense of growing angles."),
+    .if_empty = CORE_TEXT("bob-weights", "all round"),
     .placeholder = CORE_TEXT("bob-weights", "all round")};
 inline constexpr Field readings{
     .key = "readings",
@@ -168,7 +169,7 @@ inline constexpr Field angle{
     .key = "angle_deg",
     .unit = units::degree,
     .range = Range::between(-360, 360),
-    .label = CORE_TEXT("bob-weights", "Heavy spot at"),
+    .label = CORE_TEXT("bob-weights", "Heavy spot"),
     .hint = CORE_TEXT("bob-weights",
                       "Angle of the heavy spot from the machine's zero mark; a machine that shows "
                       "the light spot shows it 180° from here."),
@@ -232,6 +233,7 @@ inline constexpr Field slug_diameter{
     .range = Range::greater_than(0, 100),
     .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
     .hint = CORE_TEXT("bob-weights", "Diameter of the slugs at hand."),
+    .if_empty = CORE_TEXT("bob-weights", "no slugs"),
     .placeholder = CORE_TEXT("bob-weights", "no slugs")};
 inline constexpr Field slug_density{
     .key = "density_kg_m3",
@@ -266,12 +268,14 @@ inline constexpr Field front_bearing{
     .hint = CORE_TEXT("bob-weights",
                       "With both end bearings the standard's limits hold there, and the planes' "
                       "follow from the distances."),
+    .if_empty = CORE_TEXT("bob-weights", "the standard's limits are shared out to the planes"),
     .placeholder = CORE_TEXT("bob-weights", "not given")};
 inline constexpr Field rear_bearing{.key = "rear_bearing_mm",
                                     .unit = units::mm,
                                     .range = plane_position.range,
                                     .label = CORE_TEXT("bob-weights", "Rear bearing"),
                                     .hint = front_bearing.hint,
+                                    .if_empty = front_bearing.if_empty,
                                     .placeholder = front_bearing.placeholder};
 
 }  // namespace field

@@ -285,8 +285,7 @@ inline constexpr Field shaft_order{
     .label = CORE_TEXT("inertia-moments", "Order of the shaft"),
     .symbol = "k",
     .hint = CORE_TEXT("inertia-moments",
-                      "Order that the shaft cancels; it turns k times as fast as the crank. "
-                      "1 to 12.")};
+                      "Order that the shaft cancels; it turns k times as fast as the crank.")};
 inline constexpr Field shaft_direction{
     .key = "direction",
     .label = CORE_TEXT("inertia-moments", "Direction of the shaft"),

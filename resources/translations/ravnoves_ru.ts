@@ -3690,7 +3690,7 @@
         <translation>Показание станка.</translation>
     </message>
     <message>
-        <source>Heavy spot at</source>
+        <source>Heavy spot</source>
         <translation>Тяжёлое место</translation>
     </message>
     <message>
@@ -4010,12 +4010,16 @@
         <translation>Вдоль вала.</translation>
     </message>
     <message>
-        <source>From the axis to the rim that is drilled; grams at a radius are given for it too.</source>
-        <translation>От оси до обода, который сверлят; для него же даны граммы на радиусе.</translation>
-    </message>
-    <message>
         <source>Diameter of the slugs at hand.</source>
         <translation>Диаметр имеющихся вставок.</translation>
+    </message>
+    <message>
+        <source>From the axis to the rim that is drilled: what is to be taken off at a radius is given for this one.</source>
+        <translation>От оси до обода, который сверлят: сколько снять на радиусе, указано для этого.</translation>
+    </message>
+    <message>
+        <source>the standard&apos;s limits are shared out to the planes</source>
+        <translation>допуск по стандарту делится между плоскостями</translation>
     </message>
 </context>
 <context>
@@ -4597,8 +4601,8 @@
         <translation>с. %1</translation>
     </message>
     <message>
-        <source>must be numbers with blanks between them</source>
-        <translation>должны быть числа через пробел</translation>
+        <source>must be numbers with blanks or semicolons between them</source>
+        <translation>должны быть числа через пробел или точку с запятой</translation>
     </message>
 </context>
 <context>
@@ -5427,8 +5431,8 @@
         <translation>Порядок вала</translation>
     </message>
     <message>
-        <source>Order that the shaft cancels; it turns k times as fast as the crank. 1 to 12.</source>
-        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого. От 1 до 12.</translation>
+        <source>Order that the shaft cancels; it turns k times as fast as the crank.</source>
+        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого.</translation>
     </message>
     <message>
         <source>Direction of the shaft</source>
@@ -8752,8 +8756,8 @@ but nothing can be built</source>
         <translation>Перестановка деталей</translation>
     </message>
     <message>
-        <source>%1, %2: %3 is still needed.</source>
-        <translation>%1, %2: ещё нужно «%3».</translation>
+        <source>Sheet 4, %1, %2: %3 is still needed.</source>
+        <translation>Лист 4, %1, %2: ещё нужно «%3».</translation>
     </message>
     <message>
         <source>The bob weight: weigh it out so</source>
@@ -11890,7 +11894,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;Тема</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
+        <source>As the des&amp;ktop</source>
         <translation>Как в &amp;системе</translation>
     </message>
     <message>

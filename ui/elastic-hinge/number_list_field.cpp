@@ -1,6 +1,7 @@
 #include "elastic-hinge/number_list_field.h"
 
 #include "case-file/input_error.h"
+#include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
@@ -21,13 +22,13 @@ QSize NumberListField::sizeHint() const {
 
 NumberListField::Reading NumberListField::read(const QString& typed) const {
     try {
-        std::vector<double> values = readNumberList(typed, field_);
+        std::vector<double> values = readNumberList(typed, field_, {});
         if (values.size() > static_cast<std::size_t>(longest_)) {
             return {{}, tr("At most %n value(s).", nullptr, longest_)};
         }
         return {std::move(values), {}};
     } catch (const InputError& error) {
-        return {{}, errorText(error)};
+        return {{}, capitalised(errorText(error))};  // the field's name stands before it
     }
 }
 

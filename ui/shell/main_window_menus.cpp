@@ -283,7 +283,7 @@ void MainWindow::buildMenus() {
     QMenu* themes = view->addMenu(themedIcon(QStringLiteral("theme")), tr("&Theme"));
     auto* themeGroup = new QActionGroup(this);
     const std::vector<std::pair<Theme::Mode, QString>> modes{
-        {Theme::Mode::System, tr("As the &desktop")},
+        {Theme::Mode::System, tr("As the des&ktop")},
         {Theme::Mode::Light, tr("&Light")},
         {Theme::Mode::Dark, tr("&Dark")}};
     for (const auto& [mode, text] : modes) {

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "case-file/input_error.h"
+#include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -118,10 +119,10 @@ void SheetForm::numberList(const Field& description, std::function<std::vector<d
                            std::function<void(const QString&, const std::vector<double>&)> write) {
     const auto trouble = [&description](const QString& typed) {
         try {
-            readNumberList(typed, description);
+            readNumberList(typed, description, {});
             return QString();
         } catch (const InputError& error) {
-            return errorText(error);
+            return capitalised(errorText(error));  // the field's name stands before it
         }
     };
     const auto normal = [&description, trouble](const QString& typed) {

@@ -183,6 +183,9 @@ TEST_F(BobPageTest, ReadingsBecomeHoles) {
     EXPECT_NEAR(hole.angle, 75 * degree, 1e-9);
     // Another drill: a word that is none is refused, the drills before it stay.
     type("diameters_mm", u"8 wide"_s);
+    // The name of the field stands before it already.
+    EXPECT_EQ(test::named<EntryField>(page, "diameters_mm")->trouble(),
+              u"Must be numbers with blanks or semicolons between them, got \"wide\""_s);
     EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
     type("diameters_mm", u"8"_s);
     EXPECT_GT((*model->solution().correction)[0].holes.size(), 1u);
@@ -770,7 +773,8 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     EXPECT_EQ(rowsOf("Runs of the machine"), 0);
     type("run_1_unbalance_1", u"350"_s);
     EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
-    EXPECT_TRUE(label("troubles").contains(u"Run 1, Front plane: Heavy spot at is still needed"_s))
+    EXPECT_TRUE(
+        label("troubles").contains(u"Sheet 4, Run 1, Front plane: Heavy spot is still needed"_s))
         << qPrintable(label("troubles"));
     type("run_1_angle_1", u"80"_s);
     type("run_1_unbalance_2", u"120"_s);

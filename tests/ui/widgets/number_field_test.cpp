@@ -325,7 +325,8 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
               List({0, 90}));
     EXPECT_EQ(numberListText({8, 10.5}, drills), QStringLiteral("8; 10.5"));
     for (const auto& [typed, why] :
-         {std::pair("8 mm", "Drills: must be numbers with blanks between them, got \"mm\""),
+         {std::pair("8 mm",
+                    "Drills: must be numbers with blanks or semicolons between them, got \"mm\""),
           std::pair("8 -3", "Drills: must be greater than 0 and at most 100 mm, got -3 mm")}) {
         try {
             readNumberList(QString::fromUtf8(typed), drills);

@@ -25,7 +25,7 @@ QString BobWeightsModel::shownError(const InputError& error) const {
             key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
         const auto run = isEarlier ? place.value(3).toULongLong() : newestRun();
         const auto plane = place.value(place.size() - 2).toULongLong();
-        return tr("%1, %2: %3 is still needed.")
+        return tr("Sheet 4, %1, %2: %3 is still needed.")
             .arg(bob_text::runName(Words(), run), bob_text::planeName(Words(), plane),
                  fieldName(field));
     }
