@@ -171,8 +171,8 @@ def start_rows():
             own.append(painted(command)[0])
             other.append(painted(rival)[0])
         a, b = statistics.median(own), statistics.median(other)
-        rows.append([f"start to the first picture, {name}, processor", f"{a:.0f} ms", f"{b:.0f} ms",
-                     f"{a / b:.2f}"])
+        rows.append([f"start to the first picture, {name} (rival: an empty chart's window)",
+                     f"{a:.0f} ms", f"{b:.0f} ms", f"{a / b:.2f}"])
     return rows
 
 
@@ -182,9 +182,43 @@ def memory_rows():
     rows = []
     for scene in ["start", *scenes_of(program)]:
         own = painted([program, "--scene", scene], 1.0 if QUICK else 3.0)[1]
-        rows.append([f"memory at most, {scene}", f"{own:.0f} MB", f"{rival:.0f} MB",
-                     f"{own / rival:.2f}"])
+        rows.append([f"memory at most, {scene} (rival: an empty chart's window)",
+                     f"{own:.0f} MB", f"{rival:.0f} MB", f"{own / rival:.2f}"])
     return rows
+
+
+def frames_table(rows):
+    """Of the rows of frames: a line for each drag, with its gestures beside each other."""
+    gestures = ("wheel", "cursor", "resize")
+    lines = {}
+    for name, value, rival, share in rows:
+        page, sizes = name.removeprefix("frame p95, ").rsplit(", ", 1)
+        if sizes == "scale 2":
+            page, size = page.rsplit(", ", 1)
+            sizes = f"{size}, {sizes}"
+        gesture = next((each for each in gestures if page.endswith(", " + each)), "drag")
+        page = page.removesuffix(", " + gesture)
+        line = lines.setdefault((sizes, page), {"value": value, "rival": rival})
+        line[gesture] = share
+        if gesture == "drag":
+            line["value"] = value
+    head = "| 95th percentile of frames | drag | plain window | drag | wheel | cursor | resize |"
+    printed = [head, "|---|---:|---:|---:|---:|---:|---:|"]
+    for (sizes, page), line in lines.items():
+        shares = [line.get(each, "") for each in ("drag", *gestures)]
+        printed.append("| " + " | ".join([f"{page}, {sizes.replace('x', '×')}", line["value"],
+                                          line["rival"], *shares]) + " |")
+    return printed
+
+
+def print_tables(rows):
+    frames = [row for row in rows if row[0].startswith("frame p95, ")]
+    print("| what | here | rival | share |\n|---|---:|---:|---:|")
+    for row in rows:
+        if row not in frames:
+            print("| " + " | ".join(row) + " |")
+    print()
+    print("\n".join(frames_table(frames)))
 
 
 def main():
@@ -192,9 +226,7 @@ def main():
         rows = start_rows() + command_rows() + pair_rows() + memory_rows()
         for program, more in PROGRAMS:
             rows += rows_of(program, more, home)
-    print("| what | here | rival | share |\n|---|---|---|---|")
-    for row in rows:
-        print("| " + " | ".join(row) + " |")
+    print_tables(rows)
 
 
 main()
