@@ -374,7 +374,7 @@ void MainWindow::updateHistoryActions() {
 }
 
 void MainWindow::updateSceneActions() {
-    variants_->setPage(documents_->hasCurrent() ? currentPage() : nullptr);
+    variants_->setPage(isAtStart() ? nullptr : currentPage());
     for (QAction* action : sceneActions_) {
         toolBar_->removeAction(action);
     }

@@ -352,6 +352,44 @@ TEST_F(StartInTheWindow, ComesBackByItsKeyAndGoesWithAScene) {
     EXPECT_TRUE(window.windowTitle().contains(u"V-8"_s));
 }
 
+/// They would change a case that is not shown.
+TEST_F(StartInTheWindow, KnowsNoVariants) {
+    auto* button = test::named<QToolButton>(window, "variants_button");
+    EXPECT_FALSE(button->isEnabled());
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(button->isEnabled());
+    SceneModel& model = *window.currentPage()->model();
+    QTest::keyClick(&window, Qt::Key_K, Qt::ControlModifier);
+    ASSERT_EQ(model.variants().size(), 1);
+    ASSERT_EQ(model.reference(), 0);
+    model.setByKey(u"shaft_angle_deg"_s, u"77"_s);
+    const Json input = model.inputJson();
+    const Json reference = model.variantInput(0);
+    const int steps = model.history()->count();
+
+    QTest::keyClick(&window, Qt::Key_Home, Qt::AltModifier);
+    ASSERT_TRUE(window.isAtStart());
+    EXPECT_FALSE(button->isEnabled());
+    EXPECT_TRUE(button->text().isEmpty());
+    button->menu()->popup(QPoint());
+    for (const QAction* each : button->menu()->actions()) {
+        EXPECT_TRUE(each->isSeparator() || !each->isEnabled()) << each->text().toStdString();
+    }
+    button->menu()->hide();
+    QTest::keyClick(&window, Qt::Key_K, Qt::ControlModifier);
+    QTest::keyClick(&window, Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(&window, Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(model.variants().size(), 1);
+    EXPECT_EQ(model.reference(), 0);
+    EXPECT_EQ(model.inputJson(), input);
+    EXPECT_EQ(model.history()->count(), steps);
+
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(button->isEnabled());
+    QTest::keyClick(&window, Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(model.inputJson(), reference);
+}
+
 TEST_F(StartInTheWindow, AnExampleOpensWithoutAFile) {
     QTest::keyClick(test::named<QAbstractButton>(window, "start-example"), Qt::Key_Space);
     EXPECT_FALSE(window.isAtStart());
