@@ -36,13 +36,17 @@ int Apart::needed(int width) const {
 bool Apart::event(QEvent* event) {
     // The label has another text or another font.
     if (event->type() == QEvent::LayoutRequest) {
-        if (minimumHeight() == maximumHeight()) {
-            return true;  // its room is given
+        if (hasGivenRoom()) {
+            return true;
         }
         held_->text().size() == length_ ? rest_.start() : fit();
         return true;
     }
     return QWidget::event(event);
+}
+
+bool Apart::hasGivenRoom() const {
+    return minimumHeight() == maximumHeight();
 }
 
 void Apart::fit() {
@@ -71,8 +75,16 @@ void Apart::resizeEvent(QResizeEvent* event) {
     held_->setGeometry(rect());
     height_ = needed(width());
     length_ = held_->text().size();
-    if (height_ > height() && minimumHeight() != maximumHeight()) {
+    if (height_ > height() && !hasGivenRoom()) {
         updateGeometry();  // another width was asked about
+    }
+}
+
+void Apart::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    // While neither is seen, the label tells nobody of another text or another font.
+    if (!hasGivenRoom()) {
+        fit();
     }
 }
 

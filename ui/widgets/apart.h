@@ -27,9 +27,11 @@ class Apart : public QWidget {
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     int needed(int width) const;
+    bool hasGivenRoom() const;
     void fit();
 
     QLabel* held_;

@@ -21,6 +21,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "widgets/apart.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
@@ -67,6 +68,32 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
     // The plot shows the new M_s.
     EXPECT_NEAR(*page.momentPlot()->valueAt(1, 0.0),
                 model->result().moment_amplitude * std::sin(model->input().shaft_angle), 1e-6);
+}
+
+/// Another page was in front while the inputs changed.
+TEST_F(BalanceShaftPageTest, TextsThatCameWhileItWasHiddenAreWhole) {
+    const auto expectWhole = [this] {
+        for (const Apart* each : page.findChildren<Apart*>()) {
+            const auto* label = each->findChild<QLabel*>();
+            if (label->isVisible() && each->minimumHeight() != each->maximumHeight()) {
+                EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+                    << label->text().toStdString();
+            }
+        }
+    };
+    const QString before = model->bestRangeText();
+    expectWhole();
+    int longer = 0;
+    for (const char* distance : {"60", "90", "120", "160", "200"}) {
+        SCOPED_TRACE(distance);
+        page.hide();
+        model->setByKey(QStringLiteral("centre_distance_mm"), QString::fromLatin1(distance));
+        longer += model->bestRangeText().size() > before.size() ? 1 : 0;
+        page.show();
+        QApplication::processEvents();
+        expectWhole();
+    }
+    EXPECT_GT(longer, 0);
 }
 
 TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {

@@ -72,6 +72,28 @@ TEST_F(ApartTest, ATextOfTheSameLengthThatWrapsElsewhereIsFittedAtRest) {
     EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
 }
 
+TEST_F(ApartTest, ATextThatComesWhileThePageIsHiddenGetsItsRoom) {
+    const int height = label_->height();
+    const QString before = label_->text();
+    page_.hide();
+    label_->setText(before + QLatin1Char('\n') + before + QLatin1Char('\n') + before);
+    page_.show();
+    QApplication::processEvents();
+    EXPECT_GT(label_->height(), height);
+    EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
+    page_.hide();
+    label_->setText(before);
+    page_.show();
+    QApplication::processEvents();
+    EXPECT_EQ(label_->height(), height);
+    // Nothing is laid out anew for a text that is as it was.
+    settle();
+    page_.hide();
+    page_.show();
+    QApplication::processEvents();
+    EXPECT_EQ(page_.count, 0);
+}
+
 TEST_F(ApartTest, ItsTextIsSelectedByTheMouse) {
     QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
     QApplication::sendEvent(apart_, &enter);
