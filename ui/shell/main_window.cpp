@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -15,6 +16,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <algorithm>
 
 #include "model/recovery.h"
@@ -55,6 +57,7 @@ MainWindow::MainWindow(First first) {
     setMinimumSize(800, 500);
     resize(1280, 800);
     setAcceptDrops(true);
+    setAnimated(false);  // a toolbar lays out nothing while it moves, nor when it has arrived
     documents_ = new Documents(this);
     scale_ = new ScaleButton(this);
     auto* bands = new BandProgress(this);
@@ -374,6 +377,7 @@ void MainWindow::updateHistoryActions() {
 }
 
 void MainWindow::updateSceneActions() {
+    foldToolBar();
     variants_->setPage(isAtStart() ? nullptr : currentPage());
     for (QAction* action : sceneActions_) {
         toolBar_->removeAction(action);
@@ -393,6 +397,17 @@ void MainWindow::updateSceneActions() {
         }
     }
     sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
+}
+
+void MainWindow::foldToolBar() {
+    const auto* more = toolBar_->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    if (more == nullptr || !more->isChecked()) {
+        return;
+    }
+    // Qt folds it when the pointer leaves it, and keeps the mark where the size is as it was.
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(toolBar_, &leave);
+    toolBar_->layout()->invalidate();
 }
 
 void MainWindow::updateTitle() {
@@ -526,6 +541,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
         openOrSayWhy(url.toLocalFile());
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+        foldToolBar();
     }
 }
 

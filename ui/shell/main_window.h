@@ -71,6 +71,7 @@ class MainWindow : public QMainWindow {
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     /// Whether the next start opens the files of the last.
@@ -94,6 +95,8 @@ class MainWindow : public QMainWindow {
     void fillRecentFiles();
     void updateTitle();
     void updateSceneActions();
+    /// Brings a toolbar that shows all its rows back to one.
+    void foldToolBar();
     void updateCaseActions();
     void updateHistoryActions();
     void showHelp(const QString& topic);

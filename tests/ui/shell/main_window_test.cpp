@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTimer>
+#include <QToolBar>
 #include <QToolButton>
 
 #include "case-file/json.h"
@@ -186,6 +187,84 @@ TEST_F(MainWindowTest, EveryActionHasATipAndEveryIconExists) {
     for (const SceneInfo& info : sceneList()) {
         EXPECT_FALSE(themedIcon(QStringLiteral("scene-") + info.name).isNull());
     }
+}
+
+/// A narrow window with a large text: the toolbar has more than one row holds.
+class NarrowToolBarTest : public ::testing::Test {
+  protected:
+    NarrowToolBarTest() {
+        Theme::instance().setTextScale(2.0);
+        window = std::make_unique<MainWindow>();
+        test::showAt(*window, {800, 700});
+        bar = window->findChild<QToolBar*>(QStringLiteral("main-toolbar"));
+        mark = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    }
+    ~NarrowToolBarTest() override {
+        window.reset();
+        Theme::instance().setTextScale(1.0);
+    }
+    void expand(Qt::Key scene) {
+        QTest::keyClick(window.get(), scene, Qt::ControlModifier);
+        settle();
+        row = bar->height();
+        ASSERT_TRUE(mark->isVisible());
+        QTest::mouseClick(mark, Qt::LeftButton);
+        settle();
+        ASSERT_GT(bar->height(), row);
+    }
+    static void settle() {
+        QTest::qWait(20);  // Qt lays out in several turns of the loop
+    }
+    /// One row, the mark where it hides something, and it hides nothing that has room.
+    void expectFolded() {
+        settle();
+        EXPECT_EQ(bar->height(), row);
+        int needed = 0;
+        bool hides = false;
+        for (QAction* action : bar->actions()) {
+            const QWidget* widget = bar->widgetForAction(action);
+            needed += widget->sizeHint().width();
+            hides |= widget->isHidden() && !action->isSeparator();
+        }
+        EXPECT_EQ(mark->isVisible(), hides);
+        EXPECT_EQ(hides, needed > bar->width() - 2 * Theme::space) << needed;
+    }
+
+    std::unique_ptr<MainWindow> window;
+    QToolBar* bar = nullptr;
+    QToolButton* mark = nullptr;
+    int row = 0;  ///< its height
+};
+
+TEST_F(NarrowToolBarTest, FoldsWhenAnotherPageComes) {
+    for (const Qt::Key other : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_6}) {
+        SCOPED_TRACE(other);
+        ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_4));
+        QTest::keyClick(window.get(), other, Qt::ControlModifier);
+        expectFolded();
+    }
+    ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_4));
+    QTest::keyClick(window.get(), Qt::Key_Home, Qt::AltModifier);
+    expectFolded();
+}
+
+TEST_F(NarrowToolBarTest, FoldsWhenTheWindowIsEnlarged) {
+    for (const int width : {830, 1000, 1300, 1600}) {
+        SCOPED_TRACE(width);
+        window->resize(800, 700);
+        ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_4));
+        window->resize(width, 700);
+        expectFolded();
+    }
+}
+
+TEST_F(NarrowToolBarTest, FoldsWhenThePointerLeavesWhateverComesThen) {
+    ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_4));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(bar, &leave);
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+    window->resize(1300, 700);
+    expectFolded();
 }
 
 TEST(Help, EveryPageHasItsHelp) {
