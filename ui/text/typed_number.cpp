@@ -141,8 +141,9 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
     for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
         auto value = readTypedNumber(word, shown.name).value;
         if (!value) {
-            throw InputError(where, CORE_TEXT("core", "must be numbers with blanks or semicolons between them"),
-                             quoted_list({word.toStdString()}));
+            throw InputError(
+                where, CORE_TEXT("core", "must be numbers with blanks or semicolons between them"),
+                quoted_list({word.toStdString()}));
         }
         if (shown.factor != 1.0) {
             constexpr int exact = 9;  // what is shown and read again is the same
