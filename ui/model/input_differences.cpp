@@ -115,7 +115,7 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
             (areNumbers ? now->get<double>() == was->get<double>() : *now == *was)) {
             return;
         }
-        const FieldEntry* entry = names.find(pointer);
+        const FieldEntry* entry = names.described(pointer);
         const ShownUnit unit = entry != nullptr ? shownUnit(entry->field) : ShownUnit{};
         InputDifference difference{.pointer = pointer,
                                    .name = names.name(pointer),
@@ -154,7 +154,7 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     const FieldNames names = namesOf(model);
     std::vector<InputNumber> numbers;
     for (const auto& [pointer, value] : leaves) {
-        const FieldEntry* entry = names.find(pointer);
+        const FieldEntry* entry = names.described(pointer);
         if (!value.is_number() || (entry != nullptr && entry->kind == FieldKind::integer)) {
             continue;
         }
@@ -164,7 +164,7 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
         }
         numbers.push_back({pointer, names.name(pointer),
                            entry != nullptr ? unitText(entry->field.unit.name) : QString(),
-                           value.get<double>(), entry != nullptr,
+                           value.get<double>(), names.find(pointer) != nullptr,
                            entry != nullptr ? names.shown(*entry) : ShownUnit{}});
     }
     // What the case leaves to its default, each behind the field before it.

@@ -79,6 +79,11 @@ const FieldEntry* FieldNames::find(const std::string& pointer) const {
     return nullptr;
 }
 
+const FieldEntry* FieldNames::described(const std::string& pointer) const {
+    const auto found = fields_.find(likeFirst(pointer));
+    return found != fields_.end() ? &found->second : find(pointer);
+}
+
 ShownUnit FieldNames::shown(const FieldEntry& entry) const {
     const auto isSpeed = [](const Unit& unit) {
         return unit.name == units::rpm.name || unit.name == units::rad_per_s.name;

@@ -22,6 +22,8 @@ class FieldNames {
     /// The description of a leaf, by its pointer below "input", or of the nearest object or list
     /// around it; any element of a list is described as its first.
     const FieldEntry* find(const std::string& pointer) const;
+    /// The same, and a leaf without a label of its own is itself: for its unit and its words.
+    const FieldEntry* described(const std::string& pointer) const;
     /// How the form shows a number of an entry: where another field names it, in the unit of that.
     ShownUnit shown(const FieldEntry& entry) const;
     /// "Crank radius r", "Reciprocating masses, piston"; of a list's element with its place,

@@ -15,6 +15,7 @@
 #include "case-file/json.h"
 #include "example_check.h"
 #include "model/background_job.h"
+#include "model/input_differences.h"
 
 namespace ravnoves {
 namespace {
@@ -33,6 +34,23 @@ TEST(BalanceShaftModel, AShaftBeyondTheCircleMovesAsFarAsItsSliderGoes) {
     model.setShaftAngleDeg(100.0);
     model.setShaftAngleDeg(-5.0);
     EXPECT_EQ(model.shaftAngleDeg(), 0.0);
+}
+
+// Its slider has the label, the field itself has none.
+TEST(BalanceShaftModel, AnAngleThatDiffersHasItsUnit) {
+    BalanceShaftModel model;
+    const Json before = model.inputJson();
+    model.setShaftAngleDeg(240.0);
+    const auto differences = inputDifferences(model, before);
+    ASSERT_EQ(differences.size(), 1u);
+    EXPECT_EQ(differences[0].unit, QStringLiteral("°"));
+    EXPECT_EQ(differences[0].percent(), QString()) << "no share of an angle";
+    const auto numbers = inputNumbers(model);
+    const auto angle = std::find_if(numbers.begin(), numbers.end(), [](const InputNumber& each) {
+        return each.pointer == "/shaft_angle_deg";
+    });
+    ASSERT_NE(angle, numbers.end());
+    EXPECT_EQ(angle->unit, QStringLiteral("°"));
 }
 
 TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
