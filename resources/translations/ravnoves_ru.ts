@@ -11990,7 +11990,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;Закрыть задачу</translation>
     </message>
     <message>
-        <source>Open the same cases at the next s&amp;tart</source>
+        <source>Open the sa&amp;me cases at the next start</source>
         <translation>Открывать те же задачи при след&amp;ующем запуске</translation>
     </message>
     <message>
@@ -12039,7 +12039,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Sca&amp;le…</source>
-        <translation>&amp;Весы…</translation>
+        <translation>Вес&amp;ы…</translation>
     </message>
     <message>
         <source>&amp;Tolerances: how sure a result is</source>
@@ -16511,7 +16511,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::VariantMenu</name>
     <message>
         <source>&amp;Variants</source>
-        <translation>&amp;Варианты</translation>
+        <translation>Вар&amp;ианты</translation>
     </message>
     <message>
         <source>&amp;Keep as reference</source>

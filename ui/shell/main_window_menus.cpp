@@ -204,7 +204,7 @@ void MainWindow::buildMenus() {
     QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
                          [this] { documents_->closeCurrent(); });
     file->addSeparator();
-    QAction* restores = add(file, {}, tr("Open the same cases at the next s&tart"), {}, [] {});
+    QAction* restores = add(file, {}, tr("Open the sa&me cases at the next start"), {}, [] {});
     restores->setCheckable(true);
     restores->setChecked(QSettings().value(restoreKey, false).toBool());
     connect(restores, &QAction::toggled, this, [this](bool on) {

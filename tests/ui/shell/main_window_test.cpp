@@ -6,7 +6,10 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QKeySequence>
 #include <QLineEdit>
+#include <QMap>
+#include <QMenu>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -21,12 +24,15 @@
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
 namespace {
+
+using namespace Qt::StringLiterals;
 
 class MainWindowTest : public ::testing::Test {
   protected:
@@ -265,6 +271,28 @@ TEST_F(NarrowToolBarTest, FoldsWhenThePointerLeavesWhateverComesThen) {
     QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
     window->resize(1300, 700);
     expectFolded();
+}
+
+// The second of two with one letter is never reached by it.
+TEST(MainWindowMenus, NoMenuHasAMnemonicTwice) {
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        installLanguage(language);
+        MainWindow window;
+        for (const QMenu* menu : window.findChildren<QMenu*>()) {
+            QMap<QKeySequence, QString> taken;
+            for (const QAction* action : menu->actions()) {
+                const QKeySequence letter = QKeySequence::mnemonic(action->text());
+                if (letter.isEmpty()) {
+                    continue;
+                }
+                EXPECT_FALSE(taken.contains(letter))
+                    << language.toStdString() << ", " << menu->title().toStdString() << ": "
+                    << action->text().toStdString() << " and " << taken[letter].toStdString();
+                taken.insert(letter, action->text());
+            }
+        }
+    }
+    installLanguage(u"en"_s);
 }
 
 TEST(Help, EveryPageHasItsHelp) {
