@@ -27,16 +27,15 @@ bool canBrush(const QPainter& painter) {
            transform.m11() == transform.m22() && painter.pen().style() == Qt::SolidLine;
 }
 
-/// What of the lines is seen, in pixels of the device.
-QRectF seenPart(const QPainter& painter, const std::vector<QPolygonF>& lines, double room) {
-    const QTransform& transform = painter.deviceTransform();
+/// What of lines on the device is seen.
+QRectF seenPart(const QPainter& painter, const std::vector<QPolygonF>& onDevice, double room) {
     QRectF box;
-    for (const QPolygonF& line : lines) {
-        if (line.size() > 1) {
-            box |= transform.map(line).boundingRect().adjusted(-room, -room, room, room);
-        }
+    for (const QPolygonF& line : onDevice) {
+        box |= line.boundingRect().adjusted(-room, -room, room, room);
     }
-    return painter.hasClipping() ? box & transform.mapRect(painter.clipBoundingRect()) : box;
+    return painter.hasClipping()
+               ? box & painter.deviceTransform().mapRect(painter.clipBoundingRect())
+               : box;
 }
 
 /// None where it would be too large, as what lies far outside is.
@@ -72,10 +71,19 @@ void paintLine(QPainter& painter, const QPolygonF& line) {
 
 void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
     const QPen pen = painter.pen();
-    const double width = pen.widthF() * painter.deviceTransform().m11();
-    auto overlay = width < 1.0 || pen.capStyle() == Qt::RoundCap || !canBrush(painter)
-                       ? std::nullopt
-                       : overlayFor(seenPart(painter, lines, width + 1.0));
+    const QTransform& transform = painter.deviceTransform();
+    const double width = pen.widthF() * transform.m11();
+    std::vector<QPolygonF> onDevice;
+    std::optional<Overlay> overlay;
+    if (width >= 1.0 && pen.capStyle() != Qt::RoundCap && canBrush(painter)) {
+        onDevice.reserve(lines.size());
+        for (const QPolygonF& line : lines) {
+            if (line.size() > 1) {
+                onDevice.push_back(transform.map(line));
+            }
+        }
+        overlay = overlayFor(seenPart(painter, onDevice, width + 1.0));
+    }
     if (!overlay) {
         for (const QPolygonF& line : lines) {
             painter.drawPolyline(line);
@@ -83,19 +91,13 @@ void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
         return;
     }
     const double squareEnd = pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
-    std::vector<QPolygonF> onDevice;
-    onDevice.reserve(lines.size());
-    for (const QPolygonF& line : lines) {
-        if (line.size() < 2) {
-            continue;
-        }
-        QPolygonF& moved = onDevice.emplace_back(painter.deviceTransform().map(line));
-        moved.translate(-overlay->corner);
-        const qsizetype last = moved.size() - 1;
-        const QPointF atStart = along(moved[0], moved[1], squareEnd);
-        const QPointF atEnd = along(moved[last - 1], moved[last], squareEnd);
-        moved.front() -= atStart;
-        moved.back() += atEnd;
+    for (QPolygonF& line : onDevice) {
+        line.translate(-overlay->corner);
+        const qsizetype last = line.size() - 1;
+        const QPointF atStart = along(line[0], line[1], squareEnd);
+        const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
+        line.front() -= atStart;
+        line.back() += atEnd;
     }
     LineBrush(overlay->picture, overlay->picture.rect()).draw(onDevice, 1.0, pen.color(), width);
     lay(painter, *overlay);
