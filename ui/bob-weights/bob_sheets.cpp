@@ -131,7 +131,6 @@ NumberField* BobMachineSheet::cell(const Field& field, const QString& name, cons
     auto* made = new NumberField(field, current());
     made->setObjectName(name);
     made->setAccessibleName(spoken);
-    made->setHint(fieldHint(field));
     made->setOptional(true);
     enlarge(made);
     makeCell(made);

@@ -111,7 +111,6 @@ class ShaftRow : public QWidget {
         auto* target = new NumberField(field, holder);
         name(target, field, objectName);
         target->setHint(fieldHint(field));
-        target->setPlaceholderText(shownText(field.placeholder));
         if (width > 0) {
             target->setFixedWidth(Theme::withText(width));
         } else {
