@@ -266,10 +266,11 @@ void WorkshopPage::showEvent(QShowEvent* event) {
     if (auto* placing = model()->findChild<PlacingSearch*>(); placing != nullptr && isVisible()) {
         placing->setInBackground(true);
     }
-    // One types at once, and the page's keys work: they ask for a focus on it.
+    // One types at once, and the page's keys work: they ask for a focus on it. Where the page
+    // before is hidden, Qt looks for a place by itself, and may find a drawing or a table.
     QTimer::singleShot(0, this, [this] {
         if (isVisible() && QApplication::activeModalWidget() == nullptr &&
-            !isAncestorOf(window()->focusWidget())) {
+            !sheets_->isAncestorOf(window()->focusWidget())) {
             firstEntry(*forms_.at(sheets_->currentIndex()))->setFocus();
         }
     });

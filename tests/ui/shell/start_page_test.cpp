@@ -30,6 +30,7 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -350,6 +351,20 @@ TEST_F(StartInTheWindow, ComesBackByItsKeyAndGoesWithAScene) {
     QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
     EXPECT_FALSE(window.isAtStart()) << "though it is the scene that was in front";
     EXPECT_TRUE(window.windowTitle().contains(u"V-8"_s));
+}
+
+/// When the page before goes, the focus goes where Qt finds a place: not always to a field.
+TEST_F(StartInTheWindow, OnAPageOfTheWorkshopOneTypesAtOnce) {
+    for (const Qt::Key scene : {Qt::Key_3, Qt::Key_4, Qt::Key_1, Qt::Key_4}) {
+        QTest::keyClick(&window, scene, Qt::ControlModifier);
+        QTest::qWait(20);
+        if (scene != Qt::Key_1) {
+            EXPECT_NE(qobject_cast<EntryField*>(window.focusWidget()), nullptr)
+                << scene << ": " << window.focusWidget()->metaObject()->className();
+        }
+        QTest::keyClick(&window, Qt::Key_Home, Qt::AltModifier);
+        QTest::qWait(20);
+    }
 }
 
 /// They would change a case that is not shown.
