@@ -6,8 +6,12 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
+#include <utility>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/json_text.h"
 #include "case-file/object_reader.h"
 #include "case-file/text_file.h"
 
@@ -21,14 +25,30 @@ void complain(const std::string& file, const std::string& text) {
     std::cerr << one_line(file.empty() ? text : file + ": " + text) << '\n';
 }
 
-int print(const std::string& text) {
-    std::cout << text << std::flush;
+namespace {
+
+int end_of_output() {
+    std::cout << std::flush;
     if (!std::cout) {
         complain("ravnoves-cli",
                  std::string("standard output cannot be written: ") + std::strerror(errno));
         return exit_bad_input;
     }
     return exit_done;
+}
+
+}  // namespace
+
+int print(const std::string& text) {
+    std::cout << text;
+    return end_of_output();
+}
+
+int print(Json value) {
+    write_json(std::move(value), JsonLayout::lines,
+               [](std::string_view part) { std::cout << part; });
+    std::cout << '\n';
+    return end_of_output();
 }
 
 int write_file(const std::string& path, const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/json_text.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
@@ -23,7 +24,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
         complain(result_path, "is the case itself; the result must go to another file");
         return exit_bad_input;
     }
-    std::string text;
+    Json result;
     try {
         const CaseFile file = parse_case(read_text_file(case_path));
         const CaseContext context{std::filesystem::path(case_path).parent_path()};
@@ -32,12 +33,14 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
                      "is a file that the case reads; the result must go to another file");
             return exit_bad_input;
         }
-        text = solve_case(file, context, wanted).dump(2) + "\n";
+        result = solve_case(file, context, wanted);
     } catch (const InputError& error) {
         complain(case_path, error.what());
         return exit_bad_input;
     }
-    return result_path.empty() ? print(text) : write_file(result_path, text);
+    return result_path.empty()
+               ? print(std::move(result))
+               : write_file(result_path, json_text(std::move(result), JsonLayout::lines) + "\n");
 }
 
 /// @throws InputError where standard input cannot be read
@@ -57,8 +60,7 @@ int solve_batch(const CaseContext& context, const Wanted& wanted) {
         } catch (const std::exception& error) {  // a bad line is answered in its place
             answer = Json{{"error", error.what()}, {"line", lines.number()}};
         }
-        const std::string text = answer.dump(-1, ' ', false, Json::error_handler_t::replace);
-        if (const int status = print(text + "\n")) {
+        if (const int status = print(json_text(std::move(answer), JsonLayout::one_line) + "\n")) {
             return status;
         }
     }

@@ -430,7 +430,7 @@ class WantedObject {
   private:
     std::string pointer_;
     const Wanted& wanted_;
-    Json json_ = Json::object();
+    Json json_ = object_with_room(64);
 };
 
 /// What Moments::fill() fills in, where it is wanted.
@@ -532,11 +532,12 @@ Json write_wanted(const Result& result, const Wanted& wanted) {
         });
     }
     object.put("curves", [&] {
-        Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
-                       {"M_up_Nm", result.curves.M_up},
-                       {"M_s_Nm", result.curves.M_s},
-                       {"M_ups_Nm", result.curves.M_ups},
-                       {"excess_energy_J", result.flywheel.energy}};
+        Json curves = object_with_room(10);
+        curves["crank_angle_deg"] = result.curves.crank_angle_deg;
+        curves["M_up_Nm"] = result.curves.M_up;
+        curves["M_s_Nm"] = result.curves.M_s;
+        curves["M_ups_Nm"] = result.curves.M_ups;
+        curves["excess_energy_J"] = result.flywheel.energy;
         if (result.indicated) {
             curves["M_gas_Nm"] = result.curves.M_gas;
             curves["M_inertia_Nm"] = result.curves.M_inertia;
@@ -547,13 +548,15 @@ Json write_wanted(const Result& result, const Wanted& wanted) {
         return curves;
     });
     object.put("sweep", [&] {
-        return Json{{"shaft_angle_deg", result.sweep.shaft_angle_deg},
-                    {"range_Nm", result.sweep.range},
-                    {"rms_Nm", result.sweep.rms},
-                    {"mean_M_s_Nm", result.sweep.mean_M_s},
-                    {"mean_M_ups_Nm", result.sweep.mean_M_ups},
-                    {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
-                    {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
+        Json sweep = object_with_room(7);
+        sweep["shaft_angle_deg"] = result.sweep.shaft_angle_deg;
+        sweep["range_Nm"] = result.sweep.range;
+        sweep["rms_Nm"] = result.sweep.rms;
+        sweep["mean_M_s_Nm"] = result.sweep.mean_M_s;
+        sweep["mean_M_ups_Nm"] = result.sweep.mean_M_ups;
+        sweep["printed_mean_M_s_25_nodes_Nm"] = result.sweep.printed_mean_M_s;
+        sweep["printed_mean_M_ups_nodes_Nm"] = result.sweep.printed_mean_M_ups;
+        return sweep;
     });
     return object.take();
 }

@@ -34,10 +34,24 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
         const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
         grid.angle_deg[i] = 360.0 * static_cast<double>(i) / static_cast<double>(n - 1);
         grid.angle[i] = two_pi * turn;
-        // The second half mirrors the first to the last digit.
+    }
+    // The second half mirrors the first to the last digit, and the second quarter the first where
+    // the grid has it.
+    const std::size_t half = (n - 1) / 2;
+    for (std::size_t i = 0; i < n; ++i) {
         const std::size_t mirror = n - 1 - i;
-        grid.sin_phi[i] = mirror < i ? -grid.sin_phi[mirror] : boost::math::sin_pi(2.0 * turn);
-        grid.cos_phi[i] = mirror < i ? grid.cos_phi[mirror] : boost::math::cos_pi(2.0 * turn);
+        const std::size_t beside = half - i;
+        if (mirror < i) {
+            grid.sin_phi[i] = -grid.sin_phi[mirror];
+            grid.cos_phi[i] = grid.cos_phi[mirror];
+        } else if (n % 2 == 1 && beside < i) {
+            grid.sin_phi[i] = grid.sin_phi[beside];
+            grid.cos_phi[i] = -grid.cos_phi[beside];
+        } else {
+            const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
+            grid.sin_phi[i] = boost::math::sin_pi(2.0 * turn);
+            grid.cos_phi[i] = boost::math::cos_pi(2.0 * turn);
+        }
     }
     kept = std::make_shared<const AngleGrid>(std::move(grid));
     return kept;

@@ -17,13 +17,14 @@ Json scaled(const std::vector<double>& values, const Unit& unit) {
     if (values.empty()) {
         return nullptr;
     }
-    Json list = Json::array();
+    Json::array_t list;
+    list.reserve(values.size());
     for (const double value : values) {
         if (std::isfinite(value)) {
             const double shown = value / unit;
-            list.push_back(shown == 0.0 ? 0.0 : shown);  // no minus before zero
+            list.emplace_back(shown == 0.0 ? 0.0 : shown);  // no minus before zero
         } else {
-            list.push_back(nullptr);
+            list.emplace_back(nullptr);
         }
     }
     return list;
@@ -170,7 +171,7 @@ namespace {
 
 Json write_wanted(const Input& input, const Result& result, const Wanted& wanted) {
     const double g = result.design->mechanism().gravity;
-    Json json;
+    Json json = object_with_room(16);
     json["rod_hinge_moment_integral_J"] = result.rod_hinge_integral;
     if (result.has_counterweight) {
         json["counterweight_weight_N"] = result.counterweight_mass * g;
@@ -211,18 +212,20 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (!wanted.wants("/curves")) {
         return json;
     }
-    const MechanismCurves& curves = result.curves;
-    json["curves"] = {
-        {"crank_angle_deg", result.crank_angle_deg},
-        {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, units::kg_m2)},
-        {"crank_moment_Nm", scaled(curves.crank_moment, units::N_m)},
-        {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, units::N_m)},
-        {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, units::N_m)},
-        {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, units::newton)},
-        {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, units::newton)},
-        {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, units::N_m)},
-        {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, units::mm)},
-        {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, units::mm)}};
+    const MechanismCurves& values = result.curves;
+    Json curves = object_with_room(10);
+    curves["crank_angle_deg"] = result.crank_angle_deg;
+    curves["reduced_inertia_kg_m2"] = scaled(values.reduced_inertia, units::kg_m2);
+    curves["crank_moment_Nm"] = scaled(values.crank_moment, units::N_m);
+    curves["rod_hinge_moment_Nm"] = scaled(values.rod_hinge_moment, units::N_m);
+    curves["rod_hinge_moment_potential_Nm"] = scaled(values.rod_hinge_moment_potential, units::N_m);
+    curves["side_force_without_hinge_N"] = scaled(values.side_force_without_hinge, units::newton);
+    curves["side_force_with_hinge_N"] = scaled(values.side_force_with_hinge, units::newton);
+    curves["crank_moment_with_rod_hinge_Nm"] =
+        scaled(values.crank_moment_with_rod_hinge, units::N_m);
+    curves["guide_radius_compressed_mm"] = scaled(result.crank_guide.radius_compressed, units::mm);
+    curves["guide_radius_stretched_mm"] = scaled(result.crank_guide.radius_stretched, units::mm);
+    json["curves"] = std::move(curves);
     return json;
 }
 

@@ -32,6 +32,22 @@ namespace ravnoves {
 
 namespace {
 
+bool is_finite(const Json& value) {
+    if (value.is_number_float()) {
+        return std::isfinite(value.get_ref<const Json::number_float_t&>());
+    }
+    if (value.is_array()) {
+        const auto& array = value.get_ref<const Json::array_t&>();
+        return std::all_of(array.begin(), array.end(), is_finite);
+    }
+    if (value.is_object()) {
+        const auto& object = value.get_ref<const Json::object_t&>();
+        return std::all_of(object.begin(), object.end(),
+                           [](const auto& item) { return is_finite(item.second); });
+    }
+    return true;
+}
+
 /// A pointer to the first number below a value that is not finite; empty where all are.
 std::string find_not_finite(const Json& value) {
     if (value.is_number_float()) {
@@ -168,8 +184,8 @@ Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& 
         throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
     }
     Json result = wanted.pick(scene->solve(file.input, context, wanted));
-    const std::string wrong = find_not_finite(result);
-    RAVNOVES_DEMAND(wrong.empty(), "the result /result" + wrong + " must be finite");
+    RAVNOVES_DEMAND(is_finite(result),
+                    "the result /result" + find_not_finite(result) + " must be finite");
     return {{"format", result_format},
             {"version", case_version},
             {"scene", file.scene},

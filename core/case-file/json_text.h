@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "case-file/json_fwd.h"
+
+namespace ravnoves {
+
+/// Whether the text of a value is broken into lines.
+enum class JsonLayout {
+    lines,    ///< each value on a line of its own, two blanks deeper than what holds it
+    one_line  ///< without a blank or a break
+};
+
+/// The text that the library's dump() gives, faster: most of the time that a solved case takes goes
+/// into its numbers. Each is the shortest decimal that reads back to the same double; one that is
+/// not finite is `null`, and bytes of a text that are not UTF-8 are replaced.
+std::string json_text(Json value, JsonLayout layout);
+
+using TextSink = std::function<void(std::string_view part)>;
+/// The same, in parts of some kilobytes.
+void write_json(Json value, JsonLayout layout, const TextSink& sink);
+
+}  // namespace ravnoves
