@@ -260,6 +260,15 @@ TEST_F(PlotDataTest, GapsAreReadAsNothingButTheirEndsAre) {
     EXPECT_EQ(curve().stretches[1].front(), data.toPixel(4.0, 8.0));
 }
 
+TEST_F(PlotDataTest, ACurveWithoutPointsIsNothingToDraw) {
+    set({0, 1}, {2, 3});
+    data.thinCurves();
+    EXPECT_EQ(curve().stretches.size(), 1U);
+    set({}, {});
+    data.thinCurves();
+    EXPECT_TRUE(curve().stretches.empty());
+}
+
 TEST_F(PlotDataTest, AClosedCurveGoesOnAcrossItsEnds) {
     curve().style.gaps = true;
     curve().style.closed = true;

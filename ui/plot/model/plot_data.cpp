@@ -294,8 +294,9 @@ std::vector<QPolygonF> PlotData::shadesOf(const PlotCurve& curve) const {
 
 std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
     std::vector<QPolygonF> stretches;
+    const bool isThere = curve.isLine() && !curve.x.empty();
     std::size_t from = 0;
-    for (std::size_t next = 0; curve.isLine() && next <= curve.starts.size(); ++next) {
+    for (std::size_t next = 0; isThere && next <= curve.starts.size(); ++next) {
         const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
         std::vector<QPointF> pixels;
         pixels.reserve(to - from);
