@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <cmath>
+#include <utility>
 
 #include "balance-shaft/place_scale.h"
 #include "balance-shaft/shaft_map_signs.h"
@@ -23,11 +24,7 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
     if (path.isEmpty()) {
         return;
     }
-    painter.save();
-    painter.fillPath(path, faint(theme.panel(), 0.38));
-    painter.setClipPath(path, Qt::IntersectClip);
-    drawHatch(painter, area);
-    painter.restore();
+    fillHatched(painter, path, area, faint(theme.panel(), 0.38));
     painter.setPen(QPen(faint(theme.text(), 0.7), 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(path);
@@ -74,10 +71,9 @@ std::vector<QPolygonF> drawContours(QPainter& painter,
                                     const PlaceScale& scale) {
     const Theme& theme = Theme::instance();
     std::vector<QPolygonF> longest(contours.size());
-    painter.setBrush(Qt::NoBrush);
+    std::vector<LinesOfPen> all;
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const bool zero = contours[i].level == 0.0;
-        painter.setPen(zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0));
         std::vector<QPolygonF> lines;
         lines.reserve(contours[i].lines.size());
         for (const QPolygonF& metres : contours[i].lines) {
@@ -86,8 +82,11 @@ std::vector<QPolygonF> drawContours(QPainter& painter,
                 longest[i] = lines.back();
             }
         }
-        paintLines(painter, lines);
+        all.push_back({zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
+                       std::move(lines)});
     }
+    painter.setBrush(Qt::NoBrush);
+    paintLines(painter, all);
     return longest;
 }
 

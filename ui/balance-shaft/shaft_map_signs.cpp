@@ -138,8 +138,58 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius) {
     painter.drawLines(dashes);
 }
 
+namespace {
+
+constexpr double apart = 7.0;  // lines of a hatch, pixels
+
+/// One period of a hatch in each direction on this ground; none where a pixel of the device does
+/// not divide it.
+QBrush hatchTile(double ratio, const QColor& ground, const QColor& line) {
+    const double pixels = apart * ratio;
+    if (pixels != std::floor(pixels)) {
+        return {};
+    }
+    // Its middle has whole lines of all that reach into it.
+    QImage around(QSize(3, 3) * static_cast<int>(pixels), QImage::Format_ARGB32_Premultiplied);
+    around.setDevicePixelRatio(ratio);
+    around.fill(ground);
+    QPainter painter(&around);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(line, 1.0));
+    for (int i = -3; i <= 3; ++i) {
+        painter.drawLine(QPointF(i * apart, 0.0), QPointF((i + 3) * apart, 3.0 * apart));
+    }
+    painter.end();
+    const int side = static_cast<int>(pixels);
+    QImage tile = around.copy(side, side, side, side);
+    tile.setDevicePixelRatio(1.0);
+    QBrush brush(tile);
+    brush.setTransform(QTransform::fromScale(1.0 / ratio, 1.0 / ratio));
+    return brush;
+}
+
+}  // namespace
+
+void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
+                 const QColor& ground) {
+    const QColor line = faint(Theme::instance().text(), 0.42);
+    const QTransform& transform = painter.deviceTransform();
+    const bool onScreen = painter.paintEngine()->type() == QPaintEngine::Raster &&
+                          transform.type() <= QTransform::TxScale &&
+                          transform.m11() == transform.m22();
+    const QBrush tile = onScreen ? hatchTile(transform.m11(), ground, line) : QBrush();
+    if (tile.style() != Qt::NoBrush) {
+        painter.fillPath(path, tile);
+        return;
+    }
+    painter.save();
+    painter.fillPath(path, ground);
+    painter.setClipPath(path, Qt::IntersectClip);
+    drawHatch(painter, box);
+    painter.restore();
+}
+
 void drawHatch(QPainter& painter, const QRectF& box) {
-    constexpr double apart = 7.0;
     painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
     const auto first = static_cast<int>(std::floor((box.left() - box.bottom()) / apart));
     for (int i = first; i * apart < box.right() - box.top(); ++i) {

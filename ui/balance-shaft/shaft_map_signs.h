@@ -29,5 +29,8 @@ QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
 void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius);
 void drawHatch(QPainter& painter, const QRectF& box);
+/// What of a box lies in a path, hatched on this ground.
+void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
+                 const QColor& ground);
 
 }  // namespace ravnoves

@@ -13,6 +13,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
 #include "plot/model/disc.h"
+#include "plot/model/stroke.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -275,11 +276,10 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         const Complex across = axial * Complex(0.0, 1.0);
         const double skirt = 0.35 * radius;
         const double head = 0.6 * radius;
-        painter.drawPolygon(
-            QPolygonF{frame.at(pose.piston_pin + axial * head + across * 0.95 * half),
-                      frame.at(pose.piston_pin + axial * head - across * 0.95 * half),
-                      frame.at(pose.piston_pin - axial * skirt - across * 0.95 * half),
-                      frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
+        paintPolygon(painter, {frame.at(pose.piston_pin + axial * head + across * 0.95 * half),
+                               frame.at(pose.piston_pin + axial * head - across * 0.95 * half),
+                               frame.at(pose.piston_pin - axial * skirt - across * 0.95 * half),
+                               frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
         const QPointF pin = frame.at(pose.rod_foot);
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());

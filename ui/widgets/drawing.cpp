@@ -1,10 +1,10 @@
 #include "widgets/drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "numerics/constants.h"
+#include "plot/model/stroke.h"
 #include "theme/theme.h"
 
 namespace ravnoves::drawing {
@@ -53,8 +53,7 @@ void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double w
     const QPointF across = QPointF(-d.y(), d.x()) * (0.5 * width / length);
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(fill);
-    const std::array corners{from + across, to + across, to - across, from - across};
-    painter.drawConvexPolygon(corners.data(), static_cast<int>(corners.size()));
+    paintPolygon(painter, {from + across, to + across, to - across, from - across});
 }
 
 QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,

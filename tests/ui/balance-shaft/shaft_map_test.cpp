@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -17,6 +18,7 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
+#include "balance-shaft/shaft_map_signs.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
 #include "model/background_job.h"
@@ -277,6 +279,45 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(plot, &leave);
     EXPECT_EQ(view->words()->text(), shaft_map_text::best(*map));
+}
+
+/// Tiles of a period where the device's pixels divide it, else lines in a clip.
+TEST(Hatch, TilesShowTheLinesThatTheyStandFor) {
+    const QRectF box(0.0, 0.0, 120.0, 90.0);
+    QPainterPath path;
+    path.addEllipse(box.adjusted(5.3, 4.1, -9.2, -3.7));
+    const QColor ground(255, 255, 255, 97);
+    for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
+        const auto painted = [&](const auto& draw) {
+            QImage image((box.size() * ratio).toSize(), QImage::Format_RGB32);
+            image.setDevicePixelRatio(ratio);
+            image.fill(QColor(40, 120, 200));
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            draw(painter);
+            painter.end();
+            return image;
+        };
+        const QImage tiled =
+            painted([&](QPainter& painter) { fillHatched(painter, path, box, ground); });
+        const QImage lines = painted([&](QPainter& painter) {
+            painter.fillPath(path, ground);
+            painter.setClipPath(path);
+            drawHatch(painter, box);
+        });
+        int most = 0;
+        double sum = 0.0;
+        for (int y = 0; y < tiled.height(); ++y) {
+            for (int x = 0; x < tiled.width(); ++x) {
+                const int apart = std::abs(qGray(tiled.pixel(x, y)) - qGray(lines.pixel(x, y)));
+                most = std::max(most, apart);
+                sum += apart;
+            }
+        }
+        EXPECT_LT(sum / (tiled.width() * tiled.height()), 0.6) << ratio;
+        EXPECT_LT(most, 60) << ratio;  // at the path's edge
+        EXPECT_NE(tiled, painted([](QPainter&) {})) << ratio;
+    }
 }
 
 TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {

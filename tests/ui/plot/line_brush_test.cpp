@@ -144,7 +144,7 @@ TEST(LineBrush, PaintedLinesStayInTheirClipAndCrossNoDarker) {
         if (clipped) {
             painter.setClipRect(seen);
         }
-        paintLines(painter, lines);
+        paintLines(painter, {{painter.pen(), lines}});
         painter.end();
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) {
@@ -159,10 +159,58 @@ TEST(LineBrush, PaintedLinesStayInTheirClipAndCrossNoDarker) {
     QPainter painter(&none);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(QRect(200, 0, 20, 20));
-    paintLines(painter, {{{0, 100}, {100, 100}}});
+    paintLine(painter, {{0, 100}, {100, 100}});
     paintLines(painter, {});
     painter.end();
     EXPECT_EQ(none, paper());
+}
+
+TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
+    const std::vector<LinesOfPen> all{{QPen(QColor(0, 0, 0, 90), 1.0), {wave()}},
+                                      {QPen(Qt::red, 2.4), {{{0, 30}, {240, 120}}}},
+                                      {QPen(QColor(0, 0, 255, 90), 3.0), {{{0, 120}, {240, 30}}}}};
+    const auto painted = [&](const auto& draw) {
+        QImage image = paper();
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        draw(painter);
+        painter.end();
+        return image;
+    };
+    const QImage together = painted([&](QPainter& painter) { paintLines(painter, all); });
+    const QImage apart = painted([&](QPainter& painter) {
+        for (const LinesOfPen& each : all) {
+            paintLines(painter, {each});
+        }
+    });
+    EXPECT_LT(meanDifference(together, apart), 1.0);
+    EXPECT_GT(meanDifference(together, paper()), 20.0);
+}
+
+TEST(LineBrush, PolygonsLookAsQtsDo) {
+    const QPolygonF bar{{40, 20}, {200, 90}, {194, 104}, {34, 34}};
+    for (const double scale : {1.0, 2.0}) {
+        const auto painted = [&](const auto& draw) {
+            QImage image = QImage(paper().size() * scale, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            image.setDevicePixelRatio(scale);
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            painter.setPen(QPen(Qt::black, 1.0));
+            painter.setBrush(QColor(200, 120, 0, 220));
+            draw(painter);
+            painter.end();
+            return image;
+        };
+        const QImage ours = painted([&](QPainter& painter) { paintPolygon(painter, bar); });
+        const QImage qts = painted([&](QPainter& painter) { painter.drawConvexPolygon(bar); });
+        if (scale == 1.0) {
+            EXPECT_EQ(ours, qts);
+        } else {
+            EXPECT_LT(meanDifference(qts, ours), 2.0);
+            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.01);
+        }
+    }
 }
 
 TEST(LineBrush, DashesAreAsLongAsAsked) {

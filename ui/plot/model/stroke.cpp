@@ -24,7 +24,12 @@ bool canBrush(const QPainter& painter) {
     return painter.paintEngine()->type() == QPaintEngine::Raster &&
            painter.testRenderHint(QPainter::Antialiasing) && painter.opacity() == 1.0 &&
            transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
-           transform.m11() == transform.m22() && painter.pen().style() == Qt::SolidLine;
+           transform.m11() == transform.m22();
+}
+
+bool canBrush(const QPen& pen, double scale) {
+    return pen.style() == Qt::SolidLine && pen.capStyle() != Qt::RoundCap &&
+           pen.widthF() * scale >= 1.0;
 }
 
 /// What of lines on the device is seen.
@@ -66,41 +71,75 @@ QPointF along(const QPointF& from, const QPointF& to, double length) {
 }  // namespace
 
 void paintLine(QPainter& painter, const QPolygonF& line) {
-    paintLines(painter, {line});
+    paintLines(painter, {{painter.pen(), {line}}});
 }
 
-void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines) {
-    const QPen pen = painter.pen();
+void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
     const QTransform& transform = painter.deviceTransform();
-    const double width = pen.widthF() * transform.m11();
-    std::vector<QPolygonF> onDevice;
+    const double scale = transform.m11();
+    const bool canBrushAll =
+        canBrush(painter) && std::all_of(all.begin(), all.end(), [&](const LinesOfPen& each) {
+            return canBrush(each.pen, scale);
+        });
+    std::vector<LinesOfPen> onDevice;
     std::optional<Overlay> overlay;
-    if (width >= 1.0 && pen.capStyle() != Qt::RoundCap && canBrush(painter)) {
-        onDevice.reserve(lines.size());
-        for (const QPolygonF& line : lines) {
-            if (line.size() > 1) {
-                onDevice.push_back(transform.map(line));
+    if (canBrushAll) {
+        QRectF seen;
+        for (const LinesOfPen& each : all) {
+            LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
+            mapped.lines.reserve(each.lines.size());
+            for (const QPolygonF& line : each.lines) {
+                if (line.size() > 1) {
+                    mapped.lines.push_back(transform.map(line));
+                }
             }
+            seen |= seenPart(painter, mapped.lines, each.pen.widthF() * scale + 1.0);
         }
-        overlay = overlayFor(seenPart(painter, onDevice, width + 1.0));
+        overlay = overlayFor(seen);
     }
     if (!overlay) {
-        for (const QPolygonF& line : lines) {
-            painter.drawPolyline(line);
+        const QPen before = painter.pen();
+        for (const LinesOfPen& each : all) {
+            painter.setPen(each.pen);
+            for (const QPolygonF& line : each.lines) {
+                painter.drawPolyline(line);
+            }
         }
+        painter.setPen(before);
         return;
     }
-    const double squareEnd = pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
-    for (QPolygonF& line : onDevice) {
-        line.translate(-overlay->corner);
-        const qsizetype last = line.size() - 1;
-        const QPointF atStart = along(line[0], line[1], squareEnd);
-        const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
-        line.front() -= atStart;
-        line.back() += atEnd;
+    LineBrush brush(overlay->picture, overlay->picture.rect());
+    for (LinesOfPen& each : onDevice) {
+        const double width = each.pen.widthF() * scale;
+        const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
+        for (QPolygonF& line : each.lines) {
+            line.translate(-overlay->corner);
+            const qsizetype last = line.size() - 1;
+            const QPointF atStart = along(line[0], line[1], squareEnd);
+            const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
+            line.front() -= atStart;
+            line.back() += atEnd;
+        }
+        brush.draw(each.lines, 1.0, each.pen.color(), width);
     }
-    LineBrush(overlay->picture, overlay->picture.rect()).draw(onDevice, 1.0, pen.color(), width);
     lay(painter, *overlay);
+}
+
+void paintPolygon(QPainter& painter, const QPolygonF& polygon) {
+    const QPen pen = painter.pen();
+    const auto corners = static_cast<int>(polygon.size());
+    const double scale = painter.deviceTransform().m11();
+    if (corners < 3 || pen.widthF() * scale <= 1.0 || !canBrush(painter) || !canBrush(pen, scale)) {
+        painter.drawConvexPolygon(polygon.constData(), corners);
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.drawConvexPolygon(polygon.constData(), corners);
+    painter.setPen(pen);
+    // Past its first corner, so that this has a bend as the others have.
+    QPolygonF outline = polygon;
+    outline << polygon[0] << polygon[1];
+    paintLine(painter, outline);
 }
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPen>
 #include <QPolygonF>
 #include <vector>
 
@@ -12,7 +13,16 @@ namespace ravnoves {
 /// polyline of Qt's.
 void paintLine(QPainter& painter, const QPolygonF& line);
 
-/// Several lines of one pen: where they meet, a pale pen gets no darker.
-void paintLines(QPainter& painter, const std::vector<QPolygonF>& lines);
+/// Lines of one pen: where they meet, a pale pen gets no darker.
+struct LinesOfPen {
+    QPen pen;
+    std::vector<QPolygonF> lines;
+};
+/// One after the other, in less time than each for itself.
+void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
+
+/// A convex polygon with the painter's brush and pen, whose line is drawn as paintLine() does where
+/// it is wider than a pixel.
+void paintPolygon(QPainter& painter, const QPolygonF& polygon);
 
 }  // namespace ravnoves
