@@ -116,7 +116,13 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     // −0.00 is no number that a person wants to see.
     const double scale = std::pow(10.0, decimals);
     const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
-    return trueMinus(plain(locale).toString(shown, 'f', decimals));
+    // As the locale writes it, at a tenth of the time: a page has a hundred that follow the hand.
+    static const QString zero = QStringLiteral("0");
+    if (locale.zeroDigit() != zero) {
+        return trueMinus(plain(locale).toString(shown, 'f', decimals));
+    }
+    QString text = QString::fromStdString(fixed_decimals(shown, decimals));
+    return trueMinus(text.replace(QLatin1Char('.'), locale.decimalPoint()));
 }
 
 QString rangeText(const Range& range, const QString& unit) {

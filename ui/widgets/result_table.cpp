@@ -320,6 +320,12 @@ void ResultTable::setRows(const ResultRows& rows) {
                            [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
     rows_ = rows;
     bool isSameShape = rowCount() == rows.size();
+    // Columns at rest keep their widths while what is new in them fits.
+    const bool rests = rests_ && !isOver_ && rests_ == laidOut();
+    const auto fits = [&](int row, int column) {
+        return rests && !stretched_.contains(column) &&
+               widthOf(row, column, place_) <= columnWidth(column);
+    };
     if (!isSameShape) {
         setRowCount(static_cast<int>(rows.size()));
         updateGeometry();
@@ -336,8 +342,8 @@ void ResultTable::setRows(const ResultRows& rows) {
                 isSameShape = false;
                 tipsRest_ = false;
             } else if (const QString was = cell->text(); was != text) {
-                isSameShape = isSameShape && areAsWide(was, text);
                 cell->setText(text);
+                isSameShape = isSameShape && (areAsWide(was, text) || fits(row, column));
             }
         }
     }

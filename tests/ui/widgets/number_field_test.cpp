@@ -7,6 +7,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 #include <numbers>
+#include <random>
 
 #include "case-file/input_error.h"
 #include "events.h"
@@ -151,6 +152,25 @@ TEST(NumberText, WritesWhatAPersonWants) {
     EXPECT_EQ(fixedNumber(7.8357568328379722e26, 4, english), QStringLiteral("7.83576E+26"));
     EXPECT_EQ(fixedNumber(999999999.0, 1, english), QStringLiteral("999999999.0"));
     EXPECT_EQ(fixedNumber(std::nan(""), 1, english), QStringLiteral("–"));
+    EXPECT_EQ(fixedNumber(-1234.5678, 2, russian), QStringLiteral("\u22121234,57"));
+    EXPECT_EQ(fixedNumber(12.0, 0, russian), QStringLiteral("12"));
+}
+
+TEST(NumberText, FixedDecimalsAreThoseOfTheLocale) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> size(-9.0, 9.0);
+    for (QLocale locale : {QLocale(QLocale::English), QLocale(QLocale::Russian),
+                           QLocale(QLocale::Arabic, QLocale::Egypt)}) {
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        for (int i = 0; i < 2000; ++i) {
+            const double value = (i % 2 == 0 ? -1.0 : 1.0) * std::pow(10.0, size(random));
+            const int decimals = i % 7;
+            const double shown = std::round(value * std::pow(10.0, decimals)) == 0.0 ? 0.0 : value;
+            ASSERT_EQ(fixedDecimals(value, decimals, locale),
+                      trueMinus(locale.toString(shown, 'f', decimals)))
+                << value << ' ' << decimals;
+        }
+    }
 }
 
 class ValueSliderTest : public ::testing::Test {

@@ -4,8 +4,10 @@
 
 #include <QClipboard>
 #include <QHeaderView>
+#include <QtMath>
 
 #include "events.h"
+#include "text/text_width.h"
 
 namespace ravnoves {
 namespace {
@@ -53,6 +55,24 @@ TEST_F(ResultTableTest, ValuesThatMoveAtOneWidthLayItOutOnce) {
     // Another width is another layout.
     test::showAt(table, {width + 1, 120});
     EXPECT_TRUE(differencesInColumns());
+}
+
+TEST(ColumnsOfResultTable, GrowForWhatDoesNotFitAlone) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"Value"_s, u"Unit"_s});
+    const auto show = [&](const QString& value) {
+        table.setRows({ResultRow{u"Moment"_s, value, u"N·m"_s}});
+        return table.columnWidth(1);
+    };
+    show(u"−123.45"_s);
+    test::showAt(table, {400, 80});
+    const int width = show(u"123.45"_s);
+    EXPECT_EQ(show(u"−123.45"_s), width);
+    EXPECT_EQ(show(u"1.5"_s), width);
+    const QString longest = u"−1234567.8901"_s;
+    EXPECT_GT(show(longest), width);
+    EXPECT_GE(table.columnWidth(1), qCeil(textWidth(table.font(), longest)));
+    EXPECT_EQ(table.item(0, 1)->text(), longest);
 }
 
 /// A bar at the side takes room from the columns, and one below from the rows.
