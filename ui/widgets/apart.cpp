@@ -30,7 +30,20 @@ int Apart::heightForWidth(int width) const {
 }
 
 int Apart::needed(int width) const {
-    return held_->hasHeightForWidth() ? held_->heightForWidth(width) : held_->sizeHint().height();
+    if (!held_->hasHeightForWidth()) {
+        return held_->sizeHint().height();
+    }
+    // The layouts ask dozens of times at every step of a resize, about a few widths.
+    constexpr qsizetype most = 16;
+    if (measuredText_ != held_->text() || measuredFont_ != held_->font() ||
+        measured_.size() >= most) {
+        measured_.clear();
+        measuredText_ = held_->text();
+        measuredFont_ = held_->font();
+    }
+    const auto known = measured_.constFind(width);
+    return known != measured_.constEnd() ? *known
+                                         : *measured_.insert(width, held_->heightForWidth(width));
 }
 
 bool Apart::event(QEvent* event) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QFont>
+#include <QHash>
 #include <QLabel>
 #include <QTimer>
 #include <QWidget>
@@ -39,6 +41,10 @@ class Apart : public QWidget {
     QTimer rest_;
     int height_ = 0;        ///< what the text takes at the present width
     qsizetype length_ = 0;  ///< of the text that it was measured for
+    // Heights by width of one text in one font.
+    mutable QHash<int, int> measured_;
+    mutable QString measuredText_;
+    mutable QFont measuredFont_;
 };
 
 }  // namespace ravnoves
