@@ -14,6 +14,7 @@
 
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
+#include "plot/model/stroke.h"
 #include "plot/model/ticks.h"
 #include "plot/painter_parts.h"
 #include "text/number_text.h"
@@ -275,9 +276,9 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     }
     // Over a picture the grid gives way.
     painter.setPen(QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
-    painter.drawLines(grid);
+    paintGridLines(painter, grid);
     painter.setPen(QPen(theme.border(), 1));
-    painter.drawLines(strokes);
+    paintGridLines(painter, strokes);
 }
 
 void PlotPainter::paintGhosts(QPainter& painter) const {

@@ -187,6 +187,31 @@ TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
     EXPECT_GT(meanDifference(together, paper()), 20.0);
 }
 
+TEST(LineBrush, GridLinesCoverWhatQtsDo) {
+    const QList<QLineF> lines{{20.0, 30.0, 220.0, 30.0},   {20.5, 40.25, 219.7, 40.25},
+                              {30.0, 20.0, 30.0, 140.0},   {60.3, 20.2, 60.3, 140.9},
+                              {200.5, 140.0, 200.5, 20.0}, {-50.0, 90.6, 400.0, 90.6}};
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        for (const double width : {1.0, 1.4}) {
+            const auto painted = [&](const auto& draw) {
+                QImage image((QSizeF(paper().size()) * scale).toSize(), QImage::Format_RGB32);
+                image.fill(Qt::white);
+                image.setDevicePixelRatio(scale);
+                QPainter painter(&image);
+                painter.setRenderHint(QPainter::Antialiasing);
+                painter.setPen(QPen(QColor(40, 40, 40, 180), width));
+                draw(painter);
+                painter.end();
+                return image;
+            };
+            const QImage ours = painted([&](QPainter& painter) { paintGridLines(painter, lines); });
+            const QImage qts = painted([&](QPainter& painter) { painter.drawLines(lines); });
+            EXPECT_LT(meanDifference(qts, ours), 4.0) << scale << ' ' << width;
+            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.01) << scale << ' ' << width;
+        }
+    }
+}
+
 TEST(LineBrush, PolygonsLookAsQtsDo) {
     const QPolygonF bar{{40, 20}, {200, 90}, {194, 104}, {34, 34}};
     for (const double scale : {1.0, 2.0}) {

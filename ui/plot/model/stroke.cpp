@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "plot/model/line_brush.h"
 
@@ -123,6 +124,57 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         brush.draw(each.lines, 1.0, each.pen.color(), width);
     }
     lay(painter, *overlay);
+}
+
+void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
+    const QPen pen = painter.pen();
+    const QTransform& transform = painter.deviceTransform();
+    const double scale = transform.m11();
+    if (!canBrush(painter) || !canBrush(pen, scale)) {
+        painter.drawLines(lines);
+        return;
+    }
+    const double half = 0.5 * pen.widthF() * scale;
+    const double beyond = pen.capStyle() == Qt::FlatCap ? 0.0 : half;
+    const QTransform back = transform.inverted();
+    const auto fill = [&](double left, double top, double right, double bottom) {
+        const double part = std::min(1.0, right - left) * std::min(1.0, bottom - top);
+        QColor colour = pen.color();
+        colour.setAlphaF(static_cast<float>(colour.alphaF() * part));
+        if (colour.alpha() > 0) {
+            painter.fillRect(back.mapRect(QRectF(QPointF(std::floor(left), std::floor(top)),
+                                                 QPointF(std::ceil(right), std::ceil(bottom)))),
+                             colour);
+        }
+    };
+    // Pixels that are covered in part stand apart: before, within and after.
+    const auto parts = [](double from, double to) {
+        std::vector<std::pair<double, double>> parts;
+        const double first = std::min(std::ceil(from), to);
+        const double last = std::max(std::floor(to), first);
+        for (const auto& part : {std::pair(from, first), {first, last}, {last, to}}) {
+            if (part.second > part.first) {
+                parts.push_back(part);
+            }
+        }
+        return parts;
+    };
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const QLineF& line : lines) {
+        const QLineF at = transform.map(line);
+        const bool isUpright = at.x1() == at.x2();
+        const double x = isUpright ? half : beyond;
+        const double y = isUpright ? beyond : half;
+        for (const auto& [left, right] :
+             parts(std::min(at.x1(), at.x2()) - x, std::max(at.x1(), at.x2()) + x)) {
+            for (const auto& [top, bottom] :
+                 parts(std::min(at.y1(), at.y2()) - y, std::max(at.y1(), at.y2()) + y)) {
+                fill(left, top, right, bottom);
+            }
+        }
+    }
+    painter.restore();
 }
 
 void paintPolygon(QPainter& painter, const QPolygonF& polygon) {

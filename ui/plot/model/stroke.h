@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QLineF>
+#include <QList>
 #include <QPen>
 #include <QPolygonF>
 #include <vector>
@@ -20,6 +22,9 @@ struct LinesOfPen {
 };
 /// One after the other, in less time than each for itself.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
+
+/// Lines along the axes, with the painter's pen: each pixel darkened by what of it they cover.
+void paintGridLines(QPainter& painter, const QList<QLineF>& lines);
 
 /// A convex polygon with the painter's brush and pen, whose line is drawn as paintLine() does where
 /// it is wider than a pixel.
