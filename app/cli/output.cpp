@@ -44,7 +44,7 @@ int print(const std::string& text) {
     return end_of_output();
 }
 
-int print(Json value) {
+int print_json(Json value) {
     write_json(std::move(value), JsonLayout::lines,
                [](std::string_view part) { std::cout << part; });
     std::cout << '\n';

@@ -39,7 +39,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
         return exit_bad_input;
     }
     return result_path.empty()
-               ? print(std::move(result))
+               ? print_json(std::move(result))
                : write_file(result_path, json_text(std::move(result), JsonLayout::lines) + "\n");
 }
 

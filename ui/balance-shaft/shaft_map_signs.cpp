@@ -7,6 +7,7 @@
 
 #include "balance-shaft/change_colours.h"
 #include "numerics/constants.h"
+#include "plot/model/pixel.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 
@@ -173,11 +174,8 @@ QBrush hatchTile(double ratio, const QColor& ground, const QColor& line) {
 void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
                  const QColor& ground) {
     const QColor line = faint(Theme::instance().text(), 0.42);
-    const QTransform& transform = painter.deviceTransform();
-    const bool onScreen = painter.paintEngine()->type() == QPaintEngine::Raster &&
-                          transform.type() <= QTransform::TxScale &&
-                          transform.m11() == transform.m22();
-    const QBrush tile = onScreen ? hatchTile(transform.m11(), ground, line) : QBrush();
+    const QBrush tile =
+        paintsPixels(painter) ? hatchTile(painter.deviceTransform().m11(), ground, line) : QBrush();
     if (tile.style() != Qt::NoBrush) {
         painter.fillPath(path, tile);
         return;

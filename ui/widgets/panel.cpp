@@ -1,11 +1,11 @@
 #include "widgets/panel.h"
 
 #include <QImage>
-#include <QPaintEngine>
 #include <QPainter>
 #include <cmath>
 #include <utility>
 
+#include "plot/model/pixel.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -49,9 +49,7 @@ void paintPanel(QPainter& painter, const QRect& panel) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QTransform& transform = painter.deviceTransform();
     const double ratio = transform.m11();
-    const bool isOnPixels = painter.paintEngine()->type() == QPaintEngine::Raster &&
-                            transform.type() <= QTransform::TxScale && ratio == transform.m22() &&
-                            ratio == std::floor(ratio) &&
+    const bool isOnPixels = paintsPixels(painter) && ratio == std::floor(ratio) &&
                             transform.dx() == std::floor(transform.dx()) &&
                             transform.dy() == std::floor(transform.dy());
     if (!isOnPixels || panel.width() < 2 * corner || panel.height() < 2 * corner) {

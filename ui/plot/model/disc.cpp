@@ -1,7 +1,6 @@
 #include "plot/model/disc.h"
 
 #include <QImage>
-#include <QPaintEngine>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -41,10 +40,8 @@ bool canMeasure(const QPainter& painter, double radius) {
     const QTransform& transform = painter.deviceTransform();
     const Qt::PenStyle pen = painter.pen().style();
     const Qt::BrushStyle brush = painter.brush().style();
-    return painter.paintEngine()->type() == QPaintEngine::Raster &&
-           painter.testRenderHint(QPainter::Antialiasing) &&
-           transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
-           transform.m11() == transform.m22() && (pen == Qt::SolidLine || pen == Qt::NoPen) &&
+    return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
+           (pen == Qt::SolidLine || pen == Qt::NoPen) &&
            (brush == Qt::SolidPattern || brush == Qt::NoBrush) &&
            radius * transform.m11() < largest;
 }

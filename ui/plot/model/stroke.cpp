@@ -1,7 +1,6 @@
 #include "plot/model/stroke.h"
 
 #include <QImage>
-#include <QPaintEngine>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "plot/model/line_brush.h"
+#include "plot/model/pixel.h"
 
 namespace ravnoves {
 
@@ -21,11 +21,8 @@ struct Overlay {
 };
 
 bool canBrush(const QPainter& painter) {
-    const QTransform& transform = painter.deviceTransform();
-    return painter.paintEngine()->type() == QPaintEngine::Raster &&
-           painter.testRenderHint(QPainter::Antialiasing) && painter.opacity() == 1.0 &&
-           transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
-           transform.m11() == transform.m22();
+    return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
+           painter.opacity() == 1.0;
 }
 
 bool canBrush(const QPen& pen, double scale) {
