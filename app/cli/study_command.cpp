@@ -11,6 +11,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/json_text.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
@@ -146,8 +147,9 @@ class StudyCommand final : public Command {
     }
 
     int deliver(const Part& part) const {
-        const std::string text = shard_text_.empty() ? studies::write_results(part).dump(2)
-                                                     : studies::write_part(part).dump();
+        const std::string text = shard_text_.empty()
+                                     ? json_text(studies::write_results(part), JsonLayout::lines)
+                                     : json_text(studies::write_part(part), JsonLayout::one_line);
         return output_path_.empty() ? print(text + "\n") : write_file(output_path_, text + "\n");
     }
 
@@ -191,7 +193,9 @@ class StudyCommand final : public Command {
                 line.show(now);
                 constexpr auto often = std::chrono::seconds(5);
                 if (keeps && (stop_signal != 0 || Clock::now() - kept > often) && !now.finished()) {
-                    write_text_file(unfinished_path(), studies::write_part(now).dump() + "\n");
+                    write_text_file(
+                        unfinished_path(),
+                        json_text(studies::write_part(now), JsonLayout::one_line) + "\n");
                     kept = Clock::now();
                 }
                 return stop_signal == 0;

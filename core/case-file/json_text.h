@@ -14,9 +14,10 @@ enum class JsonLayout {
     one_line  ///< without a blank or a break
 };
 
-/// The text that the library's dump() gives, faster: most of the time that a solved case takes goes
-/// into its numbers. Each is the shortest decimal that reads back to the same double; one that is
-/// not finite is `null`, and bytes of a text that are not UTF-8 are replaced.
+/// Laid out as by the library's dump(), in less time: most of what a solved case takes goes into
+/// its numbers. Each is the shortest decimal that reads back to the same double, and of those the
+/// nearest, which the library's misses at times; one that is not finite is `null`. Bytes of a text
+/// that are not UTF-8 are replaced.
 std::string json_text(Json value, JsonLayout layout);
 
 using TextSink = std::function<void(std::string_view part)>;

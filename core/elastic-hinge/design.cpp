@@ -39,14 +39,12 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
     // the grid has it.
     const std::size_t half = (n - 1) / 2;
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t mirror = n - 1 - i;
-        const std::size_t beside = half - i;
-        if (mirror < i) {
+        if (const std::size_t mirror = n - 1 - i; mirror < i) {
             grid.sin_phi[i] = -grid.sin_phi[mirror];
             grid.cos_phi[i] = grid.cos_phi[mirror];
-        } else if (n % 2 == 1 && beside < i) {
-            grid.sin_phi[i] = grid.sin_phi[beside];
-            grid.cos_phi[i] = -grid.cos_phi[beside];
+        } else if (n % 2 == 1 && half - i < i) {  // i ≤ half, as it is not past its mirror
+            grid.sin_phi[i] = grid.sin_phi[half - i];
+            grid.cos_phi[i] = -grid.cos_phi[half - i];
         } else {
             const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
             grid.sin_phi[i] = boost::math::sin_pi(2.0 * turn);

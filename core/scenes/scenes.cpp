@@ -32,44 +32,29 @@ namespace ravnoves {
 
 namespace {
 
-bool is_finite(const Json& value) {
+/// Whether a number below a value is not finite: then where, as a pointer. A result has thousands,
+/// so the pointer is put together on the way back from one alone.
+bool find_not_finite(const Json& value, std::string& where) {
     if (value.is_number_float()) {
-        return std::isfinite(value.get_ref<const Json::number_float_t&>());
+        return !std::isfinite(value.get_ref<const Json::number_float_t&>());
     }
     if (value.is_array()) {
         const auto& array = value.get_ref<const Json::array_t&>();
-        return std::all_of(array.begin(), array.end(), is_finite);
-    }
-    if (value.is_object()) {
-        const auto& object = value.get_ref<const Json::object_t&>();
-        return std::all_of(object.begin(), object.end(),
-                           [](const auto& item) { return is_finite(item.second); });
-    }
-    return true;
-}
-
-/// A pointer to the first number below a value that is not finite; empty where all are.
-std::string find_not_finite(const Json& value) {
-    if (value.is_number_float()) {
-        return std::isfinite(*value.get_ptr<const Json::number_float_t*>()) ? "" : "/";
-    }
-    const auto below = [](const std::string& key, const std::string& rest) {
-        return "/" + key + (rest == "/" ? "" : rest);
-    };
-    if (value.is_array()) {
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            if (const std::string found = find_not_finite(value[i]); !found.empty()) {
-                return below(std::to_string(i), found);
+        for (std::size_t i = 0; i < array.size(); ++i) {
+            if (find_not_finite(array[i], where)) {
+                where.insert(0, "/" + std::to_string(i));
+                return true;
             }
         }
     } else if (value.is_object()) {
         for (const auto& [key, item] : value.get_ref<const Json::object_t&>()) {
-            if (const std::string found = find_not_finite(item); !found.empty()) {
-                return below(key, found);
+            if (find_not_finite(item, where)) {
+                where.insert(0, "/" + key);
+                return true;
             }
         }
     }
-    return {};
+    return false;
 }
 
 /// Calls `visit` with each text under a key "csv".
@@ -184,8 +169,9 @@ Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& 
         throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
     }
     Json result = wanted.pick(scene->solve(file.input, context, wanted));
-    RAVNOVES_DEMAND(is_finite(result),
-                    "the result /result" + find_not_finite(result) + " must be finite");
+    std::string where;
+    RAVNOVES_DEMAND(!find_not_finite(result, where),
+                    "the result /result" + where + " must be finite");
     return {{"format", result_format},
             {"version", case_version},
             {"scene", file.scene},

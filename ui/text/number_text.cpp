@@ -116,9 +116,10 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     // −0.00 is no number that a person wants to see.
     const double scale = std::pow(10.0, decimals);
     const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
-    // As the locale writes it, at a tenth of the time: a page has a hundred that follow the hand.
-    static const QString zero = QStringLiteral("0");
-    if (locale.zeroDigit() != zero) {
+    // What a tenth of the time does for most: a page has a hundred that follow the hand. A half is
+    // rounded to even there and up by the locale.
+    const double size = std::abs(shown) * scale;
+    if (size - std::floor(size) == 0.5 || locale.zeroDigit() != QLatin1String("0")) {
         return trueMinus(plain(locale).toString(shown, 'f', decimals));
     }
     QString text = QString::fromStdString(fixed_decimals(shown, decimals));

@@ -35,15 +35,18 @@ int Apart::needed(int width) const {
     }
     // The layouts ask dozens of times at every step of a resize, about a few widths.
     constexpr qsizetype most = 16;
-    if (measuredText_ != held_->text() || measuredFont_ != held_->font() ||
-        measured_.size() >= most) {
+    if (measuredText_ != held_->text() || measuredFont_ != held_->font()) {
         measured_.clear();
         measuredText_ = held_->text();
         measuredFont_ = held_->font();
     }
-    const auto known = measured_.constFind(width);
-    return known != measured_.constEnd() ? *known
-                                         : *measured_.insert(width, held_->heightForWidth(width));
+    if (const auto known = measured_.constFind(width); known != measured_.constEnd()) {
+        return *known;
+    }
+    if (measured_.size() >= most) {
+        measured_.clear();
+    }
+    return *measured_.insert(width, held_->heightForWidth(width));
 }
 
 bool Apart::event(QEvent* event) {

@@ -56,7 +56,8 @@ void paintPanel(QPainter& painter, const QRect& panel) {
         paintWhole(painter, panel);
         return;
     }
-    // Edges and inside are whole pixels: only the corners are drawn by shape.
+    // Edges and inside are whole pixels, and both colours cover what is below: only the corners are
+    // drawn by shape.
     const Theme& theme = Theme::instance();
     const QRect wide = panel.adjusted(corner, 0, -corner, 0);
     const QRect high = panel.adjusted(0, corner, 0, -corner);

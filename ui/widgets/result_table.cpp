@@ -313,6 +313,15 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
     }
 }
 
+bool ResultTable::hasRoomForWords() const {
+    const int half = viewport()->width() / 2;
+    return std::all_of(stretched_.begin(), stretched_.end(), [&](int column) {
+        return isColumnHidden(column) ||
+               columnWidth(column) >=
+                   (column == 0 ? widestText(*this, column, half) : leastOfWords(*this, column));
+    });
+}
+
 void ResultTable::setRows(const ResultRows& rows) {
     // At each step of a slider: tips are put together only where they are others.
     tipsRest_ = tipsRest_ && spreads_.empty() &&
@@ -320,8 +329,8 @@ void ResultTable::setRows(const ResultRows& rows) {
                            [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
     rows_ = rows;
     bool isSameShape = rowCount() == rows.size();
-    // Columns at rest keep their widths while what is new in them fits.
-    const bool rests = rests_ && !isOver_ && rests_ == laidOut();
+    // Columns at rest keep their widths while what is new in them fits, and the words beside them.
+    const bool rests = rests_ && !isOver_ && rests_ == laidOut() && hasRoomForWords();
     const auto fits = [&](int row, int column) {
         return rests && !stretched_.contains(column) &&
                widthOf(row, column, place_) <= columnWidth(column);

@@ -103,6 +103,8 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     QList<std::pair<int, int>> neededWidths() const;
     /// Wraps the headings where they do not fit beside the names.
     void wrapHeadings();
+    /// Whether the columns of words are as wide as they want to be.
+    bool hasRoomForWords() const;
     /// Where it scrolled sideways else.
     void setSmall(bool isSmall);
     int headingWidth(int column) const;

@@ -1,5 +1,6 @@
 #include "elastic-hinge/kinematics.h"
 
+#include "elastic-hinge/design.h"
 #include "numerics/slider_crank.h"
 #include "support.h"
 
@@ -20,6 +21,23 @@ TEST(ElasticHingeKinematics, ExactAgreesWithTheSharedSliderCrank) {
         EXPECT_NEAR(r * std::cos(phi) + r / lambda * rod.cos_psi, piston.s, 1e-15);
         EXPECT_NEAR(-r * std::sin(phi) + r / lambda * rod.dcos, piston.ds, 1e-15);
         EXPECT_NEAR(-r * std::cos(phi) + r / lambda * rod.d2cos, piston.d2s, 1e-15);
+    }
+}
+
+TEST(ElasticHingeKinematics, AnglesMirrorEachOtherToTheLastDigit) {
+    for (const int samples : {13, 14, 15, 721, 722, 723}) {  // quarters or not, halves or not
+        const AngleGrid grid = *angle_grid(samples);
+        const std::size_t last = grid.size() - 1;
+        for (std::size_t i = 0; i <= last; ++i) {
+            EXPECT_NEAR(grid.sin_phi[i], std::sin(grid.angle[i]), 1e-15) << samples << ' ' << i;
+            EXPECT_NEAR(grid.cos_phi[i], std::cos(grid.angle[i]), 1e-15) << samples << ' ' << i;
+            EXPECT_EQ(grid.sin_phi[i], -grid.sin_phi[last - i]);
+            EXPECT_EQ(grid.cos_phi[i], grid.cos_phi[last - i]);
+            if (last % 2 == 0 && i <= last / 2) {
+                EXPECT_EQ(grid.sin_phi[i], grid.sin_phi[last / 2 - i]);
+                EXPECT_EQ(grid.cos_phi[i], -grid.cos_phi[last / 2 - i]);
+            }
+        }
     }
 }
 

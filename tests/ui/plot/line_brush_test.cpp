@@ -183,7 +183,15 @@ TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
             paintLines(painter, {each});
         }
     });
-    EXPECT_LT(meanDifference(together, apart), 1.0);
+    for (int y = 0; y < together.height(); ++y) {
+        for (int x = 0; x < together.width(); ++x) {
+            const QColor one = together.pixelColor(x, y);
+            const QColor other = apart.pixelColor(x, y);
+            ASSERT_LE(std::abs(one.red() - other.red()), 2) << x << ' ' << y;
+            ASSERT_LE(std::abs(one.blue() - other.blue()), 2) << x << ' ' << y;
+        }
+    }
+    EXPECT_GT(together.pixelColor(120, 75).blue(), 60);  // the last one over the red one
     EXPECT_GT(meanDifference(together, paper()), 20.0);
 }
 
@@ -234,6 +242,11 @@ TEST(LineBrush, PolygonsLookAsQtsDo) {
         } else {
             EXPECT_LT(meanDifference(qts, ours), 2.0);
             EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.01);
+            QPolygonF turned = bar.mid(2);
+            turned << bar[0] << bar[1];
+            EXPECT_LT(meanDifference(
+                          ours, painted([&](QPainter& painter) { paintPolygon(painter, turned); })),
+                      0.05);
         }
     }
 }

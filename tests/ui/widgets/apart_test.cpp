@@ -46,6 +46,24 @@ class ApartTest : public testing::Test {
     Apart* apart_ = nullptr;
 };
 
+TEST_F(ApartTest, KnowsTheHeightOfAnyTextFontAndWidth) {
+    for (const int size : {9, 14}) {
+        for (const QString& text :
+             {QStringLiteral("short"), QStringLiteral("a text of several words ").repeated(9)}) {
+            QFont font = label_->font();
+            font.setPointSize(size);
+            label_->setFont(font);
+            label_->setText(text);
+            for (int turn = 0; turn < 2; ++turn) {
+                for (int width = 80; width < 500; width += 17) {
+                    ASSERT_EQ(apart_->heightForWidth(width), label_->heightForWidth(width))
+                        << width;
+                }
+            }
+        }
+    }
+}
+
 TEST_F(ApartTest, OtherDigitsLeaveThePageAlone) {
     const int height = label_->height();
     label_->setText(QStringLiteral("Least range 1066.7 N·m at 49.12°"));

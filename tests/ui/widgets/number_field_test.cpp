@@ -154,6 +154,8 @@ TEST(NumberText, WritesWhatAPersonWants) {
     EXPECT_EQ(fixedNumber(std::nan(""), 1, english), QStringLiteral("–"));
     EXPECT_EQ(fixedNumber(-1234.5678, 2, russian), QStringLiteral("\u22121234,57"));
     EXPECT_EQ(fixedNumber(12.0, 0, russian), QStringLiteral("12"));
+    EXPECT_EQ(fixedDecimals(2.5, 0, english), QStringLiteral("3"));
+    EXPECT_EQ(fixedDecimals(-0.125, 2, english), QStringLiteral("\u22120.13"));
 }
 
 TEST(NumberText, FixedDecimalsAreThoseOfTheLocale) {
@@ -162,8 +164,11 @@ TEST(NumberText, FixedDecimalsAreThoseOfTheLocale) {
     for (QLocale locale : {QLocale(QLocale::English), QLocale(QLocale::Russian),
                            QLocale(QLocale::Arabic, QLocale::Egypt)}) {
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        for (int i = 0; i < 2000; ++i) {
-            const double value = (i % 2 == 0 ? -1.0 : 1.0) * std::pow(10.0, size(random));
+        for (int i = 0; i < 4000; ++i) {
+            // Halves of the last digit too, which are rounded away from nothing.
+            const double value = i % 4 < 2
+                                     ? (i - 2000) / 16.0
+                                     : (i % 2 == 0 ? -1.0 : 1.0) * std::pow(10.0, size(random));
             const int decimals = i % 7;
             const double shown = std::round(value * std::pow(10.0, decimals)) == 0.0 ? 0.0 : value;
             ASSERT_EQ(fixedDecimals(value, decimals, locale),

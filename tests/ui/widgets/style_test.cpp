@@ -10,6 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QIcon>
 #include <QLineEdit>
+#include <QPainter>
 #include <QPixmapCache>
 #include <QPushButton>
 #include <QScrollBar>
@@ -19,14 +20,53 @@
 #include <QStyleOptionSpinBox>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/panel.h"
 
 namespace ravnoves {
 namespace {
+
+/// Filled where it is whole pixels, it is the rounded rectangle that it was.
+TEST(Panel, LooksAlikeHoweverItIsPainted) {
+    Theme& theme = Theme::instance();
+    for (const Theme::Mode mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
+        theme.install(mode);
+        for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
+            const auto painted = [&](const auto& draw) {
+                QImage image((QSizeF(60.0, 40.0) * ratio).toSize(), QImage::Format_RGB32);
+                image.setDevicePixelRatio(ratio);
+                image.fill(theme.window());
+                QPainter painter(&image);
+                painter.setRenderHint(QPainter::Antialiasing);
+                draw(painter);
+                painter.end();
+                return image;
+            };
+            const QRect panel(3, 2, 50, 33);
+            const QImage ours = painted([&](QPainter& painter) { paintPanel(painter, panel); });
+            const QImage whole = painted([&](QPainter& painter) {
+                painter.setPen(QPen(theme.border(), 1.0));
+                painter.setBrush(theme.panel());
+                painter.drawRoundedRect(QRectF(panel).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+            });
+            int most = 0;
+            for (int y = 0; y < ours.height(); ++y) {
+                for (int x = 0; x < ours.width(); ++x) {
+                    most = std::max(most,
+                                    std::abs(qGray(ours.pixel(x, y)) - qGray(whole.pixel(x, y))));
+                }
+            }
+            EXPECT_LE(most, 2) << ratio;
+            EXPECT_NE(ours, painted([](QPainter&) {}));
+        }
+    }
+    theme.install(Theme::Mode::Light);
+}
 
 using namespace Qt::StringLiterals;
 

@@ -95,6 +95,12 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         }
         overlay = overlayFor(seen);
     }
+    if (!overlay && all.size() > 1) {
+        for (const LinesOfPen& each : all) {
+            paintLines(painter, {each});
+        }
+        return;
+    }
     if (!overlay) {
         const QPen before = painter.pen();
         for (const LinesOfPen& each : all) {
@@ -185,10 +191,12 @@ void paintPolygon(QPainter& painter, const QPolygonF& polygon) {
     painter.setPen(Qt::NoPen);
     painter.drawConvexPolygon(polygon.constData(), corners);
     painter.setPen(pen);
-    // Past its first corner, so that this has a bend as the others have.
+    // Once past the beginning, so that this corner has a bend as the others have.
+    QPen flat = pen;
+    flat.setCapStyle(Qt::FlatCap);
     QPolygonF outline = polygon;
     outline << polygon[0] << polygon[1];
-    paintLine(painter, outline);
+    paintLines(painter, {{flat, {outline}}});
 }
 
 }  // namespace ravnoves
