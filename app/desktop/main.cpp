@@ -218,9 +218,14 @@ int main(int argc, char** argv) {
             return fail(trouble);
         }
     }
+    if (screenshot || parser.isSet(sizeOption)) {
+        const QString trouble = ravnoves::setWindowSize(window, parser.value(sizeOption));
+        if (!trouble.isEmpty()) {
+            return fail(trouble);
+        }
+    }
     if (screenshot) {
-        const QString trouble = ravnoves::writeScreenshot(window, parser.value(screenshotOption),
-                                                          parser.value(sizeOption));
+        const QString trouble = ravnoves::writeScreenshot(window, parser.value(screenshotOption));
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
     if (!QSettings().contains(u"window/geometry"_s)) {

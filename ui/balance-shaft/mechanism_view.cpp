@@ -107,7 +107,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const double k = map.pixelsPerUnit;
 
     QPainter painter(this);
-    painter.fillRect(rect(), theme.panel());
+    paintSurface(painter);
     painter.setRenderHint(QPainter::Antialiasing);
 
     const QPointF crank = map.at(0, 0);

@@ -200,7 +200,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const double r = mechanism.crank_radius;
 
     QPainter painter(this);
-    painter.fillRect(rect(), theme.panel());
+    paintSurface(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor line = theme.text();
     const QColor metal = drawing::metal();

@@ -142,7 +142,7 @@ std::pair<QRectF, QRectF> EngineView::areas() const {
 void EngineView::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     QPainter painter(this);
-    painter.fillRect(rect(), theme.panel());
+    paintSurface(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     const auto [front, side] = areas();
     paintFront(painter, front);

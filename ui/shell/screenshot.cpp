@@ -67,12 +67,18 @@ QString applySetting(MainWindow& window, const QString& pair) {
     return {};
 }
 
-QString writeScreenshot(MainWindow& window, const QString& path, const QString& size) {
+QString setWindowSize(MainWindow& window, const QString& size) {
     static const QRegularExpression form(QStringLiteral("^(\\d{3,4})[xX×](\\d{3,4})$"));
     const QRegularExpressionMatch match = form.match(size);
     if (!match.hasMatch()) {
         return QStringLiteral("--size: must be like 1280x800, got %1").arg(size);
     }
+    window.setWindowState(window.windowState() & ~Qt::WindowMaximized);  // as it was left
+    window.resize(match.captured(1).toInt(), match.captured(2).toInt());
+    return {};
+}
+
+QString writeScreenshot(MainWindow& window, const QString& path) {
     if (!path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
         return QStringLiteral("--screenshot: must end in .png, got %1").arg(path);
     }
@@ -80,7 +86,6 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     if (!source.isEmpty()) {
         return source;
     }
-    window.resize(match.captured(1).toInt(), match.captured(2).toInt());
     window.show();
     // Layout, then the plots' first drawing, are done when the queue is empty.
     for (int turn = 0; turn < 3; ++turn) {

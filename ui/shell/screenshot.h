@@ -11,8 +11,12 @@ class MainWindow;
 /// @return an empty string, or what is wrong
 QString applySetting(MainWindow& window, const QString& pair);
 
-/// Renders the window at a size ("1280x800") to a PNG file.
+/// @param size  as "1280x800"
 /// @return an empty string, or what is wrong
-QString writeScreenshot(MainWindow& window, const QString& path, const QString& size);
+QString setWindowSize(MainWindow& window, const QString& size);
+
+/// Renders the window to a PNG file.
+/// @return an empty string, or what is wrong
+QString writeScreenshot(MainWindow& window, const QString& path);
 
 }  // namespace ravnoves

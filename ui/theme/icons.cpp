@@ -36,6 +36,9 @@ class ThemedIconEngine : public QIconEngine {
         if (known != drawn_.end()) {
             return known->picture;
         }
+        if (size.isEmpty()) {
+            return {};  // a button that is not laid out yet
+        }
         QPixmap pixmap(size);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);

@@ -82,6 +82,20 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+void MechanismPicture::paintSurface(QPainter& painter) const {
+    painter.fillRect(rect(), Theme::instance().panel());
+    const auto* panel = qobject_cast<const Panel*>(parentWidget());
+    if (panel == nullptr || drawsForFile(painter, *this)) {
+        return;
+    }
+    constexpr int round = 2;  // pixels of a corner that reach into it
+    painter.save();
+    painter.setClipRegion(QRegion(0, 0, round, round) + QRegion(width() - round, 0, round, round));
+    painter.fillRect(rect(), Theme::instance().window());
+    paintPanel(painter, panel->rect().translated(-pos()));
+    painter.restore();
+}
+
 void MechanismPicture::drawFocus(QPainter& painter) const {
     if (hasFocus() && !drawsForFile(painter, *this)) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));

@@ -47,6 +47,8 @@ class MechanismPicture : public ComparedFigure {
     virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
     /// For the mechanism of the reference: pale and wide, as its curves in the plots.
     static QPen ghostPen();
+    /// What all else is painted on; the corners of a panel around it stay round.
+    void paintSurface(QPainter& painter) const;
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 

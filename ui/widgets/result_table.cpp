@@ -275,12 +275,15 @@ void ResultTable::fitStretched() {
     const bool over = wanted > room;
     if (over != isOver_) {
         isOver_ = over;
-        setHorizontalScrollBarPolicy(over ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
         for (const int column : stretched_) {
             horizontalHeader()->setSectionResizeMode(
                 column, over ? QHeaderView::Fixed : QHeaderView::Stretch);
         }
         updateGeometry();
+        setHorizontalScrollBarPolicy(over ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+        if (isOver_ != over) {
+            return;  // the bar's room was taken or given, and there the answer was another
+        }
     }
     if (over && !least.isEmpty()) {
         // What scrolls anyway has room for names that begin alike. They take what is left beside

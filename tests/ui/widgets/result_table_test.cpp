@@ -5,8 +5,11 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QtMath>
+#include <cmath>
+#include <random>
 
 #include "events.h"
+#include "text/number_text.h"
 #include "text/text_width.h"
 
 namespace ravnoves {
@@ -73,6 +76,60 @@ TEST(ColumnsOfResultTable, GrowForWhatDoesNotFitAlone) {
     EXPECT_GT(show(longest), width);
     EXPECT_GE(table.columnWidth(1), qCeil(textWidth(table.font(), longest)));
     EXPECT_EQ(table.item(0, 1)->text(), longest);
+}
+
+TEST(ColumnsOfResultTable, FillTheTableWhateverTheNumbers) {
+    std::mt19937 random(3);
+    const auto number = [&] {
+        const double size = std::pow(10.0, std::uniform_real_distribution(-2.0, 6.0)(random));
+        return fixedDecimals(random() % 2 == 0 ? size : -size, 1, QLocale());
+    };
+    const auto rows = [&] {
+        ResultRows rows;
+        for (const QString& name : {u"range"_s, u"RMS"_s, u"by nodes"_s, u"mean"_s}) {
+            ResultRow row{name};
+            for (int column = 1; column < 4; ++column) {
+                const QString shown = number();
+                row << ResultCell(readFormNumber(shown).value_or(0.0), shown);
+            }
+            row << ResultCell(number() + u" % better"_s);
+            rows << row;
+        }
+        return rows;
+    };
+    for (const bool compared : {false, true}) {
+        for (const int width : {260, 330, 420}) {
+            ResultTable reference;
+            ResultTable table;
+            for (ResultTable* each : {&reference, &table}) {
+                each->setColumns({u"N·m"_s, u"Mup"_s, u"Ms"_s, u"Mups"_s, u"change"_s});
+                each->setRows(rows());
+            }
+            if (compared) {
+                table.setReference(&reference, u"A"_s);
+            }
+            test::showAt(table, {width, 200});
+            for (int step = 0; step < 200; ++step) {
+                table.setRows(rows());
+                if (step % 3 == 0) {
+                    table.resize(width + static_cast<int>(random() % 40),
+                                 90 + static_cast<int>(random() % 160));
+                }
+                QApplication::processEvents();
+                int sum = 0;
+                for (int column = 0; column < table.columnCount(); ++column) {
+                    sum += table.columnWidth(column);
+                }
+                ASSERT_GE(sum, table.viewport()->width()) << compared << width << ' ' << step;
+                for (int row = 0; row < table.rowCount(); ++row) {
+                    for (int column = 1; column < table.columnCount(); ++column) {
+                        ASSERT_LE(textWidth(table.font(), table.item(row, column)->text()),
+                                  table.columnWidth(column));
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// A bar at the side takes room from the columns, and one below from the rows.
