@@ -95,12 +95,21 @@ class Scrolled final : public QScrollArea {
     /// A scroll area knows nothing of texts that wrap: without their height it squeezes the rows.
     void giveRoom() {
         const QLayout* layout = widget()->layout();
-        if (layout == nullptr || !layout->hasHeightForWidth()) {
+        const bool isForm = layout != nullptr && layout->hasHeightForWidth();
+        if (!isForm && (layout != nullptr || !widget()->hasHeightForWidth() || lineHeight() > 0)) {
             return;
         }
-        const int needed = layout->minimumHeightForWidth(viewport()->width());
-        if (widget()->minimumHeight() != needed) {
-            widget()->setMinimumHeight(needed);
+        const auto needed = [&](int width) {
+            return isForm ? layout->minimumHeightForWidth(width) : widget()->heightForWidth(width);
+        };
+        // A bar takes of the width: what needs one only for that gets none.
+        const QSize whole = maximumViewportSize();
+        const int bare = needed(whole.width());
+        const bool fits = bare <= whole.height();
+        setVerticalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+        const int height = fits ? bare : needed(viewport()->width());
+        if (isForm && widget()->minimumHeight() != height) {
+            widget()->setMinimumHeight(height);
         }
     }
 

@@ -6,9 +6,13 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "events.h"
 #include "theme/theme.h"
@@ -92,6 +96,42 @@ TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {
     EXPECT_LT(tabs.minimumSizeHint().height(), 200);
     tabs.setCurrentIndex(1);
     EXPECT_GT(tabs.minimumSizeHint().height(), 600);
+}
+
+/// What it shows at a size does not depend on the sizes that it had.
+TEST(Scrolled, HasNoBarThatIsNeededOnlyForItsOwnRoom) {
+    const QString words = QStringLiteral("some words of a text that wraps ").repeated(12);
+    const auto text = [&] {
+        auto* label = new QLabel(words);
+        label->setWordWrap(true);
+        return label;
+    };
+    const auto form = [&]() -> QWidget* {
+        auto* holder = new QWidget;
+        auto* column = new QVBoxLayout(holder);
+        column->addWidget(text());
+        column->addWidget(text());
+        return holder;
+    };
+    for (const bool hasLayout : {false, true}) {
+        int withBar = 0;
+        int without = 0;
+        for (int height = 60; height < 560; height += 3) {
+            const auto shown = [&](const QList<QSize>& sizes) {
+                const std::unique_ptr<QScrollArea> area(
+                    scrolled(hasLayout ? form() : text(), nullptr));
+                for (const QSize& size : sizes) {
+                    test::showAt(*area, size);
+                }
+                return std::pair(area->verticalScrollBar()->isVisible(), area->viewport()->width());
+            };
+            const auto fresh = shown({{220, height}});
+            EXPECT_EQ(shown({{220, height}, {220, 60}, {220, height}}), fresh) << height;
+            (fresh.first ? withBar : without) += 1;
+        }
+        EXPECT_GT(withBar, 10);
+        EXPECT_GT(without, 10);
+    }
 }
 
 TEST(ElidedTips, SayWhatAFieldHasNoRoomToHint) {
