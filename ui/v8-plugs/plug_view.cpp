@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "text/text_width.h"
 #include "theme/theme.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_drawing.h"
@@ -26,18 +27,28 @@ PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), mode
 void PlugView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const Theme& theme = Theme::instance();
-    const QRect title = paintPanel(painter, rect(), tr("Plug"));
+    const QString name = tr("Plug");
+    const QRect title = paintPanel(painter, rect(), name);
     const DrawingStyle style{theme.text(),    theme.mutedText(), theme.text(),
                              theme.warning(), Theme::font(),     1.6};
-    const QRectF target(Theme::margin, title.bottom() + Theme::gap, width() - 2 * Theme::margin,
-                        height() - title.bottom() - 2 * Theme::gap);
+    QRectF target(Theme::margin, title.bottom() + Theme::gap, width() - 2 * Theme::margin,
+                  height() - title.bottom() - 2 * Theme::gap);
     const Words words;
     const auto drawing = plannedPlug(model_->input(), model_->solution());
     if (!drawing) {
-        painter.setFont(Theme::font(Theme::smallSize));
+        const QFont small = Theme::font(Theme::smallSize);
+        const QString note = tr("not to scale: sizes on the sheet “Plug”");
+        const double besideName =
+            title.width() - textWidth(Theme::font(Theme::baseSize, true), name) - Theme::margin;
+        painter.setFont(small);
         painter.setPen(theme.mutedText());
-        painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter,
-                         tr("not to scale: sizes on the sheet “Plug”"));
+        if (textWidth(small, note) <= besideName) {
+            painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter, note);
+        } else {  // below it, in as many lines as it takes
+            QRectF taken;
+            painter.drawText(target, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, note, &taken);
+            target.setTop(taken.bottom() + Theme::gap);
+        }
     }
     drawPlug(painter, target, drawing, style, words);
 }
