@@ -12,6 +12,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 
 namespace ravnoves {
 
@@ -102,10 +103,11 @@ class Scrolled final : public QScrollArea {
         const auto needed = [&](int width) {
             return isForm ? layout->minimumHeightForWidth(width) : widget()->heightForWidth(width);
         };
-        // A bar takes of the width: what needs one only for that gets none.
+        // A bar takes of the width: what needs one only for that gets none. But fields stay where
+        // they are while one types in them, whatever is said below.
         const QSize whole = maximumViewportSize();
         const int bare = needed(whole.width());
-        const bool fits = bare <= whole.height();
+        const bool fits = bare <= whole.height() && widget()->findChild<EntryField*>() == nullptr;
         setVerticalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
         const int height = fits ? bare : needed(viewport()->width());
         if (isForm && widget()->minimumHeight() != height) {
