@@ -548,15 +548,13 @@ Json write_wanted(const Result& result, const Wanted& wanted) {
         return curves;
     });
     object.put("sweep", [&] {
-        Json sweep = object_with_room(7);
-        sweep["shaft_angle_deg"] = result.sweep.shaft_angle_deg;
-        sweep["range_Nm"] = result.sweep.range;
-        sweep["rms_Nm"] = result.sweep.rms;
-        sweep["mean_M_s_Nm"] = result.sweep.mean_M_s;
-        sweep["mean_M_ups_Nm"] = result.sweep.mean_M_ups;
-        sweep["printed_mean_M_s_25_nodes_Nm"] = result.sweep.printed_mean_M_s;
-        sweep["printed_mean_M_ups_nodes_Nm"] = result.sweep.printed_mean_M_ups;
-        return sweep;
+        return object_of({{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+                          {"range_Nm", result.sweep.range},
+                          {"rms_Nm", result.sweep.rms},
+                          {"mean_M_s_Nm", result.sweep.mean_M_s},
+                          {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+                          {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+                          {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}});
     });
     return object.take();
 }

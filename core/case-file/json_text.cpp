@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -109,11 +108,11 @@ class JsonWriter {
     }
 
     void write_double(double value) {
-        const double size = std::abs(value);
-        if (!(size <= std::numeric_limits<double>::max())) {
+        if (!std::isfinite(value)) {
             put("null");
             return;
         }
+        const double size = std::abs(value);
         constexpr double least_plain = 1e-4;
         constexpr double most_plain = 1e15;
         constexpr std::size_t longest = 32;

@@ -30,15 +30,13 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
     grid.angle.resize(n);
     grid.sin_phi.resize(n);
     grid.cos_phi.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
-        grid.angle_deg[i] = 360.0 * static_cast<double>(i) / static_cast<double>(n - 1);
-        grid.angle[i] = two_pi * turn;
-    }
     // The second half mirrors the first to the last digit, and the second quarter the first where
     // the grid has it.
     const std::size_t half = (n - 1) / 2;
     for (std::size_t i = 0; i < n; ++i) {
+        const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
+        grid.angle_deg[i] = 360.0 * static_cast<double>(i) / static_cast<double>(n - 1);
+        grid.angle[i] = two_pi * turn;
         if (const std::size_t mirror = n - 1 - i; mirror < i) {
             grid.sin_phi[i] = -grid.sin_phi[mirror];
             grid.cos_phi[i] = grid.cos_phi[mirror];
@@ -46,7 +44,6 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
             grid.sin_phi[i] = grid.sin_phi[half - i];
             grid.cos_phi[i] = -grid.cos_phi[half - i];
         } else {
-            const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
             grid.sin_phi[i] = boost::math::sin_pi(2.0 * turn);
             grid.cos_phi[i] = boost::math::cos_pi(2.0 * turn);
         }

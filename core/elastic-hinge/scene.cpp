@@ -212,20 +212,18 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (!wanted.wants("/curves")) {
         return json;
     }
-    const MechanismCurves& values = result.curves;
-    Json curves = object_with_room(10);
-    curves["crank_angle_deg"] = result.crank_angle_deg;
-    curves["reduced_inertia_kg_m2"] = scaled(values.reduced_inertia, units::kg_m2);
-    curves["crank_moment_Nm"] = scaled(values.crank_moment, units::N_m);
-    curves["rod_hinge_moment_Nm"] = scaled(values.rod_hinge_moment, units::N_m);
-    curves["rod_hinge_moment_potential_Nm"] = scaled(values.rod_hinge_moment_potential, units::N_m);
-    curves["side_force_without_hinge_N"] = scaled(values.side_force_without_hinge, units::newton);
-    curves["side_force_with_hinge_N"] = scaled(values.side_force_with_hinge, units::newton);
-    curves["crank_moment_with_rod_hinge_Nm"] =
-        scaled(values.crank_moment_with_rod_hinge, units::N_m);
-    curves["guide_radius_compressed_mm"] = scaled(result.crank_guide.radius_compressed, units::mm);
-    curves["guide_radius_stretched_mm"] = scaled(result.crank_guide.radius_stretched, units::mm);
-    json["curves"] = std::move(curves);
+    const MechanismCurves& curves = result.curves;
+    json["curves"] = object_of(
+        {{"crank_angle_deg", result.crank_angle_deg},
+         {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, units::kg_m2)},
+         {"crank_moment_Nm", scaled(curves.crank_moment, units::N_m)},
+         {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, units::N_m)},
+         {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, units::N_m)},
+         {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, units::newton)},
+         {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, units::newton)},
+         {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, units::N_m)},
+         {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, units::mm)},
+         {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, units::mm)}});
     return json;
 }
 

@@ -172,16 +172,14 @@ Json write_curves(const WrenchCurves& curves) {
     for (const double phi : curves.crank_angle) {
         angle.push_back(phi / degree);
     }
-    Json json = object_with_room(8);
-    json["crank_angle_deg"] = std::move(angle);
-    json["force_x_N"] = curves.force_x;
-    json["force_y_N"] = curves.force_y;
-    json["moment_x_Nm"] = curves.moment_x;
-    json["moment_y_Nm"] = curves.moment_y;
-    json["inertia_roll_Nm"] = curves.inertia_roll;
-    json["reaction_torque_Nm"] = curves.reaction_torque;
-    json["roll_moment_Nm"] = curves.roll;
-    return json;
+    return object_of({{"crank_angle_deg", std::move(angle)},
+                      {"force_x_N", curves.force_x},
+                      {"force_y_N", curves.force_y},
+                      {"moment_x_Nm", curves.moment_x},
+                      {"moment_y_Nm", curves.moment_y},
+                      {"inertia_roll_Nm", curves.inertia_roll},
+                      {"reaction_torque_Nm", curves.reaction_torque},
+                      {"roll_moment_Nm", curves.roll}});
 }
 
 }  // namespace
