@@ -145,7 +145,7 @@ constexpr double apart = 7.0;  // lines of a hatch, pixels
 
 /// One period of a hatch in each direction on this ground; none where a pixel of the device does
 /// not divide it.
-QBrush hatchTile(double ratio, const QColor& ground, const QColor& line) {
+QBrush hatchTile(double ratio, const QColor& ground) {
     const double pixels = apart * ratio;
     if (pixels != std::floor(pixels)) {
         return {};
@@ -156,10 +156,7 @@ QBrush hatchTile(double ratio, const QColor& ground, const QColor& line) {
     around.fill(ground);
     QPainter painter(&around);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(line, 1.0));
-    for (int i = -3; i <= 3; ++i) {
-        painter.drawLine(QPointF(i * apart, 0.0), QPointF((i + 3) * apart, 3.0 * apart));
-    }
+    drawHatch(painter, {0.0, 0.0, 3.0 * apart, 3.0 * apart});
     painter.end();
     const int side = static_cast<int>(pixels);
     QImage tile = around.copy(side, side, side, side);
@@ -173,9 +170,8 @@ QBrush hatchTile(double ratio, const QColor& ground, const QColor& line) {
 
 void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
                  const QColor& ground) {
-    const QColor line = faint(Theme::instance().text(), 0.42);
     const QBrush tile =
-        paintsPixels(painter) ? hatchTile(painter.deviceTransform().m11(), ground, line) : QBrush();
+        paintsPixels(painter) ? hatchTile(painter.deviceTransform().m11(), ground) : QBrush();
     if (tile.style() != Qt::NoBrush) {
         painter.fillPath(path, tile);
         return;

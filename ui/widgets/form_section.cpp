@@ -106,10 +106,10 @@ class Scrolled final : public QScrollArea {
         // A bar takes of the width: what needs one only for that gets none. But fields stay where
         // they are while one types in them, whatever is said below.
         const QSize whole = maximumViewportSize();
-        const int bare = needed(whole.width());
-        const bool fits = bare <= whole.height() && widget()->findChild<EntryField*>() == nullptr;
+        const bool fits = widget()->findChild<EntryField*>() == nullptr &&
+                          needed(whole.width()) <= whole.height();
         setVerticalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        const int height = fits ? bare : needed(viewport()->width());
+        const int height = needed(fits ? whole.width() : viewport()->width());
         if (isForm && widget()->minimumHeight() != height) {
             widget()->setMinimumHeight(height);
         }

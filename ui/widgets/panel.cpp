@@ -77,8 +77,6 @@ void paintPanel(QPainter& painter, const QRect& panel) {
         }
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(theme.panel());
 }
 
 QRect paintPanel(QPainter& painter, const QRect& panel, const QString& title) {
