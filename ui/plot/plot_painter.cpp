@@ -1,17 +1,14 @@
 #include "plot/plot_painter.h"
 
-#include <QChart>
-#include <QGraphicsLayout>
-#include <QGraphicsScene>
 #include <QImage>
 #include <QPainter>
-#include <QValueAxis>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "plot/chart_frame.h"
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/stroke.h"
@@ -77,17 +74,7 @@ PlotTitle::PlotTitle(const QString& title, double width) {
     known.emplace(key, *this);
 }
 
-PlotPainter::PlotPainter(PlotData& data)
-    : data_(data), scene_(std::make_unique<QGraphicsScene>()), chart_(new QChart) {
-    scene_->addItem(chart_);
-    chart_->setBackgroundVisible(false);
-    chart_->legend()->hide();
-    chart_->setAnimationOptions(QChart::NoAnimation);
-    chart_->layout()->setContentsMargins(0, 0, 0, 0);
-    chart_->setMargins(QMargins());
-}
-
-PlotPainter::~PlotPainter() = default;
+PlotPainter::PlotPainter(PlotData& data) : data_(data) {}
 
 void PlotPainter::layout(const QSizeF& size, const Margins& least, bool& axesStale) {
     const bool resized = laidOut_ != size;
@@ -170,43 +157,6 @@ void PlotPainter::layoutAxes() {
     chooseColumns(data_.x, data_.area.width());
     data_.left.chooseStep(data_.area.height(), chartRowPerTick());
     data_.right.chooseStep(data_.area.height(), chartRowPerTick());
-    layoutLines();
-}
-
-void PlotPainter::layoutLines() {
-    const QPen pen(Theme::instance().border(), 1);
-    const bool isRight = data_.sideUsed(Side::Right);
-    const ChartLines lines{size_, data_.area, pen, isRight};
-    if (lines == chartLines_) {
-        return;
-    }
-    chartLines_ = lines;
-    constexpr std::array edges{Qt::AlignBottom, Qt::AlignLeft, Qt::AlignRight};
-    for (std::size_t i = 0; i < (isRight ? 3 : 2); ++i) {
-        QValueAxis*& axis = axes_[i];
-        if (axis == nullptr) {
-            axis = new QValueAxis;
-            chart_->addAxis(axis, edges[i]);
-            // Ticks, grid and numbers are painted by hand: the chart makes an item and a rich text
-            // for each, anew with every change of the scale.
-            axis->setTickCount(2);
-            axis->setRange(0.0, 1.0);
-            axis->setLabelFormat(QStringLiteral(" "));
-            axis->setLabelsVisible(false);
-            axis->setTitleVisible(false);
-            axis->setGridLineVisible(false);
-        }
-        axis->setLinePen(pen);
-    }
-    if (axes_[2] != nullptr) {
-        axes_[2]->setVisible(isRight);
-    }
-    // A new plot area alone does not lay out anything; in this order it is done once.
-    scene_->setSceneRect(QRectF(QPointF(), size_));
-    chart_->layout()->invalidate();
-    chart_->setPlotArea(data_.area);
-    chart_->resize(size_);
-    chart_->layout()->activate();
 }
 
 void PlotPainter::paintAxes(QPainter& painter) {
@@ -232,15 +182,11 @@ void PlotPainter::paintAxes(QPainter& painter) {
         paintBand(painter, band);
     }
     paintGrid(painter);
-    const QRectF whole(QPointF(), size_);
-    painter.save();
-    // The lines whole, without the chart's own ticks.
-    painter.setClipRect(data_.area.adjusted(-0.5, -0.5, 0.5, 0.5));
-    scene_->render(&painter, whole, whole);
-    painter.restore();
+    const bool hasRight = data_.sideUsed(Side::Right);
+    ChartFrame::instance(hasRight).paint(painter, size_, data_.area);
     paintAxis(painter, data_.x, Qt::BottomEdge);
     paintAxis(painter, data_.left, Qt::LeftEdge);
-    if (data_.sideUsed(Side::Right)) {
+    if (hasRight) {
         paintAxis(painter, data_.right, Qt::RightEdge);
     }
     paintGhosts(painter);

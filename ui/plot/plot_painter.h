@@ -2,22 +2,17 @@
 
 #include <QFont>
 #include <QLineF>
-#include <QPen>
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 
 #include "plot/model/line_brush.h"
 #include "plot/model/plot_data.h"
 
-class QChart;
-class QGraphicsScene;
 class QImage;
 class QPainter;
 class QPen;
 class QBrush;
-class QValueAxis;
 
 namespace ravnoves {
 
@@ -38,12 +33,11 @@ struct PlotTitle {
     double width = 0.0;  ///< in one line
 };
 
-/// Paints what a plot shows onto any device: grid and linear axes by Qt Charts, all else by hand.
+/// Paints what a plot shows onto any device: the lines of the axes by Qt Charts, all else by hand.
 /// What rests (axes), what moves (curves) and what goes on top are painted apart.
 class PlotPainter {
   public:
     explicit PlotPainter(PlotData& data);
-    ~PlotPainter();
 
     /// What axes need beside the chart, pixels.
     struct Margins {
@@ -79,8 +73,6 @@ class PlotPainter {
     /// The step of x in so many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;
     void layoutAxes();
-    /// The chart's part of the axes: their lines.
-    void layoutLines();
     /// Grid, and ticks of scales that are not own.
     void paintGrid(QPainter& painter) const;
     void paintBand(QPainter& painter, const plot::Band& band) const;
@@ -129,19 +121,6 @@ class PlotPainter {
     QSizeF size_;
     QSizeF laidOut_;
     std::array<double, 10> placed_{};  ///< area and scales of the lines made last
-    /// What the chart's lines are laid out for.
-    struct ChartLines {
-        QSizeF size;
-        QRectF area;
-        QPen pen;
-        bool isRight = false;
-        bool operator==(const ChartLines&) const = default;
-    };
-    ChartLines chartLines_;
-    std::unique_ptr<QGraphicsScene> scene_;
-    QChart* chart_;  // owned by the scene
-    std::array<QValueAxis*, 3>
-        axes_{};  ///< bottom, left, right; owned by the chart, made when used
 };
 
 }  // namespace ravnoves
