@@ -16,13 +16,14 @@ using Place = Eigen::Vector2d;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double size_rounding = 1e-9;
 
-struct Rectangle {
-    Place middle;
-    Place half;
-    double bound;
+/// A part of the plane that is left to be searched.
+struct Part {
+    PlacePolygon where;
+    double bound;  ///< of the criterion in it
+    double size;   ///< of the polygon's box, half its diagonal, m
     /// The one of the least bound is searched first, of equals the smallest.
-    bool operator<(const Rectangle& other) const {
-        return bound != other.bound ? bound > other.bound : half.x() > other.half.x();
+    bool operator<(const Part& other) const {
+        return bound != other.bound ? bound > other.bound : size > other.size;
     }
 };
 
@@ -32,6 +33,7 @@ class Search {
         : places_(places), question_(question) {
         if (question.start) {
             offer(*question.start);
+            descend();
         }
     }
 
@@ -168,71 +170,128 @@ class Search {
                         below.size() > 0 ? one(lowest(below, one)) : infinite);
     }
 
+    /// From the best place so far to where lines and tangent plane about it say that the lowest is,
+    /// step by step: what is not better than a good place need not be searched.
+    void descend() {
+        ShaftPlaces::Cuts cuts;
+        double r = places_.extent() / 16.0;
+        constexpr int steps = 8;
+        for (int i = 0; i < steps && best_.value < infinite; ++i) {
+            const Place from = best_.place;
+            const double before = best_.value;
+            const PlaceRectangle about{from, {r, r}};
+            places_.find_cuts(about, cuts);
+            if (cuts.is_empty || !cut_by_size(from, about.half.norm(), cuts)) {
+                return;
+            }
+            PlacePolygon polygon(about);
+            for (const HalfPlane& line : cuts.inner) {
+                polygon.cut(line);
+            }
+            if (polygon.size() == 0) {
+                return;
+            }
+            offer(lowest_allowed(polygon, {from, ask(from)}));
+            if (before - best_.value <= question_.tolerance) {
+                return;
+            }
+            // The lines' error is of the second order.
+            const double moved = (best_.place - from).cwiseAbs().maxCoeff();
+            if (moved < 0.9 * r) {
+                r = std::min(r / 8.0, std::max(moved, r / 64.0));
+            }
+        }
+    }
+
     void search(double distance) {
-        const std::array<double, 4> region = places_.region(distance);
         best_.gap = 0.0;
+        const std::array<double, 4> region = places_.region(distance);
+        const Place lowest_corner(region[0], region[1]);
+        const Place highest_corner(region[2], region[3]);
         if (!(region[0] <= region[2] && region[1] <= region[3])) {
             return;
         }
-        std::vector<Rectangle> open;
-        open.push_back({{(region[0] + region[2]) / 2.0, (region[1] + region[3]) / 2.0},
-                        {(region[2] - region[0]) / 2.0, (region[3] - region[1]) / 2.0},
-                        -infinite});
+        std::vector<Part> open;
+        const auto add = [&](const PlacePolygon& where, double bound) {
+            if (where.size() > 0) {
+                open.push_back({where, bound, where.box().half.norm()});
+                std::push_heap(open.begin(), open.end());
+            }
+        };
+        add(PlacePolygon(
+                {(lowest_corner + highest_corner) / 2.0, (highest_corner - lowest_corner) / 2.0}),
+            -infinite);
         const double smallest = 1e-12 * std::max(distance, places_.extent());
+        const double small = 1e-2 * places_.extent();
         ShaftPlaces::Cuts cuts;
-        // Where the best is all along an obstacle, rectangles along it never end: then less is
-        // asked for, step by step.
+        // Where the best is all along an obstacle, parts along it never end: then less is asked
+        // for, step by step.
         double tolerance = question_.tolerance;
-        constexpr int many_rectangles = 2000;
-        constexpr int most_rectangles = 60'000;
+        constexpr int many_parts = 2000;
+        constexpr int most_parts = 60'000;
         for (int count = 0; !open.empty(); ++count) {
-            if (count >= many_rectangles && count % 250 == 0) {
+            if (count >= many_parts && count % 250 == 0) {
                 tolerance *= 4.0;
             }
             std::pop_heap(open.begin(), open.end());
-            const Rectangle rectangle = open.back();
+            const Part part = open.back();
             open.pop_back();
-            if (rectangle.bound >= best_.value - tolerance) {
-                best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+            if (part.bound >= best_.value - tolerance) {
+                best_.gap = std::max(best_.gap, best_.value - part.bound);
                 break;  // of the others too
             }
-            const double r = rectangle.half.norm();
-            if (count >= most_rectangles || r < smallest) {
+            const double r = part.size;
+            if (count >= most_parts || r < smallest) {
                 if (best_.value < infinite) {
-                    best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+                    best_.gap = std::max(best_.gap, best_.value - part.bound);
                 }
-                if (count >= most_rectangles) {
+                if (count >= most_parts) {
                     break;
                 }
                 continue;
             }
-            places_.find_cuts(rectangle.middle, rectangle.half, cuts);
-            if (cuts.is_empty || !cut_by_size(rectangle.middle, r, cuts)) {
+            const PlaceRectangle box = part.where.box();
+            places_.find_cuts(box, cuts);
+            if (cuts.is_empty || places_.is_blocked(part.where, cuts) ||
+                !cut_by_size(box.middle, r, cuts)) {
                 continue;
             }
-            PlacePolygon all(rectangle.middle, rectangle.half);
+            PlacePolygon all = part.where;
             for (const HalfPlane& line : cuts.outer) {
                 all.cut(line);
             }
             if (all.size() == 0) {
                 continue;
             }
-            const Tangent here{rectangle.middle, ask(rectangle.middle)};
-            double bound =
-                std::max(rectangle.bound, here(lowest(all, here)) - here.at.bend * r * r);
+            const Tangent here{box.middle, ask(box.middle)};
+            double bound = std::max(part.bound, here(lowest(all, here)) - here.at.bend * r * r);
             if (bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - bound);
                 continue;
             }
-            PlacePolygon surely(rectangle.middle, rectangle.half);
+            // Where a tangent plane lies above the best value, no place is better.
+            const double better = best_.value - tolerance;
+            all.cut(here.below(better + here.at.bend * r * r));
+            best_.gap = std::max(best_.gap, tolerance);
+            if (all.size() == 0 || places_.is_blocked(all, cuts)) {
+                continue;
+            }
+            PlacePolygon surely = part.where;
             for (const HalfPlane& line : cuts.inner) {
                 surely.cut(line);
             }
             const Place candidate = lowest_allowed(surely.size() > 0 ? surely : all, here);
             const Tangent there{candidate, ask(candidate)};
-            offer(candidate, &there.at);
-            if (cuts.outer.empty()) {
-                offer(rectangle.middle, &here.at);
+            // What is better by the tangent plane alone can mostly not be built.
+            const double before = best_.value;
+            if (there.at.value < before && (surely.size() > 0 || before == infinite || r < small)) {
+                offer(candidate, &there.at);
+            }
+            if (cuts.outer.empty() && here.at.value < best_.value) {
+                offer(box.middle, &here.at);
+            }
+            if (before == infinite) {
+                descend();
             }
             if (here.at.bend == 0.0) {
                 // The larger of the two tangent planes, as it is on both sides of a kink.
@@ -242,35 +301,21 @@ class Search {
                 best_.gap = std::max(best_.gap, best_.value - bound);
                 continue;
             }
-            // Where a tangent plane lies above the best value, no place is better.
-            const double better = best_.value - tolerance;
-            all.cut(here.below(better + here.at.bend * r * r));
-            all.cut(there.below(better + 4.0 * there.at.bend * r * r));
-            best_.gap = std::max(best_.gap, tolerance);
-            if (all.size() == 0) {
+            all.cut(there.below(best_.value - tolerance + 4.0 * there.at.bend * r * r));
+            if (all.size() == 0 || places_.is_blocked(all, cuts)) {
                 continue;
             }
             // What the lines leave is searched, halved across its longer side where it is large.
-            Place low = all[0];
-            Place high = all[0];
-            for (std::size_t i = 1; i < all.size(); ++i) {
-                low = low.cwiseMin(all[i]);
-                high = high.cwiseMax(all[i]);
-            }
-            const Place half = (high - low) / 2.0;
-            const Place middle = (high + low) / 2.0;
+            const auto& [middle, half] = all.box();
             if (half.norm() < r / 2.0) {
-                open.push_back({middle, half, bound});
-                std::push_heap(open.begin(), open.end());
+                add(all, bound);
                 continue;
             }
-            const bool across = half.x() >= half.y();
-            const Place child(across ? half.x() / 2.0 : half.x(),
-                              across ? half.y() : half.y() / 2.0);
-            const Place aside(across ? child.x() : 0.0, across ? 0.0 : child.y());
-            for (const Place& at : {Place(middle - aside), Place(middle + aside)}) {
-                open.push_back({at, child, bound});
-                std::push_heap(open.begin(), open.end());
+            const Place across = half.x() >= half.y() ? Place(1.0, 0.0) : Place(0.0, 1.0);
+            for (const double side : {-1.0, 1.0}) {
+                PlacePolygon part_of = all;
+                part_of.cut({side * across, side * across.dot(middle)});
+                add(part_of, bound);
             }
         }
     }

@@ -36,10 +36,10 @@ struct PlaceFound {
     int evaluations = 0;
 };
 
-/// By branch and bound over rectangles of the front view: what can be built in one lies between
+/// By branch and bound over polygons of the front view: what can be built in one lies between
 /// lines (ShaftPlaces::find_cuts), and so does the criterion over its tangent plane, both to the
-/// second order in the rectangle's size. So what these lines and the best value leave of a
-/// rectangle shrinks quadratically about the best place. Empty where nothing can be built.
+/// second order in the polygon's size. So what these lines and the best value leave of a polygon
+/// shrinks quadratically about the best place. Empty where nothing can be built.
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
 /// The least value of a convex criterion over the whole plane, by cutting planes: the least that

@@ -116,41 +116,64 @@ double RodSweep::squares(double x, double y, Column& out) const {
     return run_kernel<SquaresFrom>(all, x, y, out.data());
 }
 
+RodSweep::Rod RodSweep::rod_beside(std::size_t sample, double angle, double* piston_slope) const {
+    const auto [c, s] = short_cos_sin(angle);
+    const double sin = sin_[sample] * c + cos_[sample] * s;
+    const double cos = cos_[sample] * c - sin_[sample] * s;
+    const auto piston = crank_.at(sin, cos);
+    *piston_slope = piston.ds;
+    const double x = crank_.crank_radius * sin;
+    const double y = crank_.crank_radius * cos;
+    return {x, y, crank_.offset - x, piston.s - y};
+}
+
 /// Where the square of the distance is least within a step of a sample that lies lower than its
 /// neighbours: its slope changes sign there once.
-double RodSweep::flat_beside(std::size_t sample, double x, double y) const {
-    const double middle = step * static_cast<double>(sample);
-    const auto slope = [&](double beside) {
-        const auto [c, s] = short_cos_sin(beside);
-        const double sin = sin_[sample] * c + cos_[sample] * s;
-        const double cos = cos_[sample] * c - sin_[sample] * s;
-        const auto piston = crank_.at(sin, cos);
-        const Rod rod{crank_.crank_radius * sin, crank_.crank_radius * cos,
-                      crank_.offset - crank_.crank_radius * sin,
-                      piston.s - crank_.crank_radius * cos};
+RodSweep::Rod RodSweep::flat_beside(std::size_t sample, double x, double y, double bend) const {
+    const auto at = [&](double angle) {
+        double piston_slope = 0.0;
+        const Rod rod = rod_beside(sample, angle, &piston_slope);
         const double to_x = x - rod.x;
         const double to_y = y - rod.y;
         const double t =
             std::clamp((to_x * rod.along_x + to_y * rod.along_y) * per_length2_, 0.0, 1.0);
-        const double pin_x = crank_.crank_radius * cos;
-        const double pin_y = -crank_.crank_radius * sin;
-        return -((to_x - t * rod.along_x) * (1.0 - t) * pin_x +
-                 (to_y - t * rod.along_y) * ((1.0 - t) * pin_y + t * piston.ds));
+        const double slope = -((to_x - t * rod.along_x) * (1.0 - t) * rod.y +
+                               (to_y - t * rod.along_y) * (t * piston_slope - (1.0 - t) * rod.x));
+        return std::pair(rod, slope);
     };
-    const double slope_low = slope(-step);
-    const double slope_high = slope(step);
+    // The distance is flat there: half of a double's digits are enough.
+    constexpr double enough = 1e-9;
+    double angle = 0.0;
+    auto [rod, slope] = at(angle);
+    constexpr int secants = 8;
+    for (int i = 0; i < secants && bend > 0.0; ++i) {
+        const double moved = angle - slope / bend;
+        if (!(std::abs(moved) <= step)) {
+            break;
+        }
+        if (std::abs(moved - angle) <= enough) {
+            return rod;
+        }
+        const auto [rod_there, slope_there] = at(moved);
+        bend = (slope_there - slope) / (moved - angle);
+        angle = moved;
+        rod = rod_there;
+        slope = slope_there;
+    }
+    const double slope_low = at(-step).second;
+    const double slope_high = at(step).second;
     if (!(slope_low < 0.0 && slope_high > 0.0)) {
-        return boost::math::tools::brent_find_minima(
-                   [&](double theta) { return square(rod_at(theta), x, y); }, middle - step,
-                   middle + step, 26)
+        return at(boost::math::tools::brent_find_minima(
+                      [&](double beside) { return square(at(beside).first, x, y); }, -step, step,
+                      26)
+                      .first)
             .first;
     }
     std::uintmax_t tries = 40;
-    // The distance is flat there: half of a double's digits are enough.
     const auto [left, right] = boost::math::tools::toms748_solve(
-        slope, -step, step, slope_low, slope_high,
-        [](double low, double high) { return high - low <= 1e-9; }, tries);
-    return middle + left + (right - left) / 2.0;
+        [&](double beside) { return at(beside).second; }, -step, step, slope_low, slope_high,
+        [](double low, double high) { return high - low <= enough; }, tries);
+    return at(left + (right - left) / 2.0).first;
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
@@ -164,30 +187,44 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
     // A minimum between samples is below them by no more than the rod moves.
     const double reach = std::sqrt(least) + motion_;
     const double candidate = reach * reach * (1.0 + 1e-12);
-    double angle = 0.0;
-    double best = least;
+    Rod rod{};
+    double best = std::numeric_limits<double>::infinity();
+    constexpr std::size_t block = 8;  // of which most hold none, which is seen at once
+    static_assert(samples % block == 0);
     for (std::size_t i = 0; i < samples; ++i) {
+        if (i % block == 0) {
+            bool any = false;
+            for (std::size_t k = i; k < i + block; ++k) {
+                any |= square_at[k] <= candidate;
+            }
+            if (!any) {
+                i += block - 1;
+                continue;
+            }
+        }
         if (!(square_at[i] <= candidate)) {
             continue;
-        }
-        if (square_at[i] == best) {
-            angle = step * static_cast<double>(i);
         }
         const double before = square_at[i == 0 ? samples - 1 : i - 1];
         const double after = square_at[i + 1 == samples ? 0 : i + 1];
         if (square_at[i] <= before && square_at[i] <= after) {
-            const double at = flat_beside(i, x, y);
-            const double value = square(rod_at(at), x, y);
-            if (value <= best) {
+            // Half of the square's second derivative, as the slope is half of its first.
+            const double bend = (before - 2.0 * square_at[i] + after) / (2.0 * step * step);
+            const Rod flat = flat_beside(i, x, y, bend);
+            const double value = square(flat, x, y);
+            if (value < best) {
                 best = value;
-                angle = at;
+                rod = flat;
             }
         }
+        if (square_at[i] < best) {
+            best = square_at[i];
+            rod = {x_[i], y_[i], along_x_[i], along_y_[i]};
+        }
     }
-    const Rod rod = rod_at(angle);
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;
     const double t = std::clamp(along * per_length2_, 0.0, 1.0);
-    return {std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y};
+    return {std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y, rod};
 }
 
 /// The box about all rods is that far away.

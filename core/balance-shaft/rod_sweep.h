@@ -14,10 +14,16 @@ class RodSweep {
   public:
     explicit RodSweep(const FrontView& view);
 
+    /// The rod at one crank angle.
+    struct Rod {
+        double x = 0.0, y = 0.0;              ///< crankpin, m
+        double along_x = 0.0, along_y = 0.0;  ///< to the piston pin, m
+    };
     struct Nearest {
         double distance = 0.0;  ///< m
         double x = 0.0;         ///< the place on the rod, m
         double y = 0.0;
+        Rod rod;
     };
     /// To any of the segments, to rounding.
     Nearest nearest(double x, double y) const;
@@ -26,20 +32,20 @@ class RodSweep {
     /// where it is not.
     std::optional<Nearest> nearer_than(double x, double y, double needed) const;
     bool is_clear(double x, double y, double needed) const;  ///< distance(x, y) ≥ needed
+    /// Of the distance from one rod, m².
+    double square(const Rod& rod, double x, double y) const;
 
   private:
     static constexpr std::size_t samples = 96;
     static constexpr double step = two_pi / samples;
     using Column = std::array<double, samples>;
 
-    struct Rod {
-        double x, y;              ///< crankpin, m
-        double along_x, along_y;  ///< to the piston pin, m
-    };
     Rod rod_at(double theta) const;
-    double square(const Rod& rod, double x, double y) const;
     bool is_far(double x, double y, double needed) const;
-    double flat_beside(std::size_t sample, double x, double y) const;
+    /// At an angle from a sample's, rad; no farther than a step.
+    Rod rod_beside(std::size_t sample, double angle, double* piston_slope) const;
+    /// @param bend  about the second derivative of half the square, m²
+    Rod flat_beside(std::size_t sample, double x, double y, double bend) const;
     Nearest nearest(double x, double y, const Column& square_at, double least) const;
     /// Squares of the distances of all samples; returns the least.
     double squares(double x, double y, Column& out) const;

@@ -9,7 +9,8 @@
 
 namespace ravnoves::balance_shaft {
 
-PlacePolygon::PlacePolygon(const Eigen::Vector2d& middle, const Eigen::Vector2d& half) {
+PlacePolygon::PlacePolygon(const PlaceRectangle& rectangle) {
+    const auto& [middle, half] = rectangle;
     corners_[0] = middle + Eigen::Vector2d(-half.x(), -half.y());
     corners_[1] = middle + Eigen::Vector2d(half.x(), -half.y());
     corners_[2] = middle + Eigen::Vector2d(half.x(), half.y());
@@ -17,27 +18,47 @@ PlacePolygon::PlacePolygon(const Eigen::Vector2d& middle, const Eigen::Vector2d&
 }
 
 void PlacePolygon::cut(const HalfPlane& by) {
-    std::array<Eigen::Vector2d, 16> kept;
+    std::array<double, most> within;  // filled as far as it is read
+    bool is_cut = false;
+    for (std::size_t i = 0; i < size_; ++i) {
+        within[i] = by.normal.dot(corners_[i]) - by.least;
+        is_cut = is_cut || !(within[i] >= 0.0);
+    }
+    if (!is_cut) {
+        return;
+    }
+    std::array<Eigen::Vector2d, most> kept;
     std::size_t count = 0;
     const auto put = [&](const Eigen::Vector2d& corner) {
-        if (count < kept.size()) {
-            kept[count++] = corner;
+        if (count < most) {
+            kept[count] = corner;
         }
+        ++count;
     };
     for (std::size_t i = 0; i < size_; ++i) {
+        const std::size_t next = i + 1 < size_ ? i + 1 : 0;
         const Eigen::Vector2d& from = corners_[i];
-        const Eigen::Vector2d& to = corners_[i + 1 < size_ ? i + 1 : 0];
-        const double here = by.normal.dot(from) - by.least;
-        const double there = by.normal.dot(to) - by.least;
-        if (here >= 0.0) {
+        if (within[i] >= 0.0) {
             put(from);
         }
-        if ((here >= 0.0) != (there >= 0.0)) {
-            put(from + (to - from) * (here / (here - there)));
+        if ((within[i] >= 0.0) != (within[next] >= 0.0)) {
+            put(from + (corners_[next] - from) * (within[i] / (within[i] - within[next])));
         }
     }
-    corners_ = kept;
-    size_ = count;
+    if (count <= most) {
+        std::copy_n(kept.begin(), count, corners_.begin());
+        size_ = count;
+    }
+}
+
+PlaceRectangle PlacePolygon::box() const {
+    Eigen::Vector2d low = corners_[0];
+    Eigen::Vector2d high = corners_[0];
+    for (std::size_t i = 1; i < size_; ++i) {
+        low = low.cwiseMin(corners_[i]);
+        high = high.cwiseMax(corners_[i]);
+    }
+    return {(high + low) / 2.0, (high - low) / 2.0};
 }
 
 ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
@@ -146,14 +167,15 @@ Eigen::Vector2d ShaftPlaces::on_cylinder(const Eigen::Vector2d& place) const {
                        view_.cylinder_top)};
 }
 
-void ShaftPlaces::find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d& half,
-                            Cuts& cuts) const {
+void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
+    const auto& [middle, half] = rectangle;
     const double r = half.norm();
     cuts.is_empty = false;
     cuts.outer.clear();
     cuts.inner.clear();
+    cuts.rod.reset();
     // Must stay away from the nearest place of an obstacle.
-    const auto keep_off = [&](const Eigen::Vector2d& nearest, double needed) {
+    const auto keep_off = [&, &middle = middle](const Eigen::Vector2d& nearest, double needed) {
         const Eigen::Vector2d to = middle - nearest;
         const double away = to.norm();
         if (!(away > 0.0) || away - r >= needed) {
@@ -219,7 +241,29 @@ void ShaftPlaces::find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d
             return;
         }
         keep_off({rod->x, rod->y}, needed_rod_);
+        cuts.rod = rod->rod;
     }
+}
+
+bool ShaftPlaces::is_blocked(const PlacePolygon& part, const Cuts& cuts) const {
+    const auto are_all = [&](const auto& is_near) {
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            if (!is_near(part[i])) {
+                return false;
+            }
+        }
+        return true;
+    };
+    const auto meets_crank = [least = nearest_allowed() - rounding_](const Eigen::Vector2d& at) {
+        return at.norm() < least;
+    };
+    const auto meets_cylinder = [&](const Eigen::Vector2d& at) {
+        return distance_from_cylinder(view_, at.x(), at.y()) < needed_ - rounding_;
+    };
+    const auto meets_rod = [&](const Eigen::Vector2d& at) {
+        return std::sqrt(rods_.square(*cuts.rod, at.x(), at.y())) < needed_rod_ - rounding_;
+    };
+    return are_all(meets_crank) || are_all(meets_cylinder) || (cuts.rod && are_all(meets_rod));
 }
 
 bool ShaftPlaces::mend(Eigen::Vector2d& place) const {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "balance-shaft/envelope.h"
@@ -20,17 +21,26 @@ struct HalfPlane {
     double least = 0.0;
 };
 
+struct PlaceRectangle {
+    Eigen::Vector2d middle;
+    Eigen::Vector2d half;  ///< of the sides
+};
+
 /// A convex polygon of few corners, counted round.
 class PlacePolygon {
   public:
-    /// The rectangle about a middle.
-    PlacePolygon(const Eigen::Vector2d& middle, const Eigen::Vector2d& half);
+    explicit PlacePolygon(const PlaceRectangle& rectangle);
+    /// What would leave more corners than it has room for cuts nothing.
     void cut(const HalfPlane& by);
+    void clear() { size_ = 0; }
+    /// About it, where it has corners.
+    PlaceRectangle box() const;
     std::size_t size() const { return size_; }
     const Eigen::Vector2d& operator[](std::size_t i) const { return corners_[i]; }
 
   private:
-    std::array<Eigen::Vector2d, 16> corners_;
+    static constexpr std::size_t most = 16;
+    std::array<Eigen::Vector2d, most> corners_;
     std::size_t size_ = 4;
 };
 
@@ -65,12 +75,15 @@ class ShaftPlaces {
     /// or corners of round ones: seen from the rectangle's middle the nearest place q of each asks
     /// for |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|).
     struct Cuts {
-        bool is_empty = false;         ///< nothing can be built in the rectangle
-        std::vector<HalfPlane> outer;  ///< all that can be built in it is in these
-        std::vector<HalfPlane> inner;  ///< places in these can mostly be built
+        bool is_empty = false;             ///< nothing can be built in the rectangle
+        std::vector<HalfPlane> outer;      ///< all that can be built in it is in these
+        std::vector<HalfPlane> inner;      ///< places in these can mostly be built
+        std::optional<RodSweep::Rod> rod;  ///< the nearest to its middle, where that counts
     };
-    /// @param half  half the sides
-    void find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d& half, Cuts& cuts) const;
+    void find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const;
+    /// Whether nothing can be built in a part of the rectangle since it lies within what a single
+    /// obstacle blocks: crank, cylinder and each rod block what is convex.
+    bool is_blocked(const PlacePolygon& part, const Cuts& cuts) const;
     /// Moves a place that nearly can be built to one that can, where it finds one.
     bool mend(Eigen::Vector2d& place) const;
     /// A rectangle that holds all that can be built within a distance of the crank's axis: left,

@@ -1,0 +1,136 @@
+#include "balance-shaft/shaft_places.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft::test {
+
+namespace {
+
+/// Anywhere in a polygon: a mean of its corners.
+Eigen::Vector2d within(const PlacePolygon& polygon, std::mt19937& random) {
+    std::exponential_distribution<double> weight(1.0);
+    Eigen::Vector2d sum(0.0, 0.0);
+    double all = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const double part = weight(random);
+        sum += part * polygon[i];
+        all += part;
+    }
+    return sum / all;
+}
+
+TEST(ShaftPlacesTest, nothingCanBeBuiltInWhatIsCutOffOrBlocked) {
+    const Solver solver(preset_tmz_650d());
+    const ShaftPlaces places(solver.front_view(), {});
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> coordinate(-0.15, 0.2);
+    std::uniform_real_distribution<double> side(0.001, 0.06);
+    std::uniform_real_distribution<double> angle(0.0, two_pi);
+    int blocked = 0;
+    int cut_off = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const PlaceRectangle rectangle{{coordinate(random), coordinate(random)},
+                                       {side(random), side(random)}};
+        PlacePolygon part(rectangle);
+        const double alpha = angle(random);
+        const Eigen::Vector2d normal(std::cos(alpha), std::sin(alpha));
+        part.cut({normal, normal.dot(rectangle.middle) - 0.3 * rectangle.half.norm()});
+        ShaftPlaces::Cuts cuts;
+        places.find_cuts(rectangle, cuts);
+        const bool is_blocked = cuts.is_empty || places.is_blocked(part, cuts);
+        blocked += is_blocked && !cuts.is_empty ? 1 : 0;
+        for (int k = 0; k < 20; ++k) {
+            const Eigen::Vector2d at = within(part, random);
+            bool is_cut = false;
+            for (const HalfPlane& line : cuts.outer) {
+                is_cut = is_cut || line.normal.dot(at) < line.least;
+            }
+            cut_off += is_cut ? 1 : 0;
+            if (is_blocked || is_cut) {
+                ASSERT_NE(places.obstacle(at.x(), at.y()), Obstacle::none)
+                    << at.transpose() << (is_blocked ? " blocked" : " cut off");
+            }
+        }
+    }
+    EXPECT_GT(blocked, 50);
+    EXPECT_GT(cut_off, 1000);
+}
+
+TEST(ShaftPlacesTest, aPolygonIsWhatItsHalfPlanesLeave) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 200; ++i) {
+        const PlaceRectangle whole{{0.3, -0.2}, {1.0, 0.7}};
+        PlacePolygon polygon(whole);
+        std::vector<HalfPlane> lines;
+        for (int k = 0; k < 5; ++k) {
+            const Eigen::Vector2d n = Eigen::Vector2d(normal(random), normal(random)).normalized();
+            lines.push_back({n, n.dot(whole.middle) - 0.4 + 0.2 * normal(random)});
+            polygon.cut(lines.back());
+        }
+        const PlaceRectangle box = polygon.size() > 0 ? polygon.box() : PlaceRectangle{};
+        for (int k = 0; k < 50 && polygon.size() > 0; ++k) {
+            const Eigen::Vector2d at = within(polygon, random);
+            EXPECT_TRUE(((at - box.middle).cwiseAbs().array() <= box.half.array() + 1e-12).all());
+            for (const HalfPlane& line : lines) {
+                EXPECT_GE(line.normal.dot(at), line.least - 1e-12);
+            }
+        }
+    }
+}
+
+/// What is left out would be taken for what nothing can be built in.
+TEST(ShaftPlacesTest, aPolygonLosesNothingThatItHasNoRoomFor) {
+    PlacePolygon polygon({{0.0, 0.0}, {2.0, 2.0}});
+    constexpr int sides = 40;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = two_pi * i / sides;
+        polygon.cut({{std::cos(angle), std::sin(angle)}, -1.0});
+    }
+    // The circle that all lines touch lies within.
+    for (int i = 0; i < 1000; ++i) {
+        const Eigen::Vector2d at(std::cos(two_pi * i / 1000), std::sin(two_pi * i / 1000));
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Eigen::Vector2d from = polygon[k];
+            const Eigen::Vector2d along = polygon[k + 1 < polygon.size() ? k + 1 : 0] - from;
+            EXPECT_GE(along.x() * (at.y() - from.y()) - along.y() * (at.x() - from.x()), -1e-12);
+        }
+    }
+}
+
+TEST(RodSweepTest, theNearestRodIsThatOfBruteForce) {
+    const Solver solver(preset_tmz_650d());
+    const FrontView& view = solver.front_view();
+    const RodSweep rods(view);
+    const SliderCrank<double> crank = view.crank();
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> coordinate(-0.15, 0.35);
+    for (int i = 0; i < 300; ++i) {
+        const double x = coordinate(random);
+        const double y = coordinate(random);
+        const RodSweep::Nearest found = rods.nearest(x, y);
+        double least = 1e300;
+        constexpr int angles = 20000;
+        for (int k = 0; k < angles; ++k) {
+            const double theta = two_pi * k / angles;
+            const double pin_x = crank.crank_radius * std::sin(theta);
+            const double pin_y = crank.crank_radius * std::cos(theta);
+            least = std::min(
+                least,
+                rods.square({pin_x, pin_y, crank.offset - pin_x, crank.at(theta).s - pin_y}, x, y));
+        }
+        // Beside the nearest of the angles the square is less by no more than the second order.
+        EXPECT_LE(found.distance * found.distance, least + 1e-15);
+        EXPECT_GE(found.distance * found.distance, least - 1e-8);
+        EXPECT_NEAR(std::hypot(found.x - x, found.y - y), found.distance, 1e-12);
+        EXPECT_NEAR(rods.square(found.rod, x, y), found.distance * found.distance, 1e-12);
+    }
+}
+
+}  // namespace
+
+}  // namespace ravnoves::balance_shaft::test
