@@ -290,6 +290,53 @@ BestPositions PositionStudy::best_buildable() const {
     return answer;
 }
 
+namespace {
+
+constexpr std::size_t front_weights = 5;
+
+/// What searches have shown: that no place up to a size has a lesser weighted sum. The sum of a
+/// weight between two others is a mean of theirs, so that it has no less than the mean of what
+/// theirs have; and a smaller size leaves fewer places.
+class LeastSums {
+  public:
+    explicit LeastSums(const std::array<double, front_weights>& weight) : weight_(weight) {}
+
+    /// @param size  infinite for all places
+    void add(std::size_t weight, double size, double least) {
+        shown_.push_back({weight, size, least});
+    }
+
+    /// Below any place's of a weight up to a size; negatively infinite where nothing is known.
+    double least(std::size_t weight, double size) const {
+        std::array<double, front_weights> known;
+        known.fill(-std::numeric_limits<double>::infinity());
+        for (const Shown& one : shown_) {
+            if (one.size >= size) {
+                known[one.weight] = std::max(known[one.weight], one.least);
+            }
+        }
+        double least = known[weight];
+        for (std::size_t a = 0; a < weight; ++a) {
+            for (std::size_t b = weight + 1; b < front_weights; ++b) {
+                const double part = (weight_[weight] - weight_[a]) / (weight_[b] - weight_[a]);
+                least = std::max(least, (1.0 - part) * known[a] + part * known[b]);
+            }
+        }
+        return least;
+    }
+
+  private:
+    struct Shown {
+        std::size_t weight;
+        double size;
+        double least;
+    };
+    std::array<double, front_weights> weight_;
+    std::vector<Shown> shown_;
+};
+
+}  // namespace
+
 std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const {
     std::vector<FrontPosition> front;
     if (!best.range || !best.rms) {
@@ -311,22 +358,57 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     // Range and RMS as parts of what they are without a shaft.
     const double by_range = 1.0 / std::max(prepared.range_without, constant_torque);
     const double by_rms = 1.0 / std::max(prepared.rms_without, constant_torque);
-    constexpr int weights = 5;
     constexpr int sizes = 10;
     constexpr double same = 1e-6;
     constexpr double narrowest = 0.02;
-    for (int i = 0; i < weights; ++i) {
-        const double part = i / (weights - 1.0);
-        const double weight = part * by_range / (part * by_range + (1.0 - part) * by_rms);
+    constexpr double any_size = std::numeric_limits<double>::infinity();
+    std::array<double, front_weights> weight_of{};
+    for (std::size_t i = 0; i < front_weights; ++i) {
+        const double part = static_cast<double>(i) / (front_weights - 1.0);
+        weight_of[i] = part * by_range / (part * by_range + (1.0 - part) * by_rms);
+    }
+    LeastSums shown(weight_of);
+    // The outer weights first: often one place is the best of both, and so of those between them.
+    for (const std::size_t i :
+         {std::size_t{0}, std::size_t{4}, std::size_t{3}, std::size_t{1}, std::size_t{2}}) {
+        const double weight = weight_of[i];
         PlaceQuestion question = prepared.question(weight);
-        question.tolerance *= 1e5;
+        question.tolerance *= 5e3;
+        // The best place that is known to be small enough, of whichever weight, where it is better.
+        const auto start_from = [&](double size, double least) {
+            for (const FrontPosition& one : front) {
+                const double value =
+                    weight * one.criteria.range + (1.0 - weight) * one.criteria.rms;
+                if (one.criteria.size <= size && value < least) {
+                    least = value;
+                    question.start = Eigen::Vector2d(one.position.x, one.position.y);
+                }
+            }
+            return least;
+        };
+        /// @param least  the sum where the search begins
+        const auto search = [&](double least) {
+            const double size = question.largest_size.value_or(any_size);
+            const double bound = shown.least(i, size);
+            std::optional<PlaceFound> found;
+            if (question.start && least < any_size && least - bound <= front_gap * least) {
+                found = PlaceFound{*question.start, least, least - bound, 0};
+            } else {
+                found = search_places(prepared.places, question);
+            }
+            if (found) {
+                shown.add(i, size, found->value - found->gap);
+            }
+            return found;
+        };
         std::optional<PlaceFound> largest;
-        if (i == 0 || i == weights - 1) {
+        if (i == 0 || i == front_weights - 1) {
             const BestPosition& end = i == 0 ? *best.rms : *best.range;
             largest = PlaceFound{{end.position.x, end.position.y}, 0.0, end.gap, 0};
+            largest->value = question.criterion(largest->place).value;
+            shown.add(i, any_size, largest->value - largest->gap);
         } else {
-            question.start = Eigen::Vector2d(best.range->position.x, best.range->position.y);
-            largest = search_places(prepared.places, question);
+            largest = search(start_from(any_size, any_size));
         }
         if (!largest) {
             continue;
@@ -342,7 +424,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
         };
         std::vector<Level> levels{
             {smallest->value, question.criterion(smallest->place).value, smallest->place},
-            {size, question.criterion(largest->place).value, largest->place}};
+            {size, largest->value, largest->place}};
         for (int k = 0; k < sizes; ++k) {
             std::size_t widest = levels.size();
             double most = 0.0;
@@ -362,17 +444,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             question.largest_size = k == 0 ? smallest->value * (1.0 + same)
                                            : (levels[widest].size + levels[widest + 1].size) / 2.0;
             question.start = levels[widest].place;
-            // The best place that is known to be small enough, of whichever weight.
-            double least = levels[widest].value;
-            for (const FrontPosition& one : front) {
-                const double value =
-                    weight * one.criteria.range + (1.0 - weight) * one.criteria.rms;
-                if (one.criteria.size <= *question.largest_size && value < least) {
-                    least = value;
-                    question.start = Eigen::Vector2d(one.position.x, one.position.y);
-                }
-            }
-            const auto found = search_places(prepared.places, question);
+            const auto found = search(start_from(*question.largest_size, levels[widest].value));
             if (!found) {
                 break;
             }
