@@ -10,7 +10,8 @@
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
-#include "plot/model/disc.h"
+#include "plot/model/shape.h"
+#include "plot/model/stroke.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -96,7 +97,7 @@ void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) con
     painter.drawLine(crank, shaft);
 }
 
-void MechanismView::paintEvent(QPaintEvent* /*event*/) {
+void MechanismView::paintPicture(QPainter& painter) {
     const Theme& theme = Theme::instance();
     const FrontView& sizes = model_->solver().front_view();
     const double phi = model_->crank()->degrees() * degree;
@@ -105,10 +106,6 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const Envelope& envelope = model_->result().envelope;
     const drawing::Frame map = frame();
     const double k = map.pixelsPerUnit;
-
-    QPainter painter(this);
-    paintSurface(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
 
     const QPointF crank = map.at(0, 0);
     const QPointF shaft = map.at(pose.shaft_axis);
@@ -123,15 +120,15 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     // Envelope and axes.
     painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(
-        QRectF(map.at(envelope.left, envelope.top), map.at(envelope.right, envelope.bottom)));
+    paintLine(painter, QPolygonF(QRectF(map.at(envelope.left, envelope.top),
+                                        map.at(envelope.right, envelope.bottom))));
     painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
-    painter.drawLine(map.at(0, envelope.top), map.at(0, -sizes.crank_swing_radius));
+    paintLine(painter, map.at(0, envelope.top), map.at(0, -sizes.crank_swing_radius));
     const double e = sizes.offset;
     if (e != 0.0) {
-        painter.drawLine(map.at(e, envelope.top), map.at(e, sizes.cylinder_bottom));
+        paintLine(painter, map.at(e, envelope.top), map.at(e, sizes.cylinder_bottom));
     }
-    painter.drawLine(crank, shaft);
+    paintLine(painter, crank, shaft);
 
     // Gears: pitch circles, in mesh where they touch.
     painter.setPen(QPen(theme.border(), 1.2));
@@ -154,12 +151,11 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     for (const double side : {-1.0, 1.0}) {
         const double inner = e + side * bore / 2;
         const double outer = e + side * (bore / 2 + wall);
-        painter.drawRect(
-            QRectF(map.at(inner, sizes.cylinder_top), map.at(outer, sizes.cylinder_bottom))
-                .normalized());
+        drawing::drawBlock(painter, QRectF(map.at(inner, sizes.cylinder_top),
+                                           map.at(outer, sizes.cylinder_bottom)));
     }
-    painter.drawRect(QRectF(map.at(e - bore / 2 - wall, sizes.cylinder_top + wall),
-                            map.at(e + bore / 2 + wall, sizes.cylinder_top)));
+    drawing::drawBlock(painter, QRectF(map.at(e - bore / 2 - wall, sizes.cylinder_top + wall),
+                                       map.at(e + bore / 2 + wall, sizes.cylinder_top)));
     const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
     painter.setBrush(drawing::brightMetal());
     painter.drawRoundedRect(
@@ -167,7 +163,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
         3);
     for (int ring = 0; ring < 3; ++ring) {
         const double y = pistonTop - (0.10 + 0.09 * ring) * pistonHeight;
-        painter.drawLine(map.at(e - bore / 2, y), map.at(e + bore / 2, y));
+        paintLine(painter, map.at(e - bore / 2, y), map.at(e + bore / 2, y));
     }
 
     // Counterweights.
@@ -181,14 +177,8 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 
     // Crank and rod.
     const double thick = std::clamp(0.36 * sizes.crank_radius * k, 5.0, 18.0);
-    painter.setPen(QPen(line, thick + 2.4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(crank, pin);
-    painter.setPen(QPen(metal, thick, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(crank, pin);
-    painter.setPen(QPen(line, 0.55 * thick + 2.4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(pin, piston);
-    painter.setPen(QPen(metal, 0.55 * thick, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(pin, piston);
+    drawing::drawRod(painter, crank, pin, thick, metal, line);
+    drawing::drawRod(painter, pin, piston, 0.55 * thick, metal, line);
     painter.setPen(QPen(line, 1.2));
     painter.setBrush(theme.panel());
     for (const QPointF& joint : {crank, pin, piston, shaft}) {
@@ -254,7 +244,6 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(QPointF(x, height() - 8.0), text);
         x += painter.fontMetrics().horizontalAdvance(text) + 12.0;
     }
-    drawFocus(painter);
 }
 
 void MechanismView::mousePressEvent(QMouseEvent* event) {

@@ -22,7 +22,7 @@ class MechanismView : public MechanismPicture {
     QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(180)}; }
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintPicture(QPainter& painter) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;

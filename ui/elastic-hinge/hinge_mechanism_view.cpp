@@ -3,13 +3,12 @@
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
-#include "plot/model/disc.h"
+#include "plot/model/shape.h"
 #include "plot/model/stroke.h"
 #include "plot/model/thin_polyline.h"
 #include "text/number_text.h"
@@ -33,22 +32,21 @@ constexpr double shownTurnsPerSecond = 0.4;  ///< at the design speed: slow enou
 constexpr double springAngle = 0.5 * pi;
 
 /// A spring between two points: straight ends, a zigzag between.
-QPainterPath springPath(const QPointF& from, const QPointF& to, double width) {
+QPolygonF springLine(const QPointF& from, const QPointF& to, double width) {
     constexpr int coils = 14;
     const QPointF along = to - from;
     const double length = std::hypot(along.x(), along.y());
-    QPainterPath path(from);
+    QPolygonF path{from};
     if (length < 1.0) {
         return path;
     }
     const QPointF across(-along.y() / length * width, along.x() / length * width);
-    path.lineTo(from + 0.08 * along);
+    path << from + 0.08 * along;
     for (int i = 0; i < coils; ++i) {
         const double at = 0.08 + 0.84 * (i + 0.5) / coils;
-        path.lineTo(from + at * along + (i % 2 == 0 ? across : -across));
+        path << from + at * along + (i % 2 == 0 ? across : -across);
     }
-    path.lineTo(from + 0.92 * along);
-    path.lineTo(to);
+    path << from + 0.92 * along << to;
     return path;
 }
 
@@ -188,7 +186,7 @@ void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map
     }
 }
 
-void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
+void HingeMechanismView::paintPicture(QPainter& painter) {
     const Theme& theme = Theme::instance();
     const auto& result = model_->result();
     const auto& mechanism = result.design->mechanism();
@@ -199,9 +197,6 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const double k = map.pixelsPerUnit;
     const double r = mechanism.crank_radius;
 
-    QPainter painter(this);
-    paintSurface(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
     const QColor line = theme.text();
     const QColor metal = drawing::metal();
     const QColor weight = drawing::frontWeight();
@@ -218,10 +213,10 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const double farthest = r + mechanism.rod_length() + 0.5 * r;
     const double nearest = std::max(0.0, mechanism.rod_length() - r - 0.5 * r);
     painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
-    painter.drawLine(map.at(-r, 0), map.at(farthest, 0));
+    paintLine(painter, map.at(-r, 0), map.at(farthest, 0));
     painter.setPen(QPen(line, 1.4));
     for (const double side : {-1.0, 1.0}) {
-        painter.drawLine(map.at(nearest, side * half), map.at(farthest, side * half));
+        paintLine(painter, map.at(nearest, side * half), map.at(farthest, side * half));
     }
 
     // The guide turns with the crank; at the polar angle b of its own axes it has ρ(a), where a is
@@ -250,7 +245,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         const QPointF up = map.at(0, reach);
         const QPointF down = map.at(0, -reach);
         painter.setPen(QPen(theme.mutedText(), 1.3));
-        painter.drawPath(springPath(up, down, 0.11 * start * k));
+        paintLine(painter, springLine(up, down, 0.11 * start * k));
         rollerRadius = std::max(roller * k, 2.5);
         painter.setPen(QPen(line, 1.2));
         painter.setBrush(std::isfinite(here.radius) ? block : theme.error());
@@ -266,15 +261,12 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         QRectF(map.at(pose.slider.x - 0.36 * r, half), map.at(pose.slider.x + 0.36 * r, -half)), 3,
         3);
     const double thick = std::clamp(0.22 * r * k, 5.0, 16.0);
-    const auto bar = [&](const QPointF& from, const QPointF& to, double width) {
-        painter.setPen(QPen(line, width + 2.4, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(from, to);
-        painter.setPen(QPen(metal, width, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(from, to);
+    const auto rod = [&](const QPointF& from, const QPointF& to, double width) {
+        drawing::drawRod(painter, from, to, width, metal, line);
     };
     if (result.has_counterweight) {
         const QPointF at = map.at(pose.counterweight);
-        bar(pin, at, 0.4 * thick);
+        rod(pin, at, 0.4 * thick);
         // A disc whose area goes with the weight, against that of the crank's circle.
         const double share = mechanism.counterweight_mass /
                              std::max(mechanism.slider_mass + mechanism.rod_mass, 1e-12);
@@ -286,22 +278,20 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.setFont(Theme::font(Theme::smallSize));
         drawing::drawCentred(painter, at, QStringLiteral("P₄"));
     }
-    bar(pin, slider, 0.55 * thick);
-    bar(axis, pin, thick);
+    rod(pin, slider, 0.55 * thick);
+    rod(axis, pin, thick);
 
     // The rod's hinge: a spiral at the crankpin, where there is one to build.
     if (result.rod_guide.feasible) {
-        QPainterPath spiral;
+        QPolygonF spiral;
         for (int i = 0; i <= 80; ++i) {
             const double turn = 2.25 * two_pi * i / 80.0;
             const double radius = (0.28 + 0.6 * i / 80.0) * thick;
-            const QPointF p = pin + radius * QPointF(std::cos(turn + pose.rod_angle),
-                                                     -std::sin(turn + pose.rod_angle));
-            i == 0 ? spiral.moveTo(p) : spiral.lineTo(p);
+            spiral << pin + radius * QPointF(std::cos(turn + pose.rod_angle),
+                                             -std::sin(turn + pose.rod_angle));
         }
         painter.setPen(QPen(theme.curve(4), 1.4));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawPath(spiral);
+        paintLine(painter, spiral);
     }
     painter.setPen(QPen(line, 1.2));
     painter.setBrush(theme.panel());
@@ -332,7 +322,6 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(inside, Qt::AlignBottom | Qt::AlignRight,
                          tr("%1 times slower").arg(formNumber(1.0 / slowness(), QLocale(), 2)));
     }
-    drawFocus(painter);
 }
 
 void HingeMechanismView::mousePressEvent(QMouseEvent* event) {

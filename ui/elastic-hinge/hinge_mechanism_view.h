@@ -29,7 +29,7 @@ class HingeMechanismView : public MechanismPicture {
     QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(130)}; }
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintPicture(QPainter& painter) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void play(double seconds) override;

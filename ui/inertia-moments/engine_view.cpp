@@ -12,7 +12,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
-#include "plot/model/disc.h"
+#include "plot/model/shape.h"
 #include "plot/model/stroke.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -139,11 +139,8 @@ std::pair<QRectF, QRectF> EngineView::areas() const {
     return {above, whole.adjusted(0, 0.68 * whole.height(), 0, 0)};
 }
 
-void EngineView::paintEvent(QPaintEvent* /*event*/) {
+void EngineView::paintPicture(QPainter& painter) {
     const Theme& theme = Theme::instance();
-    QPainter painter(this);
-    paintSurface(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
     const auto [front, side] = areas();
     paintFront(painter, front);
     paintSide(painter, side);
@@ -153,7 +150,6 @@ void EngineView::paintEvent(QPaintEvent* /*event*/) {
                      tr("φ = %1°").arg(fixedNumber(model_->crank()->degrees(), 0, QLocale())));
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
                      model_->layoutTitle(model_->layoutName()));
-    drawFocus(painter);
 }
 
 namespace {
@@ -228,8 +224,10 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     }
     // Axes of the banks, past the crank's centre by their offsets.
     painter.setPen(QPen(theme.border(), 1.0));
-    painter.drawLine(QPointF(area.left(), crankPixel_.y()), QPointF(area.right(), crankPixel_.y()));
-    painter.drawLine(QPointF(crankPixel_.x(), area.top()), QPointF(crankPixel_.x(), area.bottom()));
+    paintLine(painter, QPointF(area.left(), crankPixel_.y()),
+              QPointF(area.right(), crankPixel_.y()));
+    paintLine(painter, QPointF(crankPixel_.x(), area.top()),
+              QPointF(crankPixel_.x(), area.bottom()));
     int drawn = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         if (banks[i] < drawn) {
@@ -240,16 +238,16 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         QColor line = drawing::bankColour(banks[i]);
         line.setAlphaF(0.5F);
         painter.setPen(QPen(line, 1.0));
-        painter.drawLine(frame.at(pose.axis_foot - pose.axis_direction * 0.3 * radius),
-                         frame.at(pose.axis_foot + pose.axis_direction * (pose.top + crown)));
+        paintLine(painter, frame.at(pose.axis_foot - pose.axis_direction * 0.3 * radius),
+                  frame.at(pose.axis_foot + pose.axis_direction * (pose.top + crown)));
         // Cylinder walls.
         painter.setPen(QPen(theme.mutedText(), 1.0));
         for (const double side : {-half, half}) {
             const Complex across = pose.axis_direction * Complex(0.0, side);
-            painter.drawLine(
-                frame.at(pose.axis_foot + across +
-                         pose.axis_direction * std::max(pose.bottom - 0.4 * radius, 0.0)),
-                frame.at(pose.axis_foot + across + pose.axis_direction * (pose.top + crown)));
+            paintLine(painter,
+                      frame.at(pose.axis_foot + across +
+                               pose.axis_direction * std::max(pose.bottom - 0.4 * radius, 0.0)),
+                      frame.at(pose.axis_foot + across + pose.axis_direction * (pose.top + crown)));
         }
     }
 
@@ -394,15 +392,15 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         paintSideGhost(painter, at);
     }
     painter.setPen(QPen(theme.border(), 1.0));
-    painter.drawLine(at(high, 0), at(low, 0));
+    paintLine(painter, at(high, 0), at(low, 0));
     const std::array colours{drawing::frontWeight(), drawing::rearWeight()};
     for (std::size_t i = 0; i < colours.size(); ++i) {
         if (const auto* weight = sideWeight(*model_, i)) {
             const double y = weight->radius * at.height(std::arg(weight->unbalance));
             painter.setPen(QPen(theme.text(), 1.0));
-            painter.drawLine(at(weight->position, 0), at(weight->position, y));
+            paintLine(painter, at(weight->position, 0), at(weight->position, y));
             painter.setBrush(colours[i]);
-            painter.drawRect(weightBlock(at(weight->position, y), radius * scale));
+            drawing::drawBlock(painter, weightBlock(at(weight->position, y), radius * scale));
         }
     }
 
@@ -414,10 +412,10 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         const double y = radius * at.height(cylinder.crankpin_angle);
         const double z = cylinder.axial_position;
         painter.setPen(QPen(theme.text(), 2.0, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(at(z - pinHalf, 0), at(z - pinHalf, y));
-        painter.drawLine(at(z + pinHalf, 0), at(z + pinHalf, y));
+        paintLine(painter, at(z - pinHalf, 0), at(z - pinHalf, y));
+        paintLine(painter, at(z + pinHalf, 0), at(z + pinHalf, y));
         painter.setPen(QPen(drawing::bankColour(banks[i]), 4.0, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(at(z - pinHalf, y), at(z + pinHalf, y));
+        paintLine(painter, at(z - pinHalf, y), at(z + pinHalf, y));
         labels[static_cast<int>(std::lround(at(z, 0).x()))] << QString::number(i + 1);
     }
     // Numbers below the throws; those that would overlap share a place.
@@ -440,8 +438,8 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     painter.setPen(QPen(theme.accent(), 1.4));
     painter.setBrush(theme.panel());
     paintDisc(painter, reference, 5.0);
-    painter.drawLine(reference - QPointF(8, 0), reference + QPointF(8, 0));
-    painter.drawLine(reference - QPointF(0, 8), reference + QPointF(0, 8));
+    paintLine(painter, reference - QPointF(8, 0), reference + QPointF(8, 0));
+    paintLine(painter, reference - QPointF(0, 8), reference + QPointF(0, 8));
 }
 
 void EngineView::mousePressEvent(QMouseEvent* event) {

@@ -24,7 +24,7 @@ class EngineView : public MechanismPicture {
     QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(120)}; }
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintPicture(QPainter& painter) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
 

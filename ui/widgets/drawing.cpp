@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numerics/constants.h"
+#include "plot/model/shape.h"
 #include "plot/model/stroke.h"
 #include "theme/theme.h"
 
@@ -21,7 +22,7 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
     const double head = std::min(4.0 + 2.0 * width, 0.6 * length);
     painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
     // A pale head does not lie over the line.
-    painter.drawLine(from, to - along * head * (colour.alpha() < 255 ? 1.0 : 0.8));
+    paintLine(painter, from, to - along * head * (colour.alpha() < 255 ? 1.0 : 0.8));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
@@ -54,6 +55,19 @@ void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double w
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(fill);
     paintPolygon(painter, {from + across, to + across, to - across, from - across});
+}
+
+void drawRod(QPainter& painter, const QPointF& from, const QPointF& to, double width,
+             const QColor& fill, const QColor& line) {
+    constexpr double edge = 1.2;  // pixels, around the width
+    painter.setPen(QPen(line, edge));
+    painter.setBrush(fill);
+    paintBar(painter, from, to, 0.5 * (width + edge));
+}
+
+void drawBlock(QPainter& painter, const QRectF& block) {
+    paintPolygon(painter,
+                 {block.topLeft(), block.topRight(), block.bottomRight(), block.bottomLeft()});
 }
 
 QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,

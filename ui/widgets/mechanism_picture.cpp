@@ -82,6 +82,31 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    if (drawsForFile(painter, *this)) {
+        paintSurface(painter);
+        painter.setRenderHint(QPainter::Antialiasing);
+        paintPicture(painter);
+        return;
+    }
+    // Into a picture whose pixels lines and shapes are painted on.
+    const double ratio = devicePixelRatioF();
+    const QSize pixels = (QSizeF(size()) * ratio).toSize();
+    if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
+        picture_ = QImage(pixels, QImage::Format_RGB32);
+        picture_.setDevicePixelRatio(ratio);
+    }
+    QPainter inside(&picture_);
+    inside.setFont(font());
+    paintSurface(inside);
+    inside.setRenderHint(QPainter::Antialiasing);
+    paintPicture(inside);
+    drawFocus(inside);
+    inside.end();
+    painter.drawImage(0, 0, picture_);
+}
+
 void MechanismPicture::paintSurface(QPainter& painter) const {
     painter.fillRect(rect(), Theme::instance().panel());
     const auto* panel = qobject_cast<const Panel*>(parentWidget());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QTimer>
 
 #include "model/crank_angle.h"
@@ -41,19 +42,24 @@ class MechanismPicture : public ComparedFigure {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    /// All that is on the surface; smooth.
+    virtual void paintPicture(QPainter& painter) = 0;
     /// Moves on by the time since the picture before, s.
     virtual void play(double seconds);
     /// An arrow key: −1 or +1, degrees.
     virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
     /// For the mechanism of the reference: pale and wide, as its curves in the plots.
     static QPen ghostPen();
+
+  private:
     /// What all else is painted on; the corners of a panel around it stay round.
     void paintSurface(QPainter& painter) const;
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 
-  private:
     CrankAngle* crank_;
+    QImage picture_;
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

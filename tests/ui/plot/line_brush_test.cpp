@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "plot/model/disc.h"
+#include "plot/model/shape.h"
 #include "plot/model/stroke.h"
 
 namespace ravnoves {
@@ -237,18 +237,107 @@ TEST(LineBrush, PolygonsLookAsQtsDo) {
         };
         const QImage ours = painted([&](QPainter& painter) { paintPolygon(painter, bar); });
         const QImage qts = painted([&](QPainter& painter) { painter.drawConvexPolygon(bar); });
-        if (scale == 1.0) {
-            EXPECT_EQ(ours, qts);
-        } else {
-            EXPECT_LT(meanDifference(qts, ours), 2.0);
-            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.01);
-            QPolygonF turned = bar.mid(2);
-            turned << bar[0] << bar[1];
-            EXPECT_LT(meanDifference(
-                          ours, painted([&](QPainter& painter) { paintPolygon(painter, turned); })),
-                      0.05);
+        EXPECT_LT(meanDifference(qts, ours), 4.0 / scale) << scale;
+        // Qt's narrowest lines are thinner aslant.
+        EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, scale > 1.0 ? 0.01 : 0.02) << scale;
+        const QPolygonF reversed(bar.rbegin(), bar.rend());
+        EXPECT_LT(meanDifference(
+                      ours, painted([&](QPainter& painter) { paintPolygon(painter, reversed); })),
+                  0.05);
+    }
+}
+
+TEST(PaintBar, IsALineWithRoundEnds) {
+    for (const QPointF& to :
+         {QPointF(190, 120), QPointF(60, 120), QPointF(190, 40), QPointF(60, 40)}) {
+        const auto painted = [&](const auto& draw) {
+            QImage image = paper();
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            draw(painter);
+            painter.end();
+            return image;
+        };
+        const QImage qts = painted([&](QPainter& painter) {
+            painter.setPen(QPen(Qt::black, 12.0, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(QPointF(60, 40), to);
+            painter.setPen(QPen(Qt::gray, 10.0, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(QPointF(60, 40), to);
+            // Qt draws no line that is a point.
+            if (to == QPointF(60, 40)) {
+                painter.setPen(Qt::NoPen);
+                painter.setBrush(Qt::black);
+                painter.drawEllipse(to, 6.0, 6.0);
+                painter.setBrush(Qt::gray);
+                painter.drawEllipse(to, 5.0, 5.0);
+            }
+        });
+        const QImage ours = painted([&](QPainter& painter) {
+            painter.setPen(QPen(Qt::black, 1.0));
+            painter.setBrush(Qt::gray);
+            paintBar(painter, {60, 40}, to, 5.5);
+        });
+        EXPECT_LT(meanDifference(qts, ours), 8.0) << to.x() << ' ' << to.y();
+        EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.02) << to.x() << ' ' << to.y();
+    }
+}
+
+/// Onto the pixels of a picture directly, onto all else by a layer: that is the same.
+TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
+    for (const double scale : {1.0, 2.0}) {
+        for (const int alpha : {255, 120}) {
+            const auto painted = [&](bool hasLayer) {
+                QImage image(paper().size() * scale, QImage::Format_RGB32);
+                image.fill(QColor(230, 200, 90));
+                image.setDevicePixelRatio(scale);
+                QPainter painter(&image);
+                painter.setRenderHint(QPainter::Antialiasing);
+                if (hasLayer) {
+                    painter.setClipRect(QRectF(QPointF(), paper().size()));
+                }
+                painter.setPen(QPen(QColor(10, 40, 60, alpha), 1.6));
+                painter.setBrush(QColor(200, 120, 0, alpha));
+                painter.translate(3.3, 1.7);
+                paintPolygon(painter, {{-20, 20}, {70, 60}, {60, 90}, {-40, 50}});
+                paintDisc(painter, {120, 60}, 31.4);
+                paintBar(painter, {150, 100}, {260, 140}, 9.0);
+                paintLine(painter, {10, 100}, {90, 145});
+                painter.setPen(QPen(QColor(10, 40, 60, alpha), 1.2, Qt::DashLine));
+                paintLine(painter, {150, 20}, {225, 35});
+                painter.end();
+                return image;
+            };
+            const QImage onto = painted(false);
+            const QImage layer = painted(true);
+            int most = 0;
+            for (int y = 0; y < onto.height(); ++y) {
+                for (int x = 0; x < onto.width(); ++x) {
+                    const QColor one = onto.pixelColor(x, y);
+                    const QColor two = layer.pixelColor(x, y);
+                    most = std::max({most, std::abs(one.red() - two.red()),
+                                     std::abs(one.green() - two.green()),
+                                     std::abs(one.blue() - two.blue())});
+                    EXPECT_EQ(one.alpha(), 255);
+                }
+            }
+            EXPECT_LE(most, 2) << scale << ' ' << alpha;
         }
     }
+}
+
+TEST(LineBrush, DashesWithSquareEndsAreQts) {
+    const auto painted = [&](bool qt) {
+        QImage image = paper();
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(Qt::black, 1.4, Qt::DashDotLine));
+        qt ? painter.drawLine(QPointF(20, 30), QPointF(210, 120))
+           : paintLine(painter, {20, 30}, {210, 120});
+        painter.end();
+        return image;
+    };
+    EXPECT_LT(meanDifference(painted(true), painted(false)), 15.0);
+    EXPECT_NEAR(inkOf(painted(false)) / inkOf(painted(true)), 1.0, 0.02);
 }
 
 TEST(LineBrush, DashesAreAsLongAsAsked) {

@@ -26,11 +26,7 @@ class Framed final : public MechanismPicture {
     explicit Framed(CrankAngle* crank) : MechanismPicture(crank, u"Picture"_s, {}) {}
 
   protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        QPainter painter(this);
-        painter.fillRect(rect(), Qt::white);
-        drawFocus(painter);
-    }
+    void paintPicture(QPainter& painter) override { painter.fillRect(rect(), Qt::white); }
 };
 
 TEST(CrankAngle, GoesRoundAndRestsAtTheEndOfItsCycle) {

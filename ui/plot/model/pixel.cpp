@@ -1,5 +1,6 @@
 #include "plot/model/pixel.h"
 
+#include <QImage>
 #include <QPaintEngine>
 #include <QPainter>
 
@@ -10,6 +11,19 @@ bool paintsPixels(const QPainter& painter) {
     return painter.paintEngine()->type() == QPaintEngine::Raster &&
            transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
            transform.m11() == transform.m22();
+}
+
+QImage* pictureOf(const QPainter& painter) {
+    QPaintDevice* const device = painter.device();
+    if (device == nullptr || device->devType() != QInternal::Image || !paintsPixels(painter) ||
+        painter.hasClipping() || painter.opacity() != 1.0 ||
+        painter.compositionMode() != QPainter::CompositionMode_SourceOver) {
+        return nullptr;
+    }
+    auto* const picture = static_cast<QImage*>(device);
+    const bool fits = picture->format() == QImage::Format_RGB32 ||
+                      picture->format() == QImage::Format_ARGB32_Premultiplied;
+    return fits ? picture : nullptr;
 }
 
 }  // namespace ravnoves

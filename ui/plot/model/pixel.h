@@ -1,5 +1,8 @@
 #pragma once
 
+#include <QRgb>
+
+class QImage;
 class QPainter;
 
 namespace ravnoves {
@@ -7,6 +10,21 @@ namespace ravnoves {
 /// Whether a painter paints pixels, and at most moves and scales what it paints: alike in both
 /// directions.
 bool paintsPixels(const QPainter& painter);
+
+/// The picture that a painter paints onto, where its pixels can be written to beside: all of it is
+/// seen, in 4 bytes a pixel. Null where there is none, as on a widget.
+QImage* pictureOf(const QPainter& painter);
+
+/// A premultiplied colour over another.
+inline QRgb laidOver(QRgb colour, QRgb below) {
+    constexpr QRgb pair = 0xff00ff;
+    const QRgb rest = 255 - (colour >> 24);
+    const auto dimmed = [rest](QRgb channels) {
+        const QRgb part = channels * rest;
+        return ((part + ((part >> 8) & pair) + 0x800080) >> 8) & pair;
+    };
+    return colour + (dimmed(below & pair) | dimmed((below >> 8) & pair) << 8);
+}
 
 /// A share from 0 to 1 in the 256 steps of a pixel's channel: for each pixel, so without a call.
 inline int pixelStep(double share) {

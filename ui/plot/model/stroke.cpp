@@ -26,7 +26,8 @@ bool canBrush(const QPainter& painter) {
 }
 
 bool canBrush(const QPen& pen, double scale) {
-    return pen.style() == Qt::SolidLine && pen.capStyle() != Qt::RoundCap &&
+    return pen.style() != Qt::NoPen && pen.style() != Qt::CustomDashLine &&
+           pen.brush().style() == Qt::SolidPattern && pen.capStyle() != Qt::RoundCap &&
            pen.widthF() * scale >= 1.0;
 }
 
@@ -81,8 +82,9 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         });
     std::vector<LinesOfPen> onDevice;
     std::optional<Overlay> overlay;
+    QImage* const picture = pictureOf(painter);
+    QRectF seen;
     if (canBrushAll) {
-        QRectF seen;
         for (const LinesOfPen& each : all) {
             LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
             mapped.lines.reserve(each.lines.size());
@@ -93,15 +95,18 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
             }
             seen |= seenPart(painter, mapped.lines, each.pen.widthF() * scale + 1.0);
         }
-        overlay = overlayFor(seen);
+        if (picture == nullptr) {
+            overlay = overlayFor(seen);
+        }
     }
-    if (!overlay && all.size() > 1) {
+    const bool canDraw = canBrushAll && (overlay || picture != nullptr);
+    if (!canDraw && all.size() > 1) {
         for (const LinesOfPen& each : all) {
             paintLines(painter, {each});
         }
         return;
     }
-    if (!overlay) {
+    if (!canDraw) {
         const QPen before = painter.pen();
         for (const LinesOfPen& each : all) {
             painter.setPen(each.pen);
@@ -112,28 +117,41 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         painter.setPen(before);
         return;
     }
-    LineBrush brush(overlay->picture, overlay->picture.rect());
+    const QPoint corner = overlay ? overlay->corner : QPoint();
+    LineBrush brush(
+        overlay ? overlay->picture : *picture,
+        overlay ? overlay->picture.rect() : (seen & QRectF(picture->rect())).toAlignedRect());
     for (LinesOfPen& each : onDevice) {
         const double width = each.pen.widthF() * scale;
         const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
         for (QPolygonF& line : each.lines) {
-            line.translate(-overlay->corner);
+            line.translate(-corner);
             const qsizetype last = line.size() - 1;
             const QPointF atStart = along(line[0], line[1], squareEnd);
             const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
             line.front() -= atStart;
             line.back() += atEnd;
         }
-        brush.draw(each.lines, 1.0, each.pen.color(), width);
+        QList<qreal> dashes =
+            each.pen.style() == Qt::SolidLine ? QList<qreal>() : each.pen.dashPattern();
+        for (qsizetype i = 0; i < dashes.size(); ++i) {
+            // Square ends are those of each dash.
+            const double more =
+                each.pen.capStyle() == Qt::SquareCap ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
+            dashes[i] = std::max(0.0, dashes[i] + more) * width;
+        }
+        brush.draw(each.lines, 1.0, each.pen.color(), width, dashes);
     }
-    lay(painter, *overlay);
+    if (overlay) {
+        lay(painter, *overlay);
+    }
 }
 
 void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
     const QPen pen = painter.pen();
     const QTransform& transform = painter.deviceTransform();
     const double scale = transform.m11();
-    if (!canBrush(painter) || !canBrush(pen, scale)) {
+    if (!canBrush(painter) || !canBrush(pen, scale) || pen.style() != Qt::SolidLine) {
         painter.drawLines(lines);
         return;
     }
@@ -178,25 +196,6 @@ void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
         }
     }
     painter.restore();
-}
-
-void paintPolygon(QPainter& painter, const QPolygonF& polygon) {
-    const QPen pen = painter.pen();
-    const auto corners = static_cast<int>(polygon.size());
-    const double scale = painter.deviceTransform().m11();
-    if (corners < 3 || pen.widthF() * scale <= 1.0 || !canBrush(painter) || !canBrush(pen, scale)) {
-        painter.drawConvexPolygon(polygon.constData(), corners);
-        return;
-    }
-    painter.setPen(Qt::NoPen);
-    painter.drawConvexPolygon(polygon.constData(), corners);
-    painter.setPen(pen);
-    // Once past the beginning, so that this corner has a bend as the others have.
-    QPen flat = pen;
-    flat.setCapStyle(Qt::FlatCap);
-    QPolygonF outline = polygon;
-    outline << polygon[0] << polygon[1];
-    paintLines(painter, {{flat, {outline}}});
 }
 
 }  // namespace ravnoves
