@@ -98,16 +98,19 @@ class Scrolled final : public QScrollArea {
         const QLayout* layout = widget()->layout();
         const bool isForm = layout != nullptr && layout->hasHeightForWidth();
         if (!isForm && (layout != nullptr || !widget()->hasHeightForWidth() || lineHeight() > 0)) {
+            setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
             return;
         }
         const auto needed = [&](int width) {
             return isForm ? layout->minimumHeightForWidth(width) : widget()->heightForWidth(width);
         };
         // A bar takes of the width: what needs one only for that gets none. But fields stay where
-        // they are while one types in them, whatever is said below.
+        // they are while one types in them, whatever is said below. Qt gives a form the height that
+        // it wants, not only what it needs.
         const QSize whole = maximumViewportSize();
         const bool fits = widget()->findChild<EntryField*>() == nullptr &&
-                          needed(whole.width()) <= whole.height();
+                          std::max(needed(whole.width()),
+                                   widget()->heightForWidth(whole.width())) <= whole.height();
         setVerticalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
         const int height = needed(fits ? whole.width() : viewport()->width());
         if (isForm && widget()->minimumHeight() != height) {

@@ -134,6 +134,38 @@ TEST(Scrolled, HasNoBarThatIsNeededOnlyForItsOwnRoom) {
     }
 }
 
+/// As tables with differences below their numbers do: they want more than they need.
+class Wants300 final : public QWidget {
+  public:
+    using QWidget::QWidget;
+    QSize sizeHint() const override { return {100, 300}; }
+    QSize minimumSizeHint() const override { return {100, 100}; }
+};
+
+TEST(Scrolled, HasABarWhereWhatItHoldsIsHigher) {
+    for (int height = 80; height < 460; height += 7) {
+        auto* holder = new QWidget;
+        auto* column = new QVBoxLayout(holder);
+        auto* note = new QLabel(QStringLiteral("words that wrap ").repeated(6));
+        note->setWordWrap(true);
+        column->addWidget(note);
+        column->addWidget(new Wants300);
+        const std::unique_ptr<QScrollArea> area(scrolled(holder, nullptr));
+        test::showAt(*area, {240, height});
+        const auto check = [&](const char* when) {
+            EXPECT_EQ(area->verticalScrollBar()->isVisible(),
+                      holder->height() > area->viewport()->height())
+                << when << ' ' << height;
+        };
+        check("shown");
+        note->hide();  // nothing wraps any more
+        test::showAt(*area, {240, height});
+        check("without a note");
+        test::showAt(*area, {240, height - 20});
+        check("lower");
+    }
+}
+
 TEST(ElidedTips, SayWhatAFieldHasNoRoomToHint) {
     showElidedTips();
     QLineEdit field;
