@@ -293,7 +293,7 @@ void WorkshopPage::openJournal() {
 }
 
 void WorkshopPage::continueDraft(const JournalDraft& draft) {
-    if (!leaveJob()) {
+    if (!mayReplaceJob()) {
         return;
     }
     const QString trouble = desk()->restoreDraft(draft);
@@ -359,6 +359,11 @@ bool WorkshopPage::leaveJob() {
         return saved;
     }
     return answer == QMessageBox::Discard;
+}
+
+bool WorkshopPage::mayReplaceJob() {
+    const bool isAsked = model()->hasChanges() && !desk()->isJournaled();
+    return leaveJob() && (isAsked || refusedEntriesAreKnown());
 }
 
 void WorkshopPage::backUp() {
@@ -441,7 +446,7 @@ bool WorkshopPage::isJobKnown() {
 }
 
 void WorkshopPage::newJob() {
-    if (leaveJob()) {
+    if (mayReplaceJob()) {
         const QString kept = emptySheet();
         sheets_->setCurrentIndex(0);
         firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
@@ -458,12 +463,13 @@ void WorkshopPage::showJournal() {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    if (dialog.exec() != QDialog::Accepted || !leaveJob()) {
+    if (dialog.exec() != QDialog::Accepted || !mayReplaceJob()) {
         return;
     }
     const QString trouble = dialog.choice() == JournalDialog::Choice::Copy
                                 ? desk()->copyJob(dialog.chosenId())
                                 : desk()->openJob(dialog.chosenId());
+    Q_EMIT status({});  // what was said of the sheet before
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);
     }

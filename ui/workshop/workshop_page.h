@@ -74,6 +74,8 @@ class WorkshopPage : public ScenePage {
     void continueDraft(const JournalDraft& draft);
     /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();
+    /// The same, where another job is to come onto the sheet: refused entries go with this one.
+    bool mayReplaceJob();
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     void saveJob(bool isFinished);

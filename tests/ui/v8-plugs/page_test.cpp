@@ -110,6 +110,38 @@ TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
     EXPECT_TRUE(label("advice").startsWith(u"Still needed: changes of mass"_s));
 }
 
+TEST_F(V8PageTest, WhatWasRefusedGoesWithItsJob) {
+    const auto answer = [](QMessageBox::StandardButton button, QString& said) {
+        whenModal<QMessageBox>([button, &said](QMessageBox* box) {
+            said = box->text();
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+        });
+    };
+    type("rod_big_end", u"0,5"_s);
+    press(Qt::Key_F2);
+    const qint64 first = model->desk()->jobId();
+    ASSERT_GT(first, 0);
+    press(Qt::Key_F4);
+    type("reciprocating_mass_g", u"abc"_s);
+    ASSERT_FALSE(field("reciprocating_mass_g")->trouble().isEmpty());
+    // Nothing has changed on the sheet, but something was typed.
+    QString said;
+    answer(QMessageBox::Cancel, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(said.contains(u"abc"_s)) << qPrintable(said);
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), u"abc"_s);
+    answer(QMessageBox::Ignore, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
+    // The value below it is that of the job which is opened.
+    type("reciprocating_mass_g", u"abc"_s);
+    EXPECT_EQ(model->desk()->openJob(first), QString());
+    EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
+    EXPECT_EQ(model->newestRefused(), nullptr);
+}
+
 TEST_F(V8PageTest, APlugThatCannotBeMadeIsNoAnswer) {
     QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
     ASSERT_TRUE(example.open(QIODevice::ReadOnly));

@@ -174,6 +174,8 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
     ++sheet_;
     draftStale_ = false;
     draftTimer_.stop();
+    // What was refused was typed for another job, and one value may be that of both.
+    Q_EMIT model_->broughtIn();
 }
 
 void JobDesk::beginJob(const std::function<void()>& take) {
