@@ -250,9 +250,12 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                     painter.drawRect(QRectF(left - 0.5, area.bottom() - was, bar, was));
                 }
             }
-            if (group.exact > 0.02 * most) {
-                painter.setPen(theme.text());
-                const QString text = valueText(group.exact);
+            // Of the highest bar, in its colour: there is no room for three numbers.
+            const auto highest = std::max_element(values.begin(), values.end());
+            if (*highest > 0.02 * most) {
+                const auto of = static_cast<std::size_t>(highest - values.begin());
+                painter.setPen(theme.readable(colours[of]));
+                const QString text = valueText(*highest);
                 const double w = metrics.horizontalAdvance(text) + 2.0;
                 if (w < slot * 1.3) {
                     painter.drawText(
@@ -266,7 +269,7 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                              QString::number(i + 1));
         }
         painter.setPen(QPen(theme.border(), 1));
-        painter.drawLine(area.bottomLeft(), area.bottomRight());
+        painter.drawPolyline(QPolygonF{area.topLeft(), area.bottomLeft(), area.bottomRight()});
         if (!(most > 0.0)) {
             painter.setPen(theme.mutedText());
             painter.drawText(area, Qt::AlignCenter, tr("nothing in any order"));

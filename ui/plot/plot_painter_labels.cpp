@@ -391,28 +391,47 @@ void PlotPainter::paintRows(QPainter& painter, const std::vector<Row>& rows, con
     const QRectF& area = data_.area;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
+    constexpr double around = 7.0;  // a row, at both sides
+    constexpr double edge = 2.0;    // from the box to the plot's
+    // What a row says beside its value goes below where the plot is too narrow.
+    const double room = size_.width() - 2.0 * (edge + around);
+    std::vector<Row> lines;
     double wide = 0.0;
     for (const Row& row : rows) {
-        wide = std::max(wide, metrics.horizontalAdvance(row.text));
+        QString text = row.text;
+        const qsizetype beside = text.indexOf(QStringLiteral("  "));
+        if (beside > 0 && metrics.horizontalAdvance(text) > room) {
+            lines.push_back({text.left(beside), row.colour});
+            text = text.mid(beside);
+        }
+        lines.push_back({metrics.elidedText(text, Qt::ElideRight, room), row.colour});
+    }
+    for (const Row& line : lines) {
+        wide = std::max(wide, metrics.horizontalAdvance(line.text));
     }
     const double rowHeight = metrics.height() + 2.0;
-    QRectF box(at + away, QSizeF(wide + 14.0, rowHeight * static_cast<double>(rows.size()) + 8.0));
+    QRectF box(at + away,
+               QSizeF(wide + 2.0 * around, rowHeight * static_cast<double>(lines.size()) + 8.0));
     if (box.right() > area.right()) {
         box.moveRight(at.x() - away.x());
     }
     box.moveLeft(std::max(box.left(), area.left()));
+    box.moveRight(std::min(box.right(), size_.width() - edge));  // over the axis at most
+    box.moveLeft(std::max(box.left(), edge));
     if (box.bottom() > area.bottom() && at.y() > area.top()) {
         box.moveBottom(at.y() - away.y());
     }
+    box.moveBottom(std::min(box.bottom(), size_.height() - edge));
+    box.moveTop(std::max(box.top(), edge));
     painter.setPen(QPen(theme.border(), 1.0));
     painter.setBrush(veil(theme.panel(), opacity));
     painter.drawRoundedRect(box, 4, 4);
     painter.setFont(font);
-    QRectF line(box.left() + 7.0, box.top() + 4.0, wide + 2.0, rowHeight);
-    for (const Row& row : rows) {
-        painter.setPen(row.colour);
-        painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft, row.text);
-        line.translate(0.0, rowHeight);
+    QRectF place(box.left() + around, box.top() + 4.0, wide + 2.0, rowHeight);
+    for (const Row& line : lines) {
+        painter.setPen(line.colour);
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, line.text);
+        place.translate(0.0, rowHeight);
     }
 }
 

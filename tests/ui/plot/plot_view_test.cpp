@@ -515,5 +515,36 @@ TEST_F(PlotViewTest, EqualScaleKeepsCirclesRound) {
     EXPECT_NEAR(round.toPixel(1, 0).x() - a.x(), a.y() - round.toPixel(0, 1).y(), 0.5);
 }
 
+/// A read-out with the values of a reference may be wider than its chart, or the whole plot.
+TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
+    PlotView reference(u"Means"_s);
+    for (const int width : {190, 230, 320, 480}) {
+        PlotView plot(u"Means"_s);
+        for (PlotView* each : {&plot, &reference}) {
+            each->setXAxis({u"α, °"_s, 0.0, 360.0});
+            each->addCurve({.name = u"Mₛ mean (paper)"_s});
+            each->setCurve(0, {0.0, 360.0}, {-1234.5, 1450.0});
+        }
+        plot.setReference(&reference, u"A"_s);
+        test::showAt(plot, {width, 220});
+        const QRectF area = plot.plotArea();
+        for (const double part : {0.05, 0.5, 0.95}) {
+            const QImage before = plot.grab().toImage();
+            QTest::mouseMove(&plot, QPointF(area.left() + part * area.width(), area.center().y())
+                                        .toPoint());
+            const QImage after = plot.grab().toImage();
+            ASSERT_NE(before, after);
+            // Nothing of it at the edges: its frame is whole.
+            for (int y = static_cast<int>(area.top()); y < after.height(); ++y) {
+                for (const int x : {0, after.width() - 1}) {
+                    EXPECT_EQ(before.pixel(x, y), after.pixel(x, y)) << width << ' ' << part;
+                }
+            }
+            QTest::mouseMove(&plot, QPoint(2, 2));
+        }
+        plot.setReference(nullptr, {});
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves
