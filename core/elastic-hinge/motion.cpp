@@ -618,7 +618,10 @@ class Run {
                                   turns_of(turned)};
                 break;
             case MotionEnd::too_slow:
-                motion_.reason = {CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
+                motion_.reason =
+                    turned == 0.0
+                        ? Message(CORE_TEXT("elastic-hinge", "the crank stands still"))
+                        : Message{CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
                                   turns_of(turned), Number{motion_.time.back(), units::second, 6}};
                 break;
             case MotionEnd::cancelled:

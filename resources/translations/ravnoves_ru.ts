@@ -5028,6 +5028,10 @@
         <translation>через %1 оборота кривошип останавливается и пошёл бы назад</translation>
     </message>
     <message>
+        <source>the crank stands still</source>
+        <translation>кривошип стоит на месте</translation>
+    </message>
+    <message>
         <source>the crank made only %1 turns in %2</source>
         <translation>кривошип сделал только %1 оборота за %2</translation>
     </message>

@@ -472,6 +472,7 @@ TEST(ElasticHingeMotion, RefusesWhatCannotMove) {
     still.gravity = 0.0;
     still.motion = MotionWish{1.0, 0.0, 0.0, 0.0, false};
     EXPECT_EQ(run(still, HingeSet::none).end, MotionEnd::too_slow);
+    EXPECT_EQ(run(still, HingeSet::none).reason.english(), "the crank stands still");
 }
 
 }  // namespace
