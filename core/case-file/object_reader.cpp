@@ -143,9 +143,37 @@ const Json& ObjectReader::require(std::string_view key) {
     know(key);
     const auto found = value_.find(key);
     if (found == value_.end()) {
+        if (const auto near = nearly(key)) {
+            throw InputError(
+                pointer_to(key),
+                {CORE_TEXT("core", "is required and missing; there is %1"), quoted_list({*near})});
+        }
         throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
     }
     return *found;
+}
+
+std::optional<std::string> ObjectReader::nearly(std::string_view key) const {
+    constexpr std::size_t slip = 2;          // letters
+    constexpr std::size_t longest_unit = 4;  // letters of each part, as of rad_s
+    const auto is_unit = [](std::string_view text) {
+        std::size_t letters = 0;
+        return std::all_of(text.begin(), text.end(), [&letters](char c) {
+            letters = c == '_' ? 0 : letters + 1;
+            return letters <= longest_unit;
+        });
+    };
+    for (const auto& item : value_.items()) {
+        const std::string& given = item.key();
+        const bool is_without_unit = key.size() > given.size() && key.starts_with(given) &&
+                                     key[given.size()] == '_' && is_unit(key.substr(given.size()));
+        const bool is_as_long = given.size() <= key.size() + slip && key.size() > 2 * slip;
+        if (std::find(known_.begin(), known_.end(), given) == known_.end() &&
+            (is_without_unit || (is_as_long && edit_distance(key, given) <= slip))) {
+            return given;
+        }
+    }
+    return std::nullopt;
 }
 
 double ObjectReader::number(std::string_view key, const Range& range) {

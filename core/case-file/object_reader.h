@@ -62,6 +62,8 @@ class ObjectReader {
     /// most 1000.
     std::vector<std::string> keys();
 
+    /// A key that was not asked for and is nearly this one, or this one without its unit.
+    std::optional<std::string> nearly(std::string_view key) const;
     /// Refuses any key that was not asked for, with the nearest known key.
     void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
 

@@ -4129,6 +4129,10 @@
         <translation>не должно стоять там, где задано %1</translation>
     </message>
     <message>
+        <source>is required and missing; there is %1</source>
+        <translation>обязательно, но отсутствует; есть %1</translation>
+    </message>
+    <message>
         <source>is required and missing (or %1)</source>
         <translation>обязательно, но отсутствует (или %1)</translation>
     </message>

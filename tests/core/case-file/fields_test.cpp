@@ -114,6 +114,8 @@ TEST(Fields, RefusalsNamePlaceRuleAndFinding) {
               "/input/length_mm: must be greater than 0, got -46");
     EXPECT_EQ(refusal(R"({"length_mm":1})"),
               "/input/speed_rpm: is required and missing (or speed_rad_s)");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed":1})"),
+              "/input/speed_rpm: is required and missing; there is \"speed\"");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"speed_rad_s":1})"),
               "/input/speed_rad_s: must be left out where speed_rpm is given");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"teeth":5})"),

@@ -40,6 +40,20 @@ TEST(ObjectReader, UnknownKeyNamesTheNearest) {
               "/input/crank_radus_mm: is not a known key; the nearest is \"crank_radius_mm\"");
 }
 
+TEST(ObjectReader, AMissingKeyNamesWhatIsNearlyIt) {
+    const auto refused = [](const char* input) {
+        const Json json = parse_json(input);
+        ObjectReader reader(json, "/input");
+        reader.has("rod_length_mm");
+        return error_of([&] { reader.number("crank_radius_mm", Range::greater_than(0)); });
+    };
+    const std::string missing = "/input/crank_radius_mm: is required and missing";
+    EXPECT_EQ(refused(R"({"crank_radius": 46})"), missing + "; there is \"crank_radius\"");
+    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})"), missing + "; there is \"crank_radus_mm\"");
+    EXPECT_EQ(refused(R"({"rod_length_mm": 46, "crank": 1})"), missing);
+    EXPECT_EQ(refused("{}"), missing);
+}
+
 TEST(ObjectReader, RefusesAnythingButAnObject) {
     const Json list = Json::array({1});
     EXPECT_EQ(error_of([&] { ObjectReader(list, "/input"); }),
