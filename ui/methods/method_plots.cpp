@@ -200,6 +200,8 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
                 style.toolTip = shownText(info.limits);
             }
             style.colour = static_cast<int>(method) % Theme::curveColours;
+            // The ninth method has the first one's colour.
+            style.pen = method < Theme::curveColours ? Qt::SolidLine : Qt::DashLine;
             style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
             style.inLegend = numbers;
             style.gaps = true;

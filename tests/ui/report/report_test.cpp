@@ -410,13 +410,47 @@ TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
-TEST(ReportPages, RowsStayWholeAndHeadsReturn) {
+Report emptyReport() {
     Report report;
     report.title = u"Title"_s;
     report.subtitle = u"Subtitle"_s;
     report.program = u"Program"_s;
     report.date = u"2026-01-01"_s;
     report.language = u"en"_s;
+    return report;
+}
+
+/// The text of its pages.
+QStringList pagesOf(const Report& report) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"report.pdf"_s);
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(reportAsPdf(report));
+    file.close();
+    return said(RAVNOVES_PDFTOTEXT, {path, u"-"_s}).split(u'\f', Qt::SkipEmptyParts);
+}
+
+TEST(ReportPages, WhatIsSaidBeforeAFigureStaysWithIt) {
+    for (int height = 300; height < 900; height += 100) {
+        Report report = emptyReport();
+        const auto draw = [](QPainter& painter) { painter.drawText(20, 30, u"DRAWN"_s); };
+        report.items.push_back(report::Figure{{}, u"space"_s, {400, height}, [](QPainter&) {}});
+        report.items.push_back(report::Heading{u"HEADING"_s, 2});
+        report.items.push_back(report::Paragraph{u"WORDS"_s, report::Paragraph::Kind::Muted});
+        report.items.push_back(report::Figure{{}, u"a figure"_s, {400, 400}, draw});
+        bool isSeen = false;
+        for (const QString& page : pagesOf(report)) {
+            isSeen = isSeen || page.contains(u"DRAWN"_s);
+            EXPECT_EQ(page.contains(u"HEADING"_s), page.contains(u"DRAWN"_s)) << height;
+            EXPECT_EQ(page.contains(u"WORDS"_s), page.contains(u"DRAWN"_s)) << height;
+        }
+        EXPECT_TRUE(isSeen) << height;
+    }
+}
+
+TEST(ReportPages, RowsStayWholeAndHeadsReturn) {
+    Report report = emptyReport();
     report::Table table;
     table.headings = {u"HEAD"_s, u"second"_s};
     for (int i = 0; i < 120; ++i) {
@@ -426,14 +460,7 @@ TEST(ReportPages, RowsStayWholeAndHeadsReturn) {
             u"a longer text, so that both columns have to share, value%1"_s.arg(i)};
     }
     report.items.push_back(table);
-    QTemporaryDir folder;
-    const QString path = folder.filePath(u"rows.pdf"_s);
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(reportAsPdf(report));
-    file.close();
-    const QStringList pages =
-        said(RAVNOVES_PDFTOTEXT, {path, u"-"_s}).split(u'\f', Qt::SkipEmptyParts);
+    const QStringList pages = pagesOf(report);
     ASSERT_GT(pages.size(), 2);
     int rows = 0;
     for (const QString& page : pages) {
