@@ -26,6 +26,8 @@ namespace ravnoves {
 namespace {
 
 constexpr int buttonHeight = 36;
+constexpr int resultColumn = 6;
+constexpr int lastWidth = 120;     // designed pixels
 constexpr int longestList = 1000;  // more is not looked through by eye
 
 struct JournalColumn {
@@ -35,11 +37,15 @@ struct JournalColumn {
 
 /// What cellsOf() fills.
 QList<JournalColumn> journalColumns() {
-    return {{JournalDialog::tr("Date"), 84},          {JournalDialog::tr("Engine number"), 124},
-            {JournalDialog::tr("Crankshaft"), 84},    {JournalDialog::tr("Customer"), 116},
-            {JournalDialog::tr("Engine"), 62},        {JournalDialog::tr("Technician"), 96},
-            {JournalDialog::tr("Result"), 150},       {JournalDialog::tr("Bob weight, g"), 108},
-            {JournalDialog::tr("Machine, g·mm"), 120}};
+    return {{JournalDialog::tr("Date"), 84},
+            {JournalDialog::tr("Engine number"), 124},
+            {JournalDialog::tr("Crankshaft"), 84},
+            {JournalDialog::tr("Customer"), 116},
+            {JournalDialog::tr("Engine"), 62},
+            {JournalDialog::tr("Technician"), 96},
+            {JournalDialog::tr("Result"), 150},
+            {JournalDialog::tr("Bob weight, g"), 108},
+            {JournalDialog::tr("Machine, g·mm"), lastWidth}};
 }
 
 }  // namespace
@@ -140,6 +146,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     }
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setStretchLastSection(true);
+    table_->viewport()->installEventFilter(this);
     column->addWidget(table_, 1);
 
     message_ = new QLabel(this);
@@ -262,6 +269,7 @@ void JournalDialog::search() {
                 ->setForeground(Theme::instance().warning());
         }
     }
+    giveRoom();
     if (table_->rowCount() > 0) {
         table_->setCurrentCell(0, 0);
     }
@@ -274,6 +282,36 @@ void JournalDialog::search() {
         : truncated_
             ? tr("The newest %1 jobs; more match. The export has them all.").arg(jobs_.size())
             : tr("Jobs found: %1").arg(jobs_.size()));
+}
+
+void JournalDialog::giveRoom() {
+    const auto needed = [this](int column) {
+        constexpr int seen = 100;  // rows; those further down are not read at once
+        int width = 0;
+        for (int row = 0; row < std::min(table_->rowCount(), seen); ++row) {
+            const QModelIndex cell = table_->model()->index(row, column);
+            width = std::max(width, table_->sizeHintForIndex(cell).width());
+        }
+        return width;
+    };
+    // The last column has what the others leave: what it does not need is the result's, whose words
+    // are the longest.
+    const int last = table_->columnCount() - 1;
+    int left = table_->viewport()->width() - std::max(needed(last), Theme::withText(lastWidth));
+    for (int column = 0; column < last; ++column) {
+        left -= column == resultColumn ? 0 : table_->columnWidth(column);
+    }
+    const int wanted = std::min(needed(resultColumn), left);
+    if (wanted > table_->columnWidth(resultColumn)) {
+        table_->setColumnWidth(resultColumn, wanted);
+    }
+}
+
+bool JournalDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {  // of the list
+        giveRoom();
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 qint64 JournalDialog::selectedId() const {

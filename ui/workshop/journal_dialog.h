@@ -42,8 +42,13 @@ class JournalDialog : public QDialog {
     /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
     QString exportTo(const QString& file);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     void search();
+    /// To the words that need it.
+    void giveRoom();
     void showDayTrouble(const JournalQuery& wanted);
     JournalQuery query() const;
     void choose(Choice choice);

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSqlDatabase>
@@ -322,6 +323,27 @@ TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     QFile list(file);
     ASSERT_TRUE(list.open(QIODevice::ReadOnly));
     EXPECT_EQ(list.readAll().count('\n'), 1006);  // and the headings
+}
+
+TEST_F(V8PageTest, TheResultIsReadWholeWhereTheListHasRoom) {
+    JournalJob job;
+    job.scene = u"v8-plugs"_s;
+    job.date = QDate(2024, 5, 31);
+    job.isFinished = true;
+    ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
+    JournalDialog dialog(model->desk()->journal(), u"v8-plugs"_s,
+                         [](const Words&, const JournalJob&) {
+                             return ListedJob{{}, u"aluminium plugs in the place of all, 3.14 g"_s};
+                         });
+    const auto* table = dialog.findChild<QTableWidget*>(u"journal_table"_s);
+    const auto needed = [&] {
+        return table->sizeHintForIndex(table->model()->index(0, 6)).width();
+    };
+    test::showAt(dialog, {1300, 500});
+    EXPECT_GE(table->columnWidth(6), needed());
+    // And the machine's column is as wide as what it shows.
+    EXPECT_GE(table->columnWidth(8), table->sizeHintForIndex(table->model()->index(0, 8)).width());
+    EXPECT_FALSE(table->horizontalScrollBar()->isVisible());
 }
 
 TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
