@@ -14,6 +14,7 @@
 #include "text/csv_format.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
+#include "widgets/cell_delegate.h"
 #include "widgets/wrapped_header.h"
 
 namespace ravnoves {
@@ -36,6 +37,7 @@ ResultTable::ResultTable(QWidget* parent)
     static int made = 0;
     number_ = ++made;
     setHorizontalHeader(header_);
+    setItemDelegate(new CellDelegate(this));
     connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
     setToolTip(
         tr("Ctrl+C copies the selected cells, or the whole table if no more than one is "

@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 #include <QPainter>
-#include <QStyledItemDelegate>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "text/number_text.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
+#include "widgets/cell_delegate.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -86,9 +86,9 @@ void sayFails(QTableWidgetItem& cell, const QString& fails) {
 }
 
 /// A cell over the small lines of its difference.
-class DifferenceDelegate final : public QStyledItemDelegate {
+class DifferenceDelegate final : public CellDelegate {
   public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using CellDelegate::CellDelegate;
 
     bool below = false;    ///< differences stand below the numbers
     bool inLine = false;   ///< both parts in one line
@@ -97,7 +97,7 @@ class DifferenceDelegate final : public QStyledItemDelegate {
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
         if (!below) {
-            QStyledItemDelegate::paint(painter, option, index);
+            CellDelegate::paint(painter, option, index);
             return;
         }
         QStyleOptionViewItem cell = option;
