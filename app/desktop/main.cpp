@@ -57,6 +57,12 @@ int fail(QString text) {
     return 2;
 }
 
+/// Says what was asked for. @return the status to end with
+int say(const QString& text) {
+    std::fputs(qPrintable(text), stdout);
+    return std::fflush(stdout) == 0 ? 0 : fail(u"ravnoves: standard output cannot be written"_s);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -93,8 +99,8 @@ int main(int argc, char** argv) {
 
     QCommandLineParser parser;
     parser.setApplicationDescription(u"The engine-balancing workbench."_s);
-    parser.addHelpOption();
-    parser.addVersionOption();
+    const QCommandLineOption helpOption = parser.addHelpOption();
+    const QCommandLineOption versionOption = parser.addVersionOption();
     parser.addPositionalArgument(u"case"_s, u"Case files to open."_s, u"[case…]"_s);
     const QCommandLineOption sceneOption(
         u"scene"_s, u"Start with this scene (balance-shaft, elastic-hinge, …)."_s, u"name"_s);
@@ -122,7 +128,14 @@ int main(int argc, char** argv) {
     if (!parser.parse(QApplication::arguments())) {
         return fail(parser.errorText());
     }
-    parser.process(app);  // --help and --version
+    if (parser.isSet(helpOption)) {
+        return say(parser.helpText());
+    }
+    if (parser.isSet(versionOption)) {
+        return say(QApplication::applicationName() + QLatin1Char(' ') +
+                   QApplication::applicationVersion() + QLatin1Char('\n'));
+    }
+    parser.process(app);  // --help-all
 
     if (const QString scale = parser.value(scaleOption); scale != u"1" && scale != u"2") {
         return fail(u"--scale: must be 1 or 2, got %1"_s.arg(scale));

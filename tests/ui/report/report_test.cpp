@@ -368,8 +368,11 @@ TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
 }
 
 /// The program's own word: status and standard error.
-std::pair<int, QString> run(const QStringList& arguments) {
+std::pair<int, QString> run(const QStringList& arguments, const QString& output = {}) {
     QProcess process;
+    if (!output.isEmpty()) {
+        process.setStandardOutputFile(output);
+    }
     const QTemporaryDir runtime;  // or Qt tells where it takes one
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(u"XDG_RUNTIME_DIR"_s, runtime.path());
@@ -406,6 +409,12 @@ TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
         QFile::link(u"/dev/full"_s, file(u"full.pdf"_s));
         refused({u"--report"_s, file(u"full.pdf"_s), u"--case"_s, example()}, u"full.pdf"_s);
         QFile::remove(file(u"full.pdf"_s));
+        for (const QString& asked : {u"--help"_s, u"--version"_s}) {
+            const auto [status, error] = run({asked}, u"/dev/full"_s);
+            EXPECT_EQ(status, 2) << asked.toStdString();
+            EXPECT_TRUE(error.contains(u"cannot be written"_s)) << error.toStdString();
+            EXPECT_EQ(run({asked}).first, 0) << asked.toStdString();
+        }
     }
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
