@@ -162,20 +162,28 @@ bool takeBackRefused(const SceneModel& model) {
     return where != nullptr;
 }
 
+QString refusedWords(const QWidget* part) {
+    const QStringList refused = refusedEntries(part);
+    if (refused.isEmpty()) {
+        return {};
+    }
+    const QString blank = QStringLiteral("\n\n");
+    return blank +
+           said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
+                                  "These entries were refused; the values before them count:")) +
+           blank + refused.join(QLatin1Char('\n'));
+}
+
 bool goOnWithoutRefused(QWidget* part, const QString& title) {
     if (ScenePage* page = pageOf(part); page != nullptr && !isSolved(*page->model(), part, title)) {
         return false;
     }
-    const QStringList refused = refusedEntries(part);
-    if (refused.isEmpty()) {
+    const QString words = refusedWords(part);
+    if (words.isEmpty()) {
         return true;
     }
-    QMessageBox box(
-        QMessageBox::Warning, title,
-        said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
-                               "These entries were refused; the values before them count:")) +
-            QStringLiteral("\n\n") + refused.join(QLatin1Char('\n')),
-        QMessageBox::Ignore | QMessageBox::Cancel, part->window());
+    QMessageBox box(QMessageBox::Warning, title, words.trimmed(),
+                    QMessageBox::Ignore | QMessageBox::Cancel, part->window());
     box.button(QMessageBox::Ignore)
         ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Go on without them")));
     box.button(QMessageBox::Cancel)

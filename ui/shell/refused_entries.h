@@ -21,6 +21,9 @@ QStringList refusedEntries(const QWidget* part);
 /// Those of them that results depend on: not the date of a job.
 QStringList refusedInputs(const QWidget* part);
 
+/// The same as what goes with a question, after a blank line; empty where nothing is refused.
+QString refusedWords(const QWidget* part);
+
 /// The same as data; null where nothing is refused.
 Json refusedTexts(const ScenePage& page);
 /// Types that again on another page of the scene over the same input, where it is refused again:

@@ -116,8 +116,8 @@ class ValueEntry : public EntryField {
         if (!before) {
             value_ = value;
         }
-        if (wasNone && !trouble().isEmpty()) {
-            return;  // the value came from elsewhere; what was typed for it still waits
+        if ((wasNone || isNone(value_)) && !trouble().isEmpty()) {
+            return;  // the value came and went elsewhere; what was typed for it still waits
         }
         if (isEditing() && trouble().isEmpty() && text().isEmpty()) {
             return;  // what an emptied field means must not join the next digit

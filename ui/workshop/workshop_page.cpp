@@ -342,7 +342,7 @@ bool WorkshopPage::leaveJob() {
         return true;
     }
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
-                    tr("Save the job on the sheet in the journal?"),
+                    tr("Save the job on the sheet in the journal?") + refusedWords(this),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setDefaultButton(QMessageBox::Save);
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));

@@ -134,6 +134,17 @@ TEST_F(V8PageTest, WhatWasRefusedGoesWithItsJob) {
     press(Qt::Key_F4);
     EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
     EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
+    // The group of masses is filled and emptied again while the next one is typed.
+    type("repair_piston_and_rings", u"abc"_s);
+    type("rod_big_end", u"12,5 k"_s);
+    EXPECT_EQ(field("repair_piston_and_rings")->text(), u"abc"_s);
+    EXPECT_FALSE(field("repair_piston_and_rings")->trouble().isEmpty());
+    EXPECT_EQ(field("rod_big_end")->text(), u"12,5 k"_s);
+    // What is saved is said to be without them.
+    type("engine_number", u"53"_s);
+    answer(QMessageBox::Cancel, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(said.contains(u"abc"_s) && said.contains(u"12,5 k"_s)) << qPrintable(said);
     // The value below it is that of the job which is opened.
     type("reciprocating_mass_g", u"abc"_s);
     EXPECT_EQ(model->desk()->openJob(first), QString());
