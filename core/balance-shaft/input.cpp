@@ -5,6 +5,7 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/input_check.h"
+#include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 
@@ -137,7 +138,7 @@ void check_rod(const Input& input) {
             pointer(field::rod_length, parent),
             {CORE_TEXT("balance-shaft",
                        "must be greater than the crank radius and twice the offset together, %1"),
-             shown(field::crank_radius, least)},
+             shown(field::crank_radius, rounded_to_digits(least, 12))},
             shown(field::rod_length, input.effective_rod_length()));
     }
 }

@@ -100,7 +100,10 @@ std::optional<std::string> nearest_word(std::string_view word,
         if (word.size() >= candidate.size() + best_distance) {
             continue;  // too long for any; the table would be as large
         }
-        const std::size_t distance = edit_distance(word, candidate);
+        // The unit is what is left out most.
+        const bool is_without_unit = !word.empty() && candidate.size() > word.size() &&
+                                     candidate.starts_with(word) && candidate[word.size()] == '_';
+        const std::size_t distance = is_without_unit ? 1 : edit_distance(word, candidate);
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;

@@ -388,7 +388,8 @@ TEST(ComputedTorque, BadCyclesAreRefused) {
               "bottom dead centre at 540°, got 541°");
     EXPECT_EQ(refusal(R"({"cycle": {"combustion_start_deg": -8}})"),
               "/input/torque/cycle/combustion_start_deg: must be from 270 to 450, got -8");
-    EXPECT_EQ(refusal(R"({"cycle": {"bore": 1}})"), "/input/torque/cycle/bore: is not a known key");
+    EXPECT_EQ(refusal(R"({"cycle": {"bore": 1}})"),
+              "/input/torque/cycle/bore: is not a known key; the nearest is \"bore_mm\"");
     EXPECT_EQ(refusal(R"({"cycle": {"bore_mm": 1e-5}})"),
               "/input/torque/cycle/bore_mm: must make a displacement from 1e-6 cm³ to 1e9 cm³, "
               "got 7.22566e-12 cm³");

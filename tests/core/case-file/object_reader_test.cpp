@@ -40,6 +40,15 @@ TEST(ObjectReader, UnknownKeyNamesTheNearest) {
               "/input/crank_radus_mm: is not a known key; the nearest is \"crank_radius_mm\"");
 }
 
+TEST(ObjectReader, AKeyWithoutItsUnitIsNearest) {
+    const Json input = parse_json(R"({"gravity": 9.81})");
+    ObjectReader reader(input, "/input");
+    reader.has("gravity_m_s2");
+    reader.has("cavity");
+    EXPECT_EQ(error_of([&] { reader.finish(); }),
+              "/input/gravity: is not a known key; the nearest is \"gravity_m_s2\"");
+}
+
 TEST(ObjectReader, AMissingKeyNamesWhatIsNearlyIt) {
     const auto refused = [](const char* input) {
         const Json json = parse_json(input);
