@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
 #include "plot/model/shape.h"
@@ -319,8 +320,9 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
             tr("relief × %1").arg(formNumber(model_->exaggeration(), QLocale(), 6)));
     }
     if (isPlaying() && model_->animatedMotion() != nullptr) {
+        const double times = rounded_to_digits(1.0 / slowness(), 2);
         painter.drawText(inside, Qt::AlignBottom | Qt::AlignRight,
-                         tr("%1 times slower").arg(formNumber(1.0 / slowness(), QLocale(), 2)));
+                         tr("%1 times slower").arg(formNumber(times, QLocale())));
     }
 }
 

@@ -309,7 +309,8 @@ void PlotPainter::paintReadout(QPainter& painter) const {
         return;
     }
     const QString equals = QStringLiteral(" = ");
-    const QString name = data_.x.spec.title.section(QLatin1Char(','), 0, 0);
+    const QString& title = data_.x.spec.title.isEmpty() ? data_.xName : data_.x.spec.title;
+    const QString name = title.section(QLatin1Char(','), 0, 0);
     std::vector<Row> rows{
         {(name.isEmpty() ? QStringLiteral("x") : name) + equals + data_.x.readout(at, data_.locale),
          theme.text()}};
@@ -339,6 +340,12 @@ void PlotPainter::paintReadout(QPainter& painter) const {
         if (area.contains(point)) {
             dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);
         }
+    }
+    const auto folds = [](const PlotCurve& curve) {
+        return !curve.shown || !curve.isLine() || !curve.ascending;
+    };
+    if (rows.size() == 1 && std::all_of(data_.curves.begin(), data_.curves.end(), folds)) {
+        return;  // of a curve that folds back x alone says nothing
     }
     paintRows(painter, rows, QPointF(x, area.top()), QPointF(10, 6), 0.93F);
 }

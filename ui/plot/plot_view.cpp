@@ -466,6 +466,9 @@ void PlotView::layoutChart() {
     data_.locale = locale();
     PlotPainter::Margins most;
     for (PlotView* other : stack_) {
+        if (!other->data_.x.spec.title.isEmpty()) {
+            data_.xName = other->data_.x.spec.title;
+        }
         if (!other->isHidden() && other->width() == width()) {
             other->data_.locale = other->locale();
             const PlotPainter::Margins theirs = other->painter_->margins(other->size());

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,9 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
+    if (QToolTip::isVisible()) {
+        QToolTip::hideText();  // it would lie over what is read now
+    }
     if (picking_) {
         pick(event->position());
         moveCursor(event->position());  // what is read goes with the hand

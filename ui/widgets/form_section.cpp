@@ -140,7 +140,8 @@ class Scrolled final : public QScrollArea {
         return widget()->heightForWidth(std::max(1, width() + wider - 2));
     }
 
-    /// All its height where the column that it is in has room for that, without a scroll bar.
+    /// All its height where the column that it is in has room for that, without a scroll bar, or
+    /// has none even for its least.
     void askForHeight() {
         if (around_ == nullptr) {
             for (QWidget* each = parentWidget(); each != nullptr && around_ == nullptr;
@@ -160,9 +161,11 @@ class Scrolled final : public QScrollArea {
         // As if the column had no bar: one that came and went with the answer would ask for ever.
         const QSize room = around_->maximumViewportSize();
         const int wider = std::max(0, room.width() - column->width());
-        const int spare = room.height() - column->heightForWidth(column->width() + wider);
+        const int free = room.height() - (column->heightForWidth(column->width() + wider) - now);
         const int least = minimumHeight();
-        const int asked = std::clamp(now + spare, least, std::max(least, textHeight(wider) + 2));
+        const int whole = std::max(least, textHeight(wider) + 2);
+        // Where the column scrolls anyway, the text need not as well.
+        const int asked = free < least ? whole : std::clamp(free, least, whole);
         if (asked != now) {
             asked_ = asked;
             updateGeometry();

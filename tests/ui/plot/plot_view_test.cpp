@@ -530,8 +530,8 @@ TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
         const QRectF area = plot.plotArea();
         for (const double part : {0.05, 0.5, 0.95}) {
             const QImage before = plot.grab().toImage();
-            QTest::mouseMove(&plot, QPointF(area.left() + part * area.width(), area.center().y())
-                                        .toPoint());
+            QTest::mouseMove(
+                &plot, QPointF(area.left() + part * area.width(), area.center().y()).toPoint());
             const QImage after = plot.grab().toImage();
             ASSERT_NE(before, after);
             // Nothing of it at the edges: its frame is whole.
@@ -544,6 +544,38 @@ TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
         }
         plot.setReference(nullptr, {});
     }
+}
+
+TEST(PlotView, OfACurveThatFoldsBackNoXIsRead) {
+    PlotView plot(u"Guide"_s);
+    plot.addCurve({.name = u"ρ"_s});
+    plot.setXAxis({u"x, mm"_s, -1.0, 1.0});
+    test::showAt(plot, {400, 300});
+    const QPoint middle = plot.plotArea().center().toPoint();
+    const auto shown = [&](std::vector<double> x) {
+        plot.setCurve(0, std::move(x), {0.0, 1.0, 0.0, -1.0});
+        QTest::mouseMove(&plot, QPoint(2, 2));
+        const QImage before = plot.grab().toImage();
+        QTest::mouseMove(&plot, middle);
+        QImage after = plot.grab().toImage();
+        // Beside the cursor's line, where the box stands.
+        return after.copy(middle.x() + 14, 0, 60, 300) != before.copy(middle.x() + 14, 0, 60, 300);
+    };
+    EXPECT_TRUE(shown({-1.0, -0.5, 0.5, 1.0}));
+    EXPECT_FALSE(shown({-1.0, 0.0, 1.0, 0.0}));
+}
+
+TEST(PlotView, APlotOverAnotherReadsItsX) {
+    QWidget page;
+    page.resize(400, 400);
+    PlotView upper(u"Order 1"_s, &page);
+    PlotView lower(u"Order 2"_s, &page);
+    lower.setXAxis({u"φ, °"_s, 0.0, 720.0});
+    upper.setGeometry(0, 0, 400, 200);
+    lower.setGeometry(0, 200, 400, 200);
+    upper.stack({&upper, &lower});
+    test::showAt(page, {400, 400});
+    EXPECT_EQ(upper.data().xName, u"φ, °"_s);
 }
 
 }  // namespace

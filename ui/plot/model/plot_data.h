@@ -152,6 +152,7 @@ struct PlotData {
     std::vector<plot::Band> bands = {};
     std::vector<plot::Line> lines = {};
     std::optional<double> presentX = {};
+    QString xName = {};  ///< of a scale without a title, as over another plot's
     std::optional<double> cursorX = {};
     std::optional<Point> pointRead = {};
     bool faded = false;
