@@ -157,12 +157,13 @@ class Scrolled final : public QScrollArea {
         for (QWidget* each = this; each != column; each = each->parentWidget()) {
             each->updateGeometry();  // no layout keeps what it was told before
         }
-        const int now = sizeHint().height();
+        // What the column's layout gives it at least.
+        const int least = std::max(minimumHeight(), minimumSizeHint().height());
+        const int now = std::max(sizeHint().height(), least);
         // As if the column had no bar: one that came and went with the answer would ask for ever.
         const QSize room = around_->maximumViewportSize();
         const int wider = std::max(0, room.width() - column->width());
         const int free = room.height() - (column->heightForWidth(column->width() + wider) - now);
-        const int least = minimumHeight();
         const int whole = std::max(least, textHeight(wider) + 2);
         // Where the column scrolls anyway, the text need not as well.
         const int asked = free < least ? whole : std::clamp(free, least, whole);
