@@ -114,12 +114,21 @@ class DifferenceDelegate final : public CellDelegate {
         painter->save();
         painter->setFont(cell.font);
         painter->setPen(colour);
+        const QStringList parts = besideOf(index.data(differenceRole), index.data(spreadRole));
+        // Words have the room that differences take of the other cells.
+        const QRect room = line.adjusted(0, 1, 0, cell.rect.height() - line.height());
+        const int wrapped = (side & Qt::AlignHorizontal_Mask) | Qt::TextWordWrap;
+        if (parts.isEmpty() && textWidth(cell.font, text) > line.width() &&
+            room.contains(cell.fontMetrics.boundingRect(room, wrapped, text))) {
+            painter->drawText(room, wrapped, text);
+            painter->restore();
+            return;
+        }
         painter->drawText(line, side,
                           QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
         painter->setFont(differenceFont());
         const Theme& theme = Theme::instance();
         painter->setPen(isSelected ? colour : isAmber ? theme.warning() : theme.mutedText());
-        const QStringList parts = besideOf(index.data(differenceRole), index.data(spreadRole));
         line.moveTop(line.top() + ResultTable::plainRowHeight() - 3);
         line.setHeight(differenceHeight());
         for (const QString& part : inLine ? inOneLine(parts) : parts) {
