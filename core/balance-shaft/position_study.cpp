@@ -293,6 +293,8 @@ BestPositions PositionStudy::best_buildable() const {
 namespace {
 
 constexpr std::size_t front_weights = 5;
+/// The outer ones first: often one place is the best of both, and so of those between them.
+constexpr std::array<std::size_t, front_weights> front_order{0, 4, 3, 1, 2};
 
 /// What searches have shown: that no place up to a size has a lesser weighted sum. The sum of a
 /// weight between two others is a mean of theirs, so that it has no less than the mean of what
@@ -368,9 +370,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
         weight_of[i] = part * by_range / (part * by_range + (1.0 - part) * by_rms);
     }
     LeastSums shown(weight_of);
-    // The outer weights first: often one place is the best of both, and so of those between them.
-    for (const std::size_t i :
-         {std::size_t{0}, std::size_t{4}, std::size_t{3}, std::size_t{1}, std::size_t{2}}) {
+    for (const std::size_t i : front_order) {
         const double weight = weight_of[i];
         PlaceQuestion question = prepared.question(weight);
         question.tolerance *= 5e3;
@@ -386,12 +386,13 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             }
             return least;
         };
-        /// @param least  the sum where the search begins
+        // From the start, whose sum is `least`; it need not be searched where that is known to be
+        // the least.
         const auto search = [&](double least) {
             const double size = question.largest_size.value_or(any_size);
             const double bound = shown.least(i, size);
             std::optional<PlaceFound> found;
-            if (question.start && least < any_size && least - bound <= front_gap * least) {
+            if (least < any_size && least - bound <= front_gap * least) {
                 found = PlaceFound{*question.start, least, least - bound, 0};
             } else {
                 found = search_places(prepared.places, question);

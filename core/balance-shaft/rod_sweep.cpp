@@ -116,29 +116,24 @@ double RodSweep::squares(double x, double y, Column& out) const {
     return run_kernel<SquaresFrom>(all, x, y, out.data());
 }
 
-RodSweep::Rod RodSweep::rod_beside(std::size_t sample, double angle, double* piston_slope) const {
-    const auto [c, s] = short_cos_sin(angle);
-    const double sin = sin_[sample] * c + cos_[sample] * s;
-    const double cos = cos_[sample] * c - sin_[sample] * s;
-    const auto piston = crank_.at(sin, cos);
-    *piston_slope = piston.ds;
-    const double x = crank_.crank_radius * sin;
-    const double y = crank_.crank_radius * cos;
-    return {x, y, crank_.offset - x, piston.s - y};
-}
-
 /// Where the square of the distance is least within a step of a sample that lies lower than its
 /// neighbours: its slope changes sign there once.
 RodSweep::Rod RodSweep::flat_beside(std::size_t sample, double x, double y, double bend) const {
-    const auto at = [&](double angle) {
-        double piston_slope = 0.0;
-        const Rod rod = rod_beside(sample, angle, &piston_slope);
+    // The rod at an angle from the sample's, and half the slope of the square there.
+    const auto at = [&](double beside) {
+        const auto [c, s] = short_cos_sin(beside);
+        const double sin = sin_[sample] * c + cos_[sample] * s;
+        const double cos = cos_[sample] * c - sin_[sample] * s;
+        const auto piston = crank_.at(sin, cos);
+        const double pin_x = crank_.crank_radius * sin;
+        const double pin_y = crank_.crank_radius * cos;
+        const Rod rod{pin_x, pin_y, crank_.offset - pin_x, piston.s - pin_y};
         const double to_x = x - rod.x;
         const double to_y = y - rod.y;
         const double t =
             std::clamp((to_x * rod.along_x + to_y * rod.along_y) * per_length2_, 0.0, 1.0);
         const double slope = -((to_x - t * rod.along_x) * (1.0 - t) * rod.y +
-                               (to_y - t * rod.along_y) * (t * piston_slope - (1.0 - t) * rod.x));
+                               (to_y - t * rod.along_y) * (t * piston.ds - (1.0 - t) * rod.x));
         return std::pair(rod, slope);
     };
     // The distance is flat there: half of a double's digits are enough.
@@ -189,22 +184,7 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
     const double candidate = reach * reach * (1.0 + 1e-12);
     Rod rod{};
     double best = std::numeric_limits<double>::infinity();
-    constexpr std::size_t block = 8;  // of which most hold none, which is seen at once
-    static_assert(samples % block == 0);
-    for (std::size_t i = 0; i < samples; ++i) {
-        if (i % block == 0) {
-            bool any = false;
-            for (std::size_t k = i; k < i + block; ++k) {
-                any |= square_at[k] <= candidate;
-            }
-            if (!any) {
-                i += block - 1;
-                continue;
-            }
-        }
-        if (!(square_at[i] <= candidate)) {
-            continue;
-        }
+    const auto look_at = [&](std::size_t i) {
         const double before = square_at[i == 0 ? samples - 1 : i - 1];
         const double after = square_at[i + 1 == samples ? 0 : i + 1];
         if (square_at[i] <= before && square_at[i] <= after) {
@@ -220,6 +200,19 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
         if (square_at[i] < best) {
             best = square_at[i];
             rod = {x_[i], y_[i], along_x_[i], along_y_[i]};
+        }
+    };
+    constexpr std::size_t block = 8;  // of which most hold none, which is seen at once
+    static_assert(samples % block == 0);
+    for (std::size_t first = 0; first < samples; first += block) {
+        bool any = false;
+        for (std::size_t i = first; i < first + block; ++i) {
+            any |= square_at[i] <= candidate;
+        }
+        for (std::size_t i = first; any && i < first + block; ++i) {
+            if (square_at[i] <= candidate) {
+                look_at(i);
+            }
         }
     }
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;

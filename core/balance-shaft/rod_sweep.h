@@ -42,8 +42,6 @@ class RodSweep {
 
     Rod rod_at(double theta) const;
     bool is_far(double x, double y, double needed) const;
-    /// At an angle from a sample's, rad; no farther than a step.
-    Rod rod_beside(std::size_t sample, double angle, double* piston_slope) const;
     /// @param bend  about the second derivative of half the square, m²
     Rod flat_beside(std::size_t sample, double x, double y, double bend) const;
     Nearest nearest(double x, double y, const Column& square_at, double least) const;

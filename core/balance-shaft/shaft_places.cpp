@@ -168,14 +168,15 @@ Eigen::Vector2d ShaftPlaces::on_cylinder(const Eigen::Vector2d& place) const {
 }
 
 void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
-    const auto& [middle, half] = rectangle;
+    const Eigen::Vector2d& middle = rectangle.middle;
+    const Eigen::Vector2d& half = rectangle.half;
     const double r = half.norm();
     cuts.is_empty = false;
     cuts.outer.clear();
     cuts.inner.clear();
     cuts.rod.reset();
     // Must stay away from the nearest place of an obstacle.
-    const auto keep_off = [&, &middle = middle](const Eigen::Vector2d& nearest, double needed) {
+    const auto keep_off = [&](const Eigen::Vector2d& nearest, double needed) {
         const Eigen::Vector2d to = middle - nearest;
         const double away = to.norm();
         if (!(away > 0.0) || away - r >= needed) {

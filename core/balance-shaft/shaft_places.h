@@ -32,7 +32,6 @@ class PlacePolygon {
     explicit PlacePolygon(const PlaceRectangle& rectangle);
     /// What would leave more corners than it has room for cuts nothing.
     void cut(const HalfPlane& by);
-    void clear() { size_ = 0; }
     /// About it, where it has corners.
     PlaceRectangle box() const;
     std::size_t size() const { return size_; }

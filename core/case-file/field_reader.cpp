@@ -137,11 +137,7 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
     }
     if (found < 0 && !is_lenient()) {
         for (const std::string_view key : keys) {
-            if (const auto near = reader().nearly(key)) {
-                throw InputError(reader().pointer_to(key),
-                                 {CORE_TEXT("core", "is required and missing; there is %1"),
-                                  quoted_list({*near})});
-            }
+            reader().refuse_mistyped(key);
         }
         throw InputError(reader().pointer_to(*keys.begin()),
                          {CORE_TEXT("core", "is required and missing (or %1)"),

@@ -92,6 +92,25 @@ std::string show(const Json& value) {
     return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), longest);
 }
 
+namespace {
+
+/// Whether a key is another one that has its unit left out, as people do most.
+bool is_without_unit(std::string_view given, std::string_view key) {
+    constexpr std::size_t longest = 4;  // letters of each part of a unit, as of rad_s
+    if (given.empty() || key.size() <= given.size() || !key.starts_with(given) ||
+        key[given.size()] != '_') {
+        return false;
+    }
+    std::size_t letters = 0;
+    return std::all_of(key.begin() + static_cast<std::ptrdiff_t>(given.size()), key.end(),
+                       [&letters](char c) {
+                           letters = c == '_' ? 0 : letters + 1;
+                           return letters <= longest;
+                       });
+}
+
+}  // namespace
+
 std::optional<std::string> nearest_word(std::string_view word,
                                         const std::vector<std::string>& candidates) {
     std::optional<std::string> best;
@@ -100,10 +119,8 @@ std::optional<std::string> nearest_word(std::string_view word,
         if (word.size() >= candidate.size() + best_distance) {
             continue;  // too long for any; the table would be as large
         }
-        // The unit is what is left out most.
-        const bool is_without_unit = !word.empty() && candidate.size() > word.size() &&
-                                     candidate.starts_with(word) && candidate[word.size()] == '_';
-        const std::size_t distance = is_without_unit ? 1 : edit_distance(word, candidate);
+        const std::size_t distance =
+            is_without_unit(word, candidate) ? 1 : edit_distance(word, candidate);
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;
@@ -146,37 +163,24 @@ const Json& ObjectReader::require(std::string_view key) {
     know(key);
     const auto found = value_.find(key);
     if (found == value_.end()) {
-        if (const auto near = nearly(key)) {
-            throw InputError(
-                pointer_to(key),
-                {CORE_TEXT("core", "is required and missing; there is %1"), quoted_list({*near})});
-        }
+        refuse_mistyped(key);
         throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
     }
     return *found;
 }
 
-std::optional<std::string> ObjectReader::nearly(std::string_view key) const {
-    constexpr std::size_t slip = 2;          // letters
-    constexpr std::size_t longest_unit = 4;  // letters of each part, as of rad_s
-    const auto is_unit = [](std::string_view text) {
-        std::size_t letters = 0;
-        return std::all_of(text.begin(), text.end(), [&letters](char c) {
-            letters = c == '_' ? 0 : letters + 1;
-            return letters <= longest_unit;
-        });
-    };
+void ObjectReader::refuse_mistyped(std::string_view key) const {
+    constexpr std::size_t slip = 2;  // letters
     for (const auto& item : value_.items()) {
         const std::string& given = item.key();
-        const bool is_without_unit = key.size() > given.size() && key.starts_with(given) &&
-                                     key[given.size()] == '_' && is_unit(key.substr(given.size()));
         const bool is_as_long = given.size() <= key.size() + slip && key.size() > 2 * slip;
         if (std::find(known_.begin(), known_.end(), given) == known_.end() &&
-            (is_without_unit || (is_as_long && edit_distance(key, given) <= slip))) {
-            return given;
+            (is_without_unit(given, key) || (is_as_long && edit_distance(key, given) <= slip))) {
+            throw InputError(
+                pointer_to(key),
+                {CORE_TEXT("core", "is required and missing; there is %1"), quoted_list({given})});
         }
     }
-    return std::nullopt;
 }
 
 double ObjectReader::number(std::string_view key, const Range& range) {

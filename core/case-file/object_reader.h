@@ -62,8 +62,9 @@ class ObjectReader {
     /// most 1000.
     std::vector<std::string> keys();
 
-    /// A key that was not asked for and is nearly this one, or this one without its unit.
-    std::optional<std::string> nearly(std::string_view key) const;
+    /// Refuses a required key that is missing while one that was not asked for is nearly it, or it
+    /// without its unit.
+    void refuse_mistyped(std::string_view key) const;
     /// Refuses any key that was not asked for, with the nearest known key.
     void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
 

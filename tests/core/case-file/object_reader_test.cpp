@@ -32,20 +32,18 @@ TEST(ObjectReader, NamesPointerRuleAndFinding) {
 }
 
 TEST(ObjectReader, UnknownKeyNamesTheNearest) {
-    const Json input = parse_json(R"({"crank_radus_mm": 46})");
-    ObjectReader reader(input, "/input");
-    reader.has("crank_radius_mm");
-    reader.has("lambda");
-    EXPECT_EQ(error_of([&] { reader.finish(); }),
+    const auto refused = [](const char* input, std::initializer_list<const char*> known) {
+        const Json json = parse_json(input);
+        ObjectReader reader(json, "/input");
+        for (const char* key : known) {
+            reader.has(key);
+        }
+        return error_of([&] { reader.finish(); });
+    };
+    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})", {"crank_radius_mm", "lambda"}),
               "/input/crank_radus_mm: is not a known key; the nearest is \"crank_radius_mm\"");
-}
-
-TEST(ObjectReader, AKeyWithoutItsUnitIsNearest) {
-    const Json input = parse_json(R"({"gravity": 9.81})");
-    ObjectReader reader(input, "/input");
-    reader.has("gravity_m_s2");
-    reader.has("cavity");
-    EXPECT_EQ(error_of([&] { reader.finish(); }),
+    // The unit is left out.
+    EXPECT_EQ(refused(R"({"gravity": 9.81})", {"gravity_m_s2", "cavity"}),
               "/input/gravity: is not a known key; the nearest is \"gravity_m_s2\"");
 }
 
