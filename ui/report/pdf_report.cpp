@@ -8,7 +8,6 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <utility>
 
 #include "numerics/units.h"
 #include "report/report.h"
@@ -112,7 +111,6 @@ class Strips {
     }
 
     void operator()(const Heading& heading) {
-        introduces_ = false;
         const bool first = heading.level == 1;
         text(heading.text.toHtmlEscaped(), first ? 17 : 14, true, ink, first ? 22.0 : 14.0, true);
         if (first) {
@@ -128,27 +126,6 @@ class Strips {
     }
 
     void operator()(const Paragraph& paragraph) {
-        add(paragraph);
-        introduces_ = true;
-    }
-
-    void operator()(const Figure& figure) {
-        // What is said before a figure stays with it, and so does the heading over that.
-        if (std::exchange(introduces_, false)) {
-            strips.back().keepsWithNext = true;
-        }
-        add(figure);
-    }
-
-    void operator()(const Table& table);
-
-  private:
-    struct Cell {
-        RichText words;
-        bool number;
-    };
-
-    void add(const Paragraph& paragraph) {
         using Kind = Paragraph::Kind;
         if (paragraph.kind == Kind::Text || paragraph.kind == Kind::Muted) {
             const bool muted = paragraph.kind == Kind::Muted;
@@ -168,7 +145,7 @@ class Strips {
                           }});
     }
 
-    void add(const Figure& figure) {
+    void operator()(const Figure& figure) {
         const double scale = std::min(1.0, width / figure.size.width());
         const QSizeF size = QSizeF(figure.size) * scale;
         strips.push_back({size.height(), 8.0, !figure.caption.isEmpty(), -1,
@@ -189,10 +166,15 @@ class Strips {
         }
     }
 
+    void operator()(const Table& table);
+
+  private:
+    struct Cell {
+        RichText words;
+        bool number;
+    };
     Strip rowStrip(const std::vector<Cell>& cells, const std::vector<double>& widths, QRgb line,
                    double weight) const;
-
-    bool introduces_ = false;  ///< the last strip, what comes next
 };
 
 /// Widths of columns that fit into the page: all as wide as they like where there is room, else
@@ -250,7 +232,6 @@ Strip Strips::rowStrip(const std::vector<Cell>& cells, const std::vector<double>
 }
 
 void Strips::operator()(const Table& table) {
-    introduces_ = false;
     const int pixels = table.isSmall ? 9 : 11;
     const auto columns = static_cast<std::size_t>(
         table.headings.isEmpty() ? table.rows.value(0).size() : table.headings.size());
@@ -384,8 +365,13 @@ QByteArray reportAsPdf(const Report& report) {
     Strips strips;
     strips.text(frameTitle(report).toHtmlEscaped(), 22, true, ink, 0.0, true);
     strips.text(report.subtitle.toHtmlEscaped(), 13, false, pale, 2.0, true);
-    for (const Item& item : report.items) {
-        std::visit(strips, item);
+    for (std::size_t i = 0; i < report.items.size(); ++i) {
+        std::visit(strips, report.items[i]);
+        // What is said before a figure stays with it, and so does the heading over that.
+        if (i + 1 < report.items.size() && std::holds_alternative<Paragraph>(report.items[i]) &&
+            std::holds_alternative<Figure>(report.items[i + 1])) {
+            strips.strips.back().keepsWithNext = true;
+        }
     }
     const std::vector<Placed> places = placed(strips);
     const int pages = places.empty() ? 1 : places.back().page + 1;

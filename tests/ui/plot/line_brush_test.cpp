@@ -240,10 +240,14 @@ TEST(LineBrush, PolygonsLookAsQtsDo) {
         EXPECT_LT(meanDifference(qts, ours), 4.0 / scale) << scale;
         // Qt's narrowest lines are thinner aslant.
         EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, scale > 1.0 ? 0.01 : 0.02) << scale;
+        QPolygonF turned = bar.mid(2);
+        turned << bar[0] << bar[1];
         const QPolygonF reversed(bar.rbegin(), bar.rend());
-        EXPECT_LT(meanDifference(
-                      ours, painted([&](QPainter& painter) { paintPolygon(painter, reversed); })),
-                  0.05);
+        for (const QPolygonF& same : {turned, reversed}) {
+            EXPECT_LT(meanDifference(
+                          ours, painted([&](QPainter& painter) { paintPolygon(painter, same); })),
+                      0.05);
+        }
     }
 }
 
