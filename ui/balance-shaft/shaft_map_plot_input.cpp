@@ -72,6 +72,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
         PlotView::mouseMoveEvent(event);
         return;
     }
+    QToolTip::hideText();  // of the place before
     setCursor(isHandle(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;

@@ -30,9 +30,7 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
-    if (QToolTip::isVisible()) {
-        QToolTip::hideText();  // it would lie over what is read now
-    }
+    QToolTip::hideText();  // it would lie over what is read now
     if (picking_) {
         pick(event->position());
         moveCursor(event->position());  // what is read goes with the hand

@@ -167,11 +167,9 @@ QString refusedWords(const QWidget* part) {
     if (refused.isEmpty()) {
         return {};
     }
-    const QString blank = QStringLiteral("\n\n");
-    return blank +
-           said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
+    return said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
                                   "These entries were refused; the values before them count:")) +
-           blank + refused.join(QLatin1Char('\n'));
+           QStringLiteral("\n\n") + refused.join(QLatin1Char('\n'));
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {
@@ -182,8 +180,8 @@ bool goOnWithoutRefused(QWidget* part, const QString& title) {
     if (words.isEmpty()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, title, words.trimmed(),
-                    QMessageBox::Ignore | QMessageBox::Cancel, part->window());
+    QMessageBox box(QMessageBox::Warning, title, words, QMessageBox::Ignore | QMessageBox::Cancel,
+                    part->window());
     box.button(QMessageBox::Ignore)
         ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Go on without them")));
     box.button(QMessageBox::Cancel)

@@ -21,7 +21,7 @@ QStringList refusedEntries(const QWidget* part);
 /// Those of them that results depend on: not the date of a job.
 QStringList refusedInputs(const QWidget* part);
 
-/// The same as what goes with a question, after a blank line; empty where nothing is refused.
+/// The same as a paragraph that goes with a question; empty where nothing is refused.
 QString refusedWords(const QWidget* part);
 
 /// The same as data; null where nothing is refused.

@@ -85,7 +85,7 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
 void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     if (drawsForFile(painter, *this)) {
-        paintSurface(painter);
+        painter.fillRect(rect(), Theme::instance().panel());
         painter.setRenderHint(QPainter::Antialiasing);
         paintPicture(painter);
         return;
@@ -110,7 +110,7 @@ void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
 void MechanismPicture::paintSurface(QPainter& painter) const {
     painter.fillRect(rect(), Theme::instance().panel());
     const auto* panel = qobject_cast<const Panel*>(parentWidget());
-    if (panel == nullptr || drawsForFile(painter, *this)) {
+    if (panel == nullptr) {
         return;
     }
     constexpr int round = 2;  // pixels of a corner that reach into it
@@ -122,7 +122,7 @@ void MechanismPicture::paintSurface(QPainter& painter) const {
 }
 
 void MechanismPicture::drawFocus(QPainter& painter) const {
-    if (hasFocus() && !drawsForFile(painter, *this)) {
+    if (hasFocus()) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

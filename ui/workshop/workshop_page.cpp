@@ -333,16 +333,21 @@ void WorkshopPage::dropDraft(const QString& name) {
     banner_->keepOnly(desk()->crashedDrafts());
 }
 
+bool WorkshopPage::hasUnsavedJob() {
+    return model()->hasChanges() && !desk()->isJournaled();
+}
+
 bool WorkshopPage::leaveJob() {
     if (desk()->isWaiting()) {
         Q_EMIT status(tr("The job is still being saved."));
         return false;  // the window is to close meanwhile
     }
-    if (!model()->hasChanges() || desk()->isJournaled()) {
+    if (!hasUnsavedJob()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
-                    tr("Save the job on the sheet in the journal?") + refusedWords(this),
+    QStringList said{tr("Save the job on the sheet in the journal?"), refusedWords(this)};
+    said.removeAll(QString());
+    QMessageBox box(QMessageBox::Question, tr("Unsaved job"), said.join(QStringLiteral("\n\n")),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setDefaultButton(QMessageBox::Save);
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
@@ -362,7 +367,7 @@ bool WorkshopPage::leaveJob() {
 }
 
 bool WorkshopPage::mayReplaceJob() {
-    const bool isAsked = model()->hasChanges() && !desk()->isJournaled();
+    const bool isAsked = hasUnsavedJob();
     return leaveJob() && (isAsked || refusedEntriesAreKnown());
 }
 

@@ -72,6 +72,7 @@ class WorkshopPage : public ScenePage {
     static QWidget* firstEntry(const SheetForm& sheet);
     void goOn(QWidget* from);
     void continueDraft(const JournalDraft& draft);
+    bool hasUnsavedJob();
     /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();
     /// The same, where another job is to come onto the sheet: refused entries go with this one.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/constants.h"
 #include "plot/model/pixel.h"
 
 namespace ravnoves {
@@ -102,9 +103,9 @@ struct Disc {
 
 struct Polygon {
     std::vector<Side> sides;
-    QRectF box_;
+    QRectF bounds;
 
-    explicit Polygon(const QPolygonF& corners) : box_(corners.boundingRect()) {
+    explicit Polygon(const QPolygonF& corners) : bounds(corners.boundingRect()) {
         double area = 0.0;
         for (qsizetype i = 0; i < corners.size(); ++i) {
             const QPointF& from = corners[i];
@@ -130,7 +131,7 @@ struct Polygon {
         return most;
     }
     Stretch row(double y, double distance) const { return within(sides, y, distance); }
-    QRectF box() const { return box_; }
+    QRectF box() const { return bounds; }
 };
 
 struct Bar {
@@ -277,7 +278,7 @@ void paintBar(QPainter& painter, const QPointF& from, const QPointF& to, double 
         const double length = std::hypot(way.x(), way.y());
         painter.save();
         painter.translate(from);
-        painter.rotate(std::atan2(way.y(), way.x()) * 180.0 / M_PI);
+        painter.rotate(std::atan2(way.y(), way.x()) / degree);
         painter.drawRoundedRect(QRectF(-radius, -radius, length + 2.0 * radius, 2.0 * radius),
                                 radius, radius);
         painter.restore();
