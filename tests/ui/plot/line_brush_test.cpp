@@ -99,6 +99,23 @@ TEST(LineBrush, SaysWhereItDrew) {
     }
 }
 
+TEST(LineBrush, AClipShowsItsPartOfTheWholeHoweverNarrow) {
+    for (const QColor& colour : {QColor(20, 90, 160), QColor(20, 90, 160, 120)}) {
+        const auto drawn = [&](const QRect& clip) {
+            QImage image = paper();
+            LineBrush brush(image, clip);
+            brush.draw({wave()}, 1.0, colour, 2.2);
+            brush.draw({wave()}, 1.0, Qt::red, 4.0, Qt::DashLine);
+            return image;
+        };
+        const QImage whole = drawn(paper().rect());
+        for (int width = 1; width < 20; ++width) {
+            const QRect clip(101 + width, 0, width, 160);
+            EXPECT_EQ(drawn(clip).copy(clip), whole.copy(clip)) << width;
+        }
+    }
+}
+
 TEST(LineBrush, ASharpBendIsRoundAndWhole) {
     // Beyond a bend no pixel is missed, however the line turns there.
     for (const double turn : {0.02, 0.3, 1.2, 1.6, 2.5, 3.1}) {

@@ -3,6 +3,7 @@
 #include <QPen>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -27,9 +28,61 @@ std::uint32_t mixed(std::uint32_t colour, std::uint32_t ground, std::uint32_t sh
                                                       << 8;
 }
 
-int clamped(double value, int least, int most) {
-    return static_cast<int>(
-        std::clamp(value, static_cast<double>(least), static_cast<double>(most)));
+/// What a colour that lets through takes of a pixel that is covered in part; both of 255.
+std::uint32_t shareOf(std::uint32_t cover, std::uint32_t alpha) {
+    return alpha == 255 ? cover : (cover * alpha + 127) / 255;
+}
+
+/// The same of eight pixels, by what each is covered, which is forgotten. All channels alike, so
+/// that the compiler takes many at once.
+void mixEight(std::uint32_t colour, std::uint32_t alpha, std::uint8_t* cover,
+              std::uint32_t* pixels) {
+    std::array<std::uint8_t, 32> ground{};
+    std::array<std::uint8_t, 32> shares{};
+    std::array<std::uint8_t, 32> inks{};
+    std::memcpy(ground.data(), pixels, sizeof ground);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::uint32_t four = shareOf(cover[i], alpha) * 0x01010101U;
+        std::memcpy(shares.data() + 4 * i, &four, sizeof four);
+        std::memcpy(inks.data() + 4 * i, &colour, sizeof colour);
+    }
+    std::memset(cover, 0, 8);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        const auto sum =
+            static_cast<std::uint16_t>(inks[i] * shares[i] + ground[i] * (255 - shares[i]));
+        const auto carried = static_cast<std::uint16_t>(sum + (sum >> 8) + 0x80);
+        ground[i] = static_cast<std::uint8_t>(carried >> 8);
+    }
+    std::memcpy(pixels, ground.data(), sizeof ground);
+}
+
+// For each row and pixel: one instruction each, where a branch would go another way at each edge.
+double greater(double a, double b) {
+    return a > b ? a : b;
+}
+double less(double a, double b) {
+    return a < b ? a : b;
+}
+
+/// A whole number within 0 and `most`, cut off.
+int wholeWithin(double value, double most) {
+    return static_cast<int>(less(greater(value, 0.0), most));
+}
+/// The same of the least whole number that is no less.
+int wholeUpWithin(double value, double most) {
+    const double within = less(greater(value, 0.0), most);
+    const int whole = static_cast<int>(within);
+    return whole + static_cast<int>(whole < within);
+}
+
+struct Span {
+    double from;
+    double to;
+};
+constexpr Span everywhere{-1e9, 1e9};
+
+Span spanOf(double one, double other) {
+    return {less(one, other), greater(one, other)};
 }
 
 /// How far a line that reaches so far to its sides reaches past an end.
@@ -44,12 +97,6 @@ double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, do
     const bool goesOn = length > tiny && QPointF::dotProduct(way, along) > 0.0;
     const double turn = std::abs(way.x() * along.y() - way.y() * along.x()) / length;
     return goesOn && turn < 1.0 ? reach * turn : reach;
-}
-
-/// The least whole number that is no less, within bounds of which the lower is no less than 0.
-int clampedUp(double value, int least, int most) {
-    const int whole = clamped(value, least, most);
-    return whole + (whole < most && whole < value ? 1 : 0);
 }
 
 /// Whether 32 pixels have nothing on them.
@@ -170,7 +217,7 @@ void LineBrush::mark(const QPolygonF& line) {
 void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPointF* before,
                             const QPointF* after) {
     const QPointF way = to - from;
-    const double length = std::hypot(way.x(), way.y());
+    const double length = std::sqrt(QPointF::dotProduct(way, way));
     const double reach = half_ + 0.5;
     if (!(length > tiny) || !std::isfinite(length) || std::max(from.x(), to.x()) < -reach ||
         std::min(from.x(), to.x()) > clip_.width() + reach) {
@@ -180,45 +227,35 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
     const double uy = way.y() / length;
     const double beforeStart = pastEnd(from, before, {-ux, -uy}, reach);
     const double beyondEnd = pastEnd(to, after, {ux, uy}, reach);
-    const double upper = std::min(from.y() - beforeStart * uy, to.y() + beyondEnd * uy);
-    const double lower = std::max(from.y() - beforeStart * uy, to.y() + beyondEnd * uy);
+    const Span rows = spanOf(from.y() - beforeStart * uy, to.y() + beyondEnd * uy);
     const double sideways = reach * std::abs(ux);
-    const int first = clampedUp(upper - sideways - 0.5, 0, clip_.height());
-    const int beyond = clamped(lower + sideways + 0.5, 0, clip_.height());
-    const bool isSlanted = std::abs(uy) > tiny;
+    const int first = wholeUpWithin(rows.from - sideways - 0.5, clip_.height());
+    const int beyond = wholeWithin(rows.to + sideways + 0.5, clip_.height());
+    // Columns within reach of its two sides, between its ends, and where the distance from it is
+    // all: nearer to an end than this, the end tells. They move with the rows.
     const bool isUpright = std::abs(ux) <= tiny;
+    const bool isLevel = std::abs(uy) <= tiny;
     const double perUx = isUpright ? 0.0 : 1.0 / ux;
-    const double perUy = isSlanted ? 1.0 / uy : 0.0;
-    const double sideRoom = std::abs(reach * perUy);
-    const double start = std::min(-beforeStart * perUx, (length + beyondEnd) * perUx);
-    const double end = std::max(-beforeStart * perUx, (length + beyondEnd) * perUx);
-    // Nearer to an end than this, the end tells.
+    const double perUy = isLevel ? 0.0 : 1.0 / uy;
+    const double zero = from.x() - 0.5;  // column of its beginning
+    const double sideRoom = tiny + (isLevel ? everywhere.to : std::abs(reach * perUy));
+    const double sidePerRow = ux * perUy;
+    const double endPerRow = -uy * perUx;
     const double innerStart = before != nullptr ? 0.0 : 0.5;
     const double innerEnd = length - (after != nullptr ? 0.0 : 0.5);
-    const bool hasInner = innerEnd > innerStart;
-    const double inner = std::min(innerStart * perUx, innerEnd * perUx);
-    const double outer = std::max(innerStart * perUx, innerEnd * perUx);
+    const auto columns = [&](double start, double end) {
+        return isUpright ? everywhere : spanOf(zero + start * perUx, zero + end * perUx);
+    };
+    const Span ends = columns(-beforeStart, length + beyondEnd);
+    const Span inner = columns(innerStart, innerEnd);
     for (int row = first; row < beyond; ++row) {
-        // Pixels within reach of the line's two sides and two ends, from its beginning.
         const double y = row + 0.5 - from.y();
-        double low = -1e9;
-        double high = 1e9;
-        if (isSlanted) {
-            low = y * ux * perUy - sideRoom;
-            high = y * ux * perUy + sideRoom;
-        } else if (std::abs(y * ux) > reach) {
-            continue;
-        }
-        const double shift = y * uy * perUx;
-        if (!isUpright) {
-            low = std::max(low, start - shift);
-            high = std::min(high, end - shift);
-        } else if (y * uy < -beforeStart || y * uy > length + beyondEnd) {
-            continue;
-        }
-        const double zero = from.x() - 0.5;  // column of its beginning
-        const int left = clampedUp(low + zero - tiny, 0, clip_.width());
-        const int right = clamped(high + zero + tiny + 1.0, 0, clip_.width());
+        const double side = zero + y * sidePerRow;
+        const double shift = y * endPerRow;
+        const int left =
+            wholeUpWithin(greater(side - sideRoom, ends.from + shift - tiny), clip_.width());
+        const int right =
+            wholeWithin(less(side + sideRoom, ends.to + shift + tiny) + 1.0, clip_.width());
         if (left >= right) {
             continue;
         }
@@ -252,22 +289,21 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
                     std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
             }
         };
-        // Between the ends the distance from the line is all.
         int begin = right;
         int stop = right;
-        if (hasInner && !isUpright) {
-            begin = clampedUp(inner - shift + zero, left, right);
-            stop = clamped(outer - shift + zero + 1.0, begin, right);
-        } else if (hasInner && y * uy > innerStart && y * uy < innerEnd) {
-            begin = left;
+        if (innerEnd > innerStart && (!isUpright || (y * uy > innerStart && y * uy < innerEnd))) {
+            begin = std::max(left, wholeUpWithin(inner.from + shift, right));
+            stop = std::max(begin, wholeWithin(inner.to + shift + 1.0, right));
         }
         markEnds(left, begin);
-        const double across = y * ux + zero * uy;
+        // As pixelStep() has it, but cut off as a whole number, and below by what is there.
+        const double most = 255.0 * reach + 0.5;
+        const double across = 255.0 * (y * ux + zero * uy);
+        const double perColumn = 255.0 * uy;
         for (int column = begin; column < stop; ++column) {
-            const double away = std::abs(across - column * uy);
-            const double covered = std::min(std::max(reach - away, 0.0), 1.0);
+            const int step = static_cast<int>(most - std::abs(across - column * perColumn));
             cover[column] =
-                std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
+                static_cast<std::uint8_t>(std::max<int>(cover[column], std::min(step, 255)));
         }
         markEnds(stop, right);
     }
@@ -276,6 +312,7 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
 void LineBrush::ink(const QColor& colour) {
     const auto paint = static_cast<std::uint32_t>(colour.rgb());
     const auto alpha = static_cast<std::uint32_t>(colour.alpha());
+    const int lastEight = clip_.width() - 8;
     for (int row = 0; row < clip_.height(); ++row) {
         auto& touched = touched_[static_cast<std::size_t>(row)];
         if (touched.first >= touched.second) {
@@ -287,29 +324,20 @@ void LineBrush::ink(const QColor& colour) {
         auto* pixels =
             reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) + clip_.left();
         int column = touched.first;
-        while (column < touched.second) {
+        while (column < touched.second && lastEight >= 0) {
+            column = std::min(column, lastEight);
+            const bool clear = column + 32 <= touched.second && isClear(cover + column);
             std::uint64_t eight = 0;
-            if (column + 8 <= touched.second) {
-                constexpr int most = 32;
-                if (column + most <= touched.second && isClear(cover + column)) {
-                    column += most;
-                    continue;
-                }
-                std::memcpy(&eight, cover + column, sizeof eight);
-                if (eight == 0) {
-                    column += 8;
-                    continue;
-                }
+            std::memcpy(&eight, cover + column, sizeof eight);
+            if (eight != 0) {
+                column = std::min(column + std::countr_zero(eight) / 8, lastEight);
+                mixEight(paint, alpha, cover + column, pixels + column);
             }
-            const int stop = std::min(column + 8, touched.second);
-            for (; column < stop; ++column) {
-                if (cover[column] != 0) {
-                    const std::uint32_t share =
-                        alpha == 255 ? cover[column] : (cover[column] * alpha + 127) / 255;
-                    pixels[column] = mixed(paint, pixels[column], share);
-                    cover[column] = 0;
-                }
-            }
+            column += clear ? 32 : 8;
+        }
+        for (; column < touched.second; ++column) {  // of a clip that is narrower
+            pixels[column] = mixed(paint, pixels[column], shareOf(cover[column], alpha));
+            cover[column] = 0;
         }
         touched = {clip_.width(), 0};
     }
