@@ -12600,6 +12600,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>“%1” is no unit of this value, which is in %2.</source>
         <translation>«%1» — не единица этого значения: оно в %2.</translation>
     </message>
+    <message>
+        <source>“%1” may be %2 or %3: type the one that is meant.</source>
+        <translation>«%1» можно прочесть как %2 и как %3: введите то, что имеется в виду.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberListField</name>

@@ -124,6 +124,24 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit) {
                      {}};
 }
 
+std::optional<double> readWithThousands(const QString& text, const QString& unit) {
+    static const QRegularExpression thousands(
+        QStringLiteral("^[+\\-\u2212]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9,.])"));
+    const QString typed = text.trimmed();
+    if (QLocale().decimalPoint() != QLatin1String(".") || !thousands.match(typed).hasMatch()) {
+        return std::nullopt;
+    }
+    return readTypedNumber(QString(typed).remove(QLatin1Char(',')), unit).value;
+}
+
+QString eitherNumberText(const QString& text, double one, double other) {
+    constexpr int digits = 15;
+    const QLocale locale;
+    return QCoreApplication::translate("ravnoves::NumberField",
+                                       "“%1” may be %2 or %3: type the one that is meant.")
+        .arg(text, shownFormNumber(one, locale, digits), shownFormNumber(other, locale, digits));
+}
+
 bool isTypedNumber(const QString& text) {
     const auto [digits, word] = split(text.trimmed());
     return readFormNumber(digits) && (word.isEmpty() || typedUnit(word) != nullptr);

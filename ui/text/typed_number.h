@@ -21,6 +21,13 @@ struct TypedNumber {
 /// @param unit  in the language of the program, as forms show it; empty for pure numbers
 TypedNumber readTypedNumber(const QString& text, const QString& unit);
 
+/// The other number that such a text may stand for, read by readTypedNumber() with a decimal comma:
+/// where the program's language writes a decimal point, "3,600" may be 3600. Empty for a text that
+/// is plain.
+std::optional<double> readWithThousands(const QString& text, const QString& unit);
+/// Why such a text is refused, with both numbers.
+QString eitherNumberText(const QString& text, double one, double other);
+
 /// True for a number with a unit of mass or length, or without one.
 bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.

@@ -31,10 +31,14 @@ bool DecimalSpinBox::event(QEvent* event) {
 QValidator::State DecimalSpinBox::validate(QString& text, int& /*position*/) const {
     // No key is refused: what is wrong is said of the whole text.
     const QString typed = bare(text);
-    const auto value = readTypedNumber(typed, suffix().trimmed()).value;
+    const QString unit = suffix().trimmed();
     // The ends of a range are rounded, what was converted to them is not.
     const double rounding = readFormNumber(typed) ? 0.0 : 0.5 * std::pow(10.0, -decimals());
-    return value && *value >= minimum() - rounding && *value <= maximum() + rounding
+    const auto isAllowed = [&](const std::optional<double>& value) {
+        return value && *value >= minimum() - rounding && *value <= maximum() + rounding;
+    };
+    return isAllowed(readTypedNumber(typed, unit).value) &&
+                   !isAllowed(readWithThousands(typed, unit))
                ? QValidator::Acceptable
                : QValidator::Intermediate;
 }

@@ -129,11 +129,15 @@ void ValueSlider::setModel(SceneModel* model) {
 
 void ValueSlider::sayOutOfRange(const QString& typed) {
     const auto [number, trouble] = readTypedNumber(typed, unit_);
-    const QString rule =
-        number ? NumberField::tr("The value %1.")
-                     .arg(rangeText(Range::between(box_->minimum(), box_->maximum()), unit_))
-        : trouble.isEmpty() ? NumberField::tr("“%1” is not a number.").arg(typed)
-                            : trouble;
+    const auto thousands = readWithThousands(typed, unit_);
+    const Range range = Range::between(box_->minimum(), box_->maximum());
+    if (number && thousands && range.contains(*number) && range.contains(*thousands)) {
+        refuse(eitherNumberText(typed, *thousands, *number));
+        return;
+    }
+    const QString rule = number ? NumberField::tr("The value %1.").arg(rangeText(range, unit_))
+                         : trouble.isEmpty() ? NumberField::tr("“%1” is not a number.").arg(typed)
+                                             : trouble;
     refuse(tr("“%1” is refused. %2").arg(typed, rule));
 }
 

@@ -103,6 +103,26 @@ TEST_F(NumberFieldTest, RefusedTextStaysUntilAnotherValueIsSet) {
     EXPECT_TRUE(field.trouble().isEmpty());
 }
 
+TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
+    field.setRange(Range::greater_than(0, 5000), QStringLiteral("mm"));
+    QTest::keyClicks(&field, QStringLiteral("1,25"));
+    EXPECT_EQ(field.value(), 1.25);
+    QTest::keyClicks(&field, QStringLiteral("0"));
+    EXPECT_EQ(field.value(), 46.0) << "neither 1250 nor 1.25";
+    EXPECT_EQ(field.trouble(),
+              QStringLiteral("“1,250” may be 1250 or 1.25: type the one that is meant."));
+    QTest::keyClicks(&field, QStringLiteral("5"));
+    EXPECT_EQ(field.value(), 1.2505) << "no thousands";
+    for (const char* plain : {"0,125", "-0,125", "1250", "1.250"}) {
+        EXPECT_FALSE(readWithThousands(QString::fromLatin1(plain), {})) << plain;
+    }
+    EXPECT_EQ(readWithThousands(QStringLiteral("−12,500 g"), QStringLiteral("kg")), -12.5);
+    const QLocale english;
+    QLocale::setDefault(QLocale(QLocale::Russian));
+    EXPECT_FALSE(readWithThousands(QStringLiteral("1,250"), {}));
+    QLocale::setDefault(english);
+}
+
 TEST_F(NumberFieldTest, EscapeUndoesTheWholeEditing) {
     QSignalSpy edited(&field, &NumberField::valueEdited);
     EXPECT_FALSE(field.isEditing());
@@ -249,6 +269,19 @@ TEST_F(ValueSliderTest, DoubleClickGoesToTheBoxToType) {
     EXPECT_DOUBLE_EQ(slider.value(), 45.0);  // not while typing
     QTest::keyClick(slider.box(), Qt::Key_Return);
     EXPECT_DOUBLE_EQ(slider.value(), 50.6);
+}
+
+TEST_F(ValueSliderTest, ACommaThatMayDivideThousandsIsAskedAbout) {
+    ValueSlider speed(QStringLiteral("n"), 0.0, 8000.0, 1.0, 100.0, 0, QStringLiteral("min⁻¹"));
+    speed.setValue(3000.0);
+    speed.show();
+    speed.box()->setFocus();
+    speed.box()->selectAll();
+    QTest::keyClicks(speed.box(), QStringLiteral("3,600"));
+    QTest::keyClick(speed.box(), Qt::Key_Return);
+    EXPECT_EQ(speed.value(), 3000.0);
+    EXPECT_EQ(speed.trouble(),
+              QStringLiteral("“3,600” may be 3600 or 3.6: type the one that is meant."));
 }
 
 TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
