@@ -319,6 +319,27 @@ TEST_F(PlotDataTest, EqualScaleWidensTheAxisWithRoom) {
     EXPECT_FALSE(data.zoomed) << "all is seen again";
 }
 
+TEST_F(PlotDataTest, AResizeThereAndBackShowsTheSameSection) {
+    data.equalise();
+    data.equalScale = true;
+    data.zoom(0.5, 1.0, data.area.center());
+    data.pan({10.0, 5.0});
+    data.equalise();
+    const auto shown = [&] {
+        return std::array{data.x.low, data.x.high, data.left.low, data.left.high};
+    };
+    const auto before = shown();
+    const QRectF area = data.area;
+    for (const double wider : {-0.6, 0.9}) {
+        data.area.setWidth(area.width() * (1.0 + wider));
+        data.equalise();
+        EXPECT_NE(shown(), before);
+        data.area = area;
+        data.equalise();
+        EXPECT_EQ(shown(), before) << wider;
+    }
+}
+
 TEST_F(PlotDataTest, KnowsDashesOverAWiderCurve) {
     data.curves.resize(2);
     PlotCurve& wide = data.curves[0];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <tuple>
 
 #include "plot/model/thin_polyline.h"
 #include "text/csv_format.h"
@@ -209,6 +210,10 @@ void PlotData::fitScales() {
 }
 
 void PlotData::equalise() {
+    if (zoomed) {
+        std::tie(x.low, x.high) = sectionX_;
+        std::tie(left.low, left.high) = sectionLeft_;
+    }
     const double perX = (x.high - x.low) / area.width();
     const double perY = (left.high - left.low) / area.height();
     if (perX > perY * (1 + 1e-9)) {
@@ -226,6 +231,11 @@ void PlotData::keepHome() {
     }
 }
 
+void PlotData::keepSection() {
+    sectionX_ = {x.low, x.high};
+    sectionLeft_ = {left.low, left.high};
+}
+
 void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     if (area.isEmpty()) {
         return;
@@ -239,6 +249,7 @@ void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
         upright->zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
     }
     zoomed = !(x.isHome() && left.isHome() && right.isHome());
+    keepSection();
 }
 
 void PlotData::pan(const QPointF& pixels) {
@@ -247,6 +258,7 @@ void PlotData::pan(const QPointF& pixels) {
     x.shift(-pixels.x() / area.width());
     left.shift(pixels.y() / area.height());
     right.shift(pixels.y() / area.height());
+    keepSection();
 }
 
 void PlotData::makeStale() {

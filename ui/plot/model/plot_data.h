@@ -187,7 +187,8 @@ struct PlotData {
 
     /// The scales follow the data, unless the user has zoomed.
     void fitScales();
-    /// Widens the axis with room to spare until one unit is as long on both.
+    /// Widens the axis with room to spare until one unit is as long on both; from what was zoomed
+    /// to, whatever the sizes of the plot have been since.
     void equalise();
     /// Zooms about a pixel.
     void zoom(double factorX, double factorY, const QPointF& about);
@@ -223,7 +224,11 @@ struct PlotData {
 
   private:
     void keepHome();
+    void keepSection();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;
+
+    std::pair<double, double> sectionX_;  ///< what was zoomed to
+    std::pair<double, double> sectionLeft_;
 };
 
 }  // namespace ravnoves
