@@ -153,6 +153,9 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
     }
     if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !trouble_.isEmpty()) {
         tryAgain();  // other values may have mended it
+        if (!trouble_.isEmpty()) {
+            selectAll();  // what is typed next takes its place
+        }
     }
     QLineEdit::keyPressEvent(event);
 }

@@ -144,6 +144,15 @@ TEST_F(NumberFieldTest, EscapeUndoesTheWholeEditing) {
     EXPECT_FALSE(field.isEditing());
 }
 
+TEST_F(NumberFieldTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
+    QTest::keyClicks(&field, QStringLiteral("5 85"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_FALSE(field.trouble().isEmpty());
+    QTest::keyClicks(&field, QStringLiteral("58.5"));
+    EXPECT_EQ(field.text(), QStringLiteral("58.5"));
+    EXPECT_EQ(field.value(), 58.5);
+}
+
 TEST_F(NumberFieldTest, EscapeBringsTheLastValueBack) {
     QTest::keyClicks(&field, QStringLiteral("x"));
     QTest::keyClick(&field, Qt::Key_Escape);
