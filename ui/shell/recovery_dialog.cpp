@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -11,6 +10,7 @@
 
 #include "model/scene_model.h"
 #include "shell/scene_list.h"
+#include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 
@@ -52,8 +52,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             }
             const QString path =
                 each.path.isEmpty() ? tr("no file yet") : QDir::toNativeSeparators(each.path);
-            auto* row = new QTreeWidgetItem(
-                list_, {name, path, QLocale().toString(each.saved, QLocale::ShortFormat)});
+            auto* row = new QTreeWidgetItem(list_, {name, path, timeText(each.saved)});
             row->setCheckState(0, Qt::Checked);
             row->setToolTip(0, name);
             row->setToolTip(1, path);

@@ -101,4 +101,10 @@ void setChosenLanguage(const QString& code) {
     }
 }
 
+QString timeText(const QDateTime& time) {
+    return time.toLocalTime().toString(QLocale().language() == QLocale::Russian
+                                           ? QStringLiteral("dd.MM.yyyy HH:mm")
+                                           : QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
 }  // namespace ravnoves

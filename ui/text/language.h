@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 #include <vector>
 
@@ -22,5 +23,9 @@ QString currentLanguage();
 /// The user's choice, remembered for the next start; empty: the desktop's.
 QString chosenLanguage();
 void setChosenLanguage(const QString& code);
+
+/// When something was, as the program writes its dates: 2026-11-26 07:18, in Russian 26.11.2026
+/// 07:18.
+QString timeText(const QDateTime& time);
 
 }  // namespace ravnoves

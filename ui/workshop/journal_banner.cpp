@@ -1,10 +1,10 @@
 #include "workshop/journal_banner.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <algorithm>
 
+#include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
 #include "workshop/model/job_desk.h"
@@ -72,7 +72,7 @@ void JournalBanner::showText() {
         const JournalDraft& first = crashed_.constFirst();
         text_->setText(
             tr("The program ended unexpectedly on %1 with an unfinished job (engine number: %2).")
-                .arg(QLocale().toString(first.saved.toLocalTime(), QLocale::ShortFormat),
+                .arg(timeText(first.saved),
                      first.engineNumber.isEmpty() ? QStringLiteral("–") : first.engineNumber));
     } else {
         text_->setText(trouble);
