@@ -298,7 +298,7 @@ void RelievedShaftView::showShaft() {
     verdict_->setText(isTyped ? model_->verdict()
                               : tr("Not of what stands in the form, but of the values before it; "
                                    "refused entries: %1")
-                                    .arg(refused.join(QStringLiteral("; "))));
+                                    .arg(refused.join(QLatin1Char(' '))));
     colourText(verdict_, !isTyped                   ? &Theme::error
                          : model_->shaft().feasible ? &Theme::text
                                                     : &Theme::warning);

@@ -69,7 +69,7 @@ QString refusedNote(const Words& words, const QStringList& refused) {
     return refused.isEmpty()
                ? QString()
                : words.translate("JobCard", "Not up to date, for these entries are refused: %1")
-                     .arg(refused.join(QStringLiteral("; ")));
+                     .arg(refused.join(QLatin1Char(' ')));
 }
 
 }  // namespace ravnoves
