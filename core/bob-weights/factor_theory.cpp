@@ -87,6 +87,13 @@ Message factor_reason(const Engine& engine) {
                              "up to one of constant size that turns with the crank, as a mass of "
                              "half of both on the crankpin would. 50 % takes up all of it.");
         }
+        if (engine.crankpins() == 1) {
+            return {CORE_TEXT("bob-weights",
+                              "Banks at %1: with 50 % the part of the first-order force that turns "
+                              "with the crank is taken up; a part of %2 of the reciprocating mass "
+                              "turns against it and no counterweight reaches it."),
+                    degrees(bank_angle(engine)), percent(left)};
+        }
         return {
             CORE_TEXT("bob-weights",
                       "Banks at %1: with 50 % the part of the first-order force that turns "

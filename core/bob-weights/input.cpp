@@ -1,5 +1,7 @@
 #include "bob-weights/input.h"
 
+#include <algorithm>
+
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
@@ -58,7 +60,7 @@ void check_correction(const Correction& correction) {
             missing(at + std::string((plane.from_angle ? field::to_angle : field::from_angle).key));
         }
         const Reading& reading = correction.readings[i];
-        if (!reading.unbalance || !reading.angle) {
+        if (!is_read(reading)) {
             missing(place + "readings/" + std::to_string(i) + "/" +
                     std::string((reading.unbalance ? field::angle : field::unbalance).key));
         }
@@ -74,7 +76,7 @@ void check_correction(const Correction& correction) {
                                std::to_string(run) + "/" + std::string(field::readings.key);
         check_two(readings.size(), at);
         for (std::size_t i = 0; i < 2; ++i) {
-            if (!readings[i].unbalance || !readings[i].angle) {
+            if (!is_read(readings[i])) {
                 missing(at + "/" + std::to_string(i) + "/" +
                         std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
             }
@@ -160,6 +162,35 @@ void fit_weigh_in(Input& input) {
 std::optional<double> service_speed(const Input& input) {
     return input.tolerance && input.tolerance->by_grade ? input.tolerance->service_speed
                                                         : std::nullopt;
+}
+
+bool is_share_of_one(const Factor& factor) {
+    const double share = factor.reciprocating.value_or(0.0);
+    return share > 0.0 && share <= 0.01;
+}
+
+BearingPlaces places_of_bearings(const Input& input) {
+    if (!input.correction || !input.tolerance) {
+        return BearingPlaces::plausible;
+    }
+    const auto& front = input.correction->planes.at(0).position;
+    const auto& rear = input.correction->planes.at(1).position;
+    const Tolerance& tolerance = *input.tolerance;
+    if (!front || !rear) {
+        return BearingPlaces::plausible;
+    }
+    const auto& first = tolerance.front_bearing;
+    const auto& second = tolerance.rear_bearing;
+    if (first && second && (*second - *first) * (*rear - *front) < 0.0) {
+        return BearingPlaces::reversed;
+    }
+    if (const auto& centre = tolerance.centre_of_mass) {
+        const auto [least, most] =
+            std::minmax({*front, *rear, first.value_or(*front), second.value_or(*rear)});
+        return *centre < least || *centre > most ? BearingPlaces::centre_beyond
+                                                 : BearingPlaces::plausible;
+    }
+    return BearingPlaces::plausible;
 }
 
 std::optional<double> mass_of(const Input& input, const PartField& part) {

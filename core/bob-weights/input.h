@@ -105,6 +105,12 @@ struct EarlierReading {
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };
 
+/// A vector that is all read, of a Reading or an EarlierReading: what is 0 has no direction.
+template <typename AnyReading>
+bool is_read(const AnyReading& reading) {
+    return reading.unbalance && (reading.angle || *reading.unbalance == 0.0);
+}
+
 /// A run of the machine whose holes have been drilled since.
 struct EarlierRun {
     std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
@@ -200,6 +206,17 @@ std::optional<double> mass_of(const Input& input, const PartField& part);
 
 /// Of the tolerance; nothing where it is none by grade.
 std::optional<double> service_speed(const Input& input);
+
+/// A reciprocating factor that was typed as a share of 1, as it seems: 0.5 for 50 % is 0.5 %.
+bool is_share_of_one(const Factor& factor);
+
+/// How bearings and centre of mass lie along the crankshaft, beside its planes.
+enum class BearingPlaces {
+    plausible,     ///< or not all known
+    reversed,      ///< the rear bearing lies on the side of the front plane
+    centre_beyond  ///< the centre of mass lies beyond planes and bearings
+};
+BearingPlaces places_of_bearings(const Input& input);
 
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError

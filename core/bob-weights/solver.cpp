@@ -163,12 +163,9 @@ void solve_weigh_in(const Input& input, double factor, const workshop::SetFinder
 /// The planes with all that a correction needs; nothing while something is missing or cannot be.
 bool is_complete(const Correction& correction) {
     const auto has_plane = [](const Plane& plane) { return plane.position && plane.radius; };
-    const auto has_reading = [](const Reading& reading) {
-        return reading.unbalance && reading.angle;
-    };
     return correction.planes.size() == 2 && correction.readings.size() == 2 &&
            std::all_of(correction.planes.begin(), correction.planes.end(), has_plane) &&
-           std::all_of(correction.readings.begin(), correction.readings.end(), has_reading) &&
+           std::all_of(correction.readings.begin(), correction.readings.end(), is_read<Reading>) &&
            *correction.planes[0].position != *correction.planes[1].position &&
            !correction.drill.diameters_mm.empty() && correction.drill.maximum_depth;
 }
@@ -304,10 +301,10 @@ std::optional<Places> places_of(const Correction& correction) {
 std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
     std::array<Vector, 2> read;
     for (std::size_t i = 0; i < 2; ++i) {
-        if (readings.size() != 2 || !readings[i].unbalance || !readings[i].angle) {
+        if (readings.size() != 2 || !is_read(readings[i])) {
             return std::nullopt;
         }
-        read[i] = std::polar(*readings[i].unbalance, *readings[i].angle);
+        read[i] = std::polar(*readings[i].unbalance, readings[i].angle.value_or(0.0));
     }
     return read;
 }

@@ -288,6 +288,22 @@
         <source>The machine read %1 and %2; measured is what that is in the planes.</source>
         <translation>Станок показал %1 и %2; «измерено» — это в плоскостях коррекции.</translation>
     </message>
+    <message>
+        <source>On the crankpin.</source>
+        <translation>На шейке.</translation>
+    </message>
+    <message>
+        <source>The bearings lie the other way round than the planes: front bearing %1, rear %2; front plane %3, rear %4. All are measured from one point in one direction.</source>
+        <translation>Подшипники идут в обратном порядке по сравнению с плоскостями: передний подшипник %1, задний %2; передняя плоскость %3, задняя %4. Всё отмеряется от одной точки в одну сторону.</translation>
+    </message>
+    <message>
+        <source>The centre of mass, %1, lies beyond the planes and bearings.</source>
+        <translation>Центр масс, %1, лежит за пределами плоскостей и подшипников.</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like a share of 1; the factor is in per cent, 50 for one half.</source>
+        <translation>%1: %2 похоже на долю единицы; коэффициент задаётся в процентах, половина — это 50.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1018,7 +1034,7 @@
     </message>
     <message>
         <source>as weighed</source>
-        <translation>сейчас</translation>
+        <translation>как взвешено</translation>
     </message>
     <message>
         <source>placed so</source>
@@ -2062,6 +2078,14 @@
     <message>
         <source>another crankshaft</source>
         <translation>другой вал</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like grams; it is in kilograms.</source>
+        <translation>%1: %2 похоже на граммы; масса задаётся в килограммах.</translation>
+    </message>
+    <message>
+        <source>%1: no engine runs at %2 in service; look at the decimal sign.</source>
+        <translation>%1: при %2 двигатели не работают; проверьте десятичный знак.</translation>
     </message>
 </context>
 <context>
@@ -4020,6 +4044,10 @@
     <message>
         <source>the standard&apos;s limits are shared out to the planes</source>
         <translation>допуск по стандарту делится между плоскостями</translation>
+    </message>
+    <message>
+        <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it.</source>
+        <translation>Развал %1: при 50&#xa0;% снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт.</translation>
     </message>
 </context>
 <context>

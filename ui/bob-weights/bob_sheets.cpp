@@ -30,12 +30,17 @@ BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(mod
     NumberField* split = number("/engine/pin_split_deg");
     follow([this, bank, rods, split] {
         const EngineType chosen = model_->input().engine.type;
-        bank->setEnabled(chosen == EngineType::v);
-        split->setEnabled(chosen == EngineType::v);
+        for (NumberField* angle : {bank, split}) {
+            angle->setEnabled(chosen == EngineType::v);
+            if (!angle->isEnabled()) {
+                angle->setPlaceholderText(QStringLiteral("–"));
+            }
+        }
         rods->setEnabled(chosen != EngineType::in_line);
     });
     section(tr("Factor"));
-    number("/factor/reciprocating_percent");
+    doubt(number("/factor/reciprocating_percent"),
+          [this] { return bob_weights::is_share_of_one(model_->input().factor); });
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
     addJob();
@@ -290,11 +295,29 @@ void BobMachineSheet::buildTolerance() {
                    : grades_->itemData(grades_->currentIndex(), Qt::ToolTipRole).toString();
     });
     number("/tolerance/grade_mm_s");
-    number("/tolerance/rotor_mass_kg");
-    number("/tolerance/service_speed_rpm");
-    number("/tolerance/centre_of_mass_mm");
-    number("/tolerance/front_bearing_mm");
-    number("/tolerance/rear_bearing_mm");
+    const auto doubtTolerance = [this](const char* place, auto isDoubtful) {
+        doubt(number(place), [this, isDoubtful] {
+            const auto& tolerance = model_->input().tolerance;
+            return tolerance && isDoubtful(*tolerance);
+        });
+    };
+    doubtTolerance("/tolerance/rotor_mass_kg", [](const Tolerance& it) {
+        return it.by_grade && it.rotor_mass && workshop::is_mass_in_grams(*it.rotor_mass);
+    });
+    doubtTolerance("/tolerance/service_speed_rpm", [](const Tolerance& it) {
+        return it.by_grade && it.service_speed && workshop::is_odd_speed(*it.service_speed);
+    });
+    const auto misplaced = [this](const Tolerance&) {
+        return bob_weights::places_of_bearings(model_->input());
+    };
+    doubtTolerance("/tolerance/centre_of_mass_mm", [misplaced](const Tolerance& it) {
+        return misplaced(it) == BearingPlaces::centre_beyond;
+    });
+    for (const char* place : {"/tolerance/front_bearing_mm", "/tolerance/rear_bearing_mm"}) {
+        doubtTolerance(place, [misplaced](const Tolerance& it) {
+            return misplaced(it) == BearingPlaces::reversed;
+        });
+    }
     line(Theme::baseSize, [this] { return model_->limitText(); });
 }
 

@@ -2,14 +2,23 @@
 
 #include "theme/theme.h"
 #include "widgets/result_table.h"
+#include "workshop/tolerance.h"
 
 namespace ravnoves {
 
 MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section(tr("Permissible residual unbalance, ISO 21940-11"));
     number("/balancing/grade_mm_s");
-    number("/balancing/rotor_mass_kg");
-    number("/balancing/service_speed_rpm");
+    NumberField* mass = number("/balancing/rotor_mass_kg");
+    NumberField* speed = number("/balancing/service_speed_rpm");
+    doubt(mass, [this] {
+        const auto& sheet = model_->input().balancing;
+        return sheet && sheet->rotor_mass && workshop::is_mass_in_grams(*sheet->rotor_mass);
+    });
+    doubt(speed, [this] {
+        const auto& sheet = model_->input().balancing;
+        return sheet && sheet->service_speed && workshop::is_odd_speed(*sheet->service_speed);
+    });
     number("/balancing/front_share");
     section(tr("What the machine reads"));
     for (const char* reading : {"/balancing/front_reading_g_mm", "/balancing/rear_reading_g_mm"}) {

@@ -709,6 +709,11 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: locks."_s)) << qPrintable(card());
     type("locks", u"0"_s);
     EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
+    type("reciprocating_percent", u"0.5"_s);
+    EXPECT_TRUE(label("troubles").contains(u"0.5 % looks like a share of 1"_s))
+        << qPrintable(label("troubles"));
+    type("reciprocating_percent", u"50"_s);
+    EXPECT_EQ(label("troubles"), QString());
     // Both readings at one end: by how much their errors grow.
     typeReadings();
     type("read_at_1", u"500"_s);
@@ -717,6 +722,49 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     EXPECT_TRUE(said.contains(u"reads at 500 mm and 600 mm, far outside the planes"_s));
     EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
     EXPECT_TRUE(card().contains(u"far outside"_s));
+}
+
+TEST_F(BobPageTest, WhatTheLimitIsMadeOfIsDoubted) {
+    typeShopCard();
+    typeReadings();
+    type("grade_mm_s", u"16"_s);
+    type("rotor_mass_kg", u"32000"_s);
+    type("service_speed_rpm", u"6"_s);
+    QString said = label("troubles");
+    EXPECT_TRUE(said.contains(u"Mass of the crankshaft: 32000 kg looks like grams"_s))
+        << qPrintable(said);
+    EXPECT_TRUE(said.contains(u"no engine runs at 6 min⁻¹"_s)) << qPrintable(said);
+    for (const char* name : {"rotor_mass_kg", "service_speed_rpm"}) {
+        EXPECT_TRUE(find<NumberField>(name)->isDoubtful()) << name;
+    }
+    EXPECT_TRUE(isAmber("headline"));
+    type("rotor_mass_kg", u"32"_s);
+    type("service_speed_rpm", u"6000"_s);
+    EXPECT_EQ(label("troubles"), QString());
+    // Planes at 60 and 480 mm.
+    type("front_bearing_mm", u"400"_s);
+    type("rear_bearing_mm", u"100"_s);
+    EXPECT_TRUE(label("troubles").contains(u"The bearings lie the other way round"_s))
+        << qPrintable(label("troubles"));
+    EXPECT_TRUE(card().contains(u"the other way round"_s));
+    type("front_bearing_mm", u"0"_s);
+    type("rear_bearing_mm", u"540"_s);
+    EXPECT_EQ(label("troubles"), QString());
+    type("centre_of_mass_mm", u"6000"_s);
+    EXPECT_TRUE(label("troubles").contains(u"The centre of mass, 6000 mm, lies beyond"_s))
+        << qPrintable(label("troubles"));
+}
+
+TEST_F(BobPageTest, WhatIsZeroNeedsNoAngle) {
+    typeShopCard();
+    typeReadings();
+    type("g_mm", u"100"_s);
+    type("unbalance_1", u"0"_s);
+    type("angle_1", QString());
+    EXPECT_FALSE(label("headline").contains(u"needed"_s));
+    const auto& result = dynamic_cast<BobWeightsModel*>(page.model())->solution();
+    ASSERT_TRUE(result.correction);
+    EXPECT_EQ(result.runs.size(), 1U);
 }
 
 TEST_F(BobPageTest, ARefusedDateLeavesTheAnswerUpToDate) {

@@ -113,7 +113,8 @@ QString hang(const Words& words, const Engine& engine) {
                        "For each of the %1 pairs of crankpins split by %2, half of it on either.")
             .arg(QString::number(count), words.plainWithUnit(engine.pin_split, units::degree, 1));
     }
-    return words.translate("BobWeights", "On each of the %1 crankpins.").arg(count);
+    return count == 1 ? words.translate("BobWeights", "On the crankpin.")
+                      : words.translate("BobWeights", "On each of the %1 crankpins.").arg(count);
 }
 
 QString factor(const Words& words, const Input& input, const Result& result) {
@@ -187,12 +188,55 @@ QString otherRun(const Words& words, const Result& result) {
     return {};
 }
 
+namespace {
+
+QStringList bearingTexts(const Words& words, const Input& input) {
+    const auto at = [&](const std::optional<double>& place) {
+        return words.plainWithUnit(place.value_or(0.0), units::mm, 1);
+    };
+    switch (places_of_bearings(input)) {
+        case BearingPlaces::reversed:
+            return {words
+                        .translate("BobWeights",
+                                   "The bearings lie the other way round than the planes: front "
+                                   "bearing %1, rear %2; front plane %3, rear %4. All are measured "
+                                   "from one point in one direction.")
+                        .arg(at(input.tolerance->front_bearing), at(input.tolerance->rear_bearing),
+                             at(input.correction->planes[0].position),
+                             at(input.correction->planes[1].position))};
+        case BearingPlaces::centre_beyond:
+            return {words
+                        .translate("BobWeights",
+                                   "The centre of mass, %1, lies beyond the planes and bearings.")
+                        .arg(at(input.tolerance->centre_of_mass))};
+        case BearingPlaces::plausible:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
 QStringList doubts(const Words& words, const Input& input, const Result& result) {
     QStringList list;
     for (const auto& [part, mass] : result.in_kilograms) {
         list << kilogramText(words, words.name(part->field), mass);
     }
-    return input.weigh_in ? list + oddMassTexts(words, *input.weigh_in) : list;
+    if (input.weigh_in) {
+        list << oddMassTexts(words, *input.weigh_in);
+    }
+    if (is_share_of_one(input.factor)) {
+        list << words
+                    .translate("BobWeights",
+                               "%1: %2 looks like a share of 1; the factor is in per cent, 50 for "
+                               "one half.")
+                    .arg(words.name(field::reciprocating_percent),
+                         words.plainWithUnit(*input.factor.reciprocating, units::percent, 2));
+    }
+    if (input.tolerance && input.tolerance->by_grade) {
+        list << rotorTexts(words, input.tolerance->rotor_mass, input.tolerance->service_speed);
+    }
+    return list << bearingTexts(words, input);
 }
 
 QStringList warnings(const Words& words, const Input& input, const Result& result) {

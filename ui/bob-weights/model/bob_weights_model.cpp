@@ -216,7 +216,8 @@ std::size_t BobWeightsModel::newestRun() const {
 
 bool BobWeightsModel::isRunRead() const {
     for (std::size_t plane = 0; plane < 2; ++plane) {
-        if (!reading(newestRun(), plane, false) || !reading(newestRun(), plane, true)) {
+        const auto unbalance = reading(newestRun(), plane, false);
+        if (!unbalance || (*unbalance != 0.0 && !reading(newestRun(), plane, true))) {
             return false;
         }
     }

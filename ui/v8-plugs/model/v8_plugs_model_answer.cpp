@@ -104,8 +104,11 @@ QString V8PlugsModel::machineLimitsText() const {
 }
 
 QString V8PlugsModel::plugWeightText() const {
-    if (!input().plug || !input().plug->geometry() || geometry_fault(*input().plug->geometry())) {
+    if (!input().plug || !input().plug->geometry()) {
         return tr("With thread and height the sheet says what the plug would weigh.");
+    }
+    if (const auto fault = geometry_fault(*input().plug->geometry())) {
+        return words_.message(*fault);
     }
     const double volume = input().plug->geometry()->volume();
     return tr("A plug of these dimensions weighs %1 in steel, %2 in aluminium.")

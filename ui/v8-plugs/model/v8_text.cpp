@@ -40,6 +40,10 @@ QString advice(const Words& words, const Input& input, const Result& solution) {
 
 QString boring(const Words& words, const Input& input, const Result& solution, OptionId option) {
     const auto& plan = solution.boring[index(option)];
+    const auto& effect = solution.shift[index(option)];
+    if (effect && effect->matters && effect->depth) {
+        return {};  // one depth is said, that which is right
+    }
     return plan && input.plug ? words.message(describe(*plan, input.plug->limits().value()))
                               : QString();
 }
@@ -219,7 +223,10 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 QStringList massTroubles(const Words& words, const Input& input) {
     return kilogramTroubles(words, input) +
            (input.weigh_in ? oddMassTexts(words, *input.weigh_in) : QStringList()) +
-           gearTroubles(words, input);
+           gearTroubles(words, input) +
+           (input.balancing
+                ? rotorTexts(words, input.balancing->rotor_mass, input.balancing->service_speed)
+                : QStringList());
 }
 
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {

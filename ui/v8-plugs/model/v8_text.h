@@ -23,8 +23,8 @@ QString slopeAngle(const Words& words, double slope);
 QString otherReadings(const Words& words, const v8_plugs::Result& solution);
 /// What to do, as one or two sentences; empty while it is not known.
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
-/// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug
-/// or nothing is to be cut.
+/// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug,
+/// nothing is to be cut or shiftWarning() says another depth.
 QString boring(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution,
                v8_plugs::OptionId option);
 /// Where a typed mass does not fit the plug's dimensions: what the dimensions would weigh. Empty

@@ -1,12 +1,31 @@
 #include "workshop/model/mass_doubts.h"
 
 #include "numerics/units.h"
+#include "workshop/tolerance.h"
 
 namespace ravnoves {
 
 QString kilogramText(const Words& words, const QString& name, double mass) {
     return words.translate("Workshop", "%1: %2 looks like kilograms; masses are in grams.")
         .arg(name, words.number(mass, units::gram, 3));
+}
+
+QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,
+                       const std::optional<double>& service_speed) {
+    QStringList list;
+    if (rotor_mass && workshop::is_mass_in_grams(*rotor_mass)) {
+        list << words.translate("Workshop", "%1: %2 looks like grams; it is in kilograms.")
+                    .arg(words.name(workshop::field::rotor_mass),
+                         words.plainWithUnit(*rotor_mass, units::kg, 0));
+    }
+    if (service_speed && workshop::is_odd_speed(*service_speed)) {
+        list << words
+                    .translate("Workshop",
+                               "%1: no engine runs at %2 in service; look at the decimal sign.")
+                    .arg(words.name(workshop::field::service_speed),
+                         words.plainWithUnit(*service_speed, units::rpm, 1));
+    }
+    return list;
 }
 
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd) {

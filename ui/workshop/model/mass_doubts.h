@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QStringList>
+#include <optional>
 
 #include "workshop/kilograms.h"
 #include "workshop/model/words.h"
@@ -11,6 +12,11 @@ namespace ravnoves {
 QString kilogramText(const Words& words, const QString& name, double mass);
 /// "Piston: cylinder 3 weighs 5840 g, the others about 584 g; look at the decimal sign."
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd);
+
+/// What of a crankshaft's mass, kg, and its speed in service, rad/s, was mistyped, as it seems;
+/// then more may remain than is meant.
+QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,
+                       const std::optional<double>& service_speed);
 
 /// Weights of a sheet that are unlike the others of their column; one that looks like kilograms is
 /// said as such.
