@@ -34,7 +34,7 @@ struct MethodInfo {
     std::string id;  ///< "trapezoid"
     Text title;      ///< "trapezoid rule"
     Text limits;     ///< where it stops being trustworthy and why, as a sentence
-    std::vector<Setting> settings;
+    std::vector<Setting> settings;  ///< the finest last: it stands in the stability map
     /// True where Setting::value counts nodes, steps or terms, so that an order of convergence
     /// −d log(error) / d log(value) can be found.
     bool has_order = false;

@@ -233,10 +233,10 @@ Method<Turn> exact_recurrence() {
         "exact-recurrence",
         CORE_TEXT("methods", "exact, sines by recurrence"),
         CORE_TEXT("methods", "rounding adds up over the points since the last fresh sine"),
-        {counted(CORE_TEXT("methods", "fresh every %1"), 16),
-         counted(CORE_TEXT("methods", "fresh every %1"), 256),
+        {{CORE_TEXT("methods", "float, never fresh"), -1e9},
          {CORE_TEXT("methods", "never fresh"), 1e9},
-         {CORE_TEXT("methods", "float, never fresh"), -1e9}},
+         counted(CORE_TEXT("methods", "fresh every %1"), 256),
+         counted(CORE_TEXT("methods", "fresh every %1"), 16)},
         false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
         return [turn, value = setting.value](std::span<double> out) {

@@ -53,6 +53,24 @@ std::string scene_refusal(const char* kernel_id, const char* sweep, double value
     return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal().english();
 }
 
+TEST(Stability, TheLastSettingOfAMethodIsItsFinest) {
+    for (const Kernel& kernel : kernels()) {
+        const auto problem = kernel.problem(0, kernel.sweeps[0].present);
+        for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+            const MethodInfo& info = kernel.methods[method];
+            double least = std::numeric_limits<double>::infinity();
+            Result result;
+            for (std::size_t setting = 0; setting < info.settings.size(); ++setting) {
+                result = evaluate(*problem, method, setting);
+                least = result.refused() ? least : std::min(least, result.error);
+            }
+            if (std::isfinite(least)) {
+                EXPECT_LE(result.error, 3.0 * least + 1e-15) << kernel.id << ", " << info.id;
+            }
+        }
+    }
+}
+
 // ------------------------------------------------------------------------------- slider-crank
 
 TEST(SliderCrankStability, TheSeriesHasThreeDigitsAtOneHalfAndNoneNearLocking) {
