@@ -111,7 +111,7 @@ Bound<Scalar> least_of_larger(const Cut<Scalar>& left, const Cut<Scalar>& right)
 /// gives a sinusoid that lies below the function everywhere. Between two evaluated angles the
 /// larger of their two sinusoids bounds it; the interval is split at that bound's minimum until no
 /// bound lies under the best value. Kinks and several minima need no care, since the bounds are
-/// global.
+/// global. Of angles at the ends that are as good up to rounding it is the least.
 /// @param evaluate  α → Cut
 /// @param steepest  Lipschitz constant of the function
 /// @param size      scale of its rounding, besides its values
@@ -152,13 +152,16 @@ AngleMinimum<Scalar> minimise_over_angle(const Evaluate& evaluate, const Scalar&
         return a.value < b.value;
     };
     const auto [least, worst] = std::minmax_element(cuts.begin(), cuts.end(), by_value);
-    best.alpha = least->alpha;
-    best.value = least->value;
     best.worst = worst->value;
-
-    // Bounds closer than this are rounding.
+    // Values and bounds closer than this are rounding.
     const Scalar rounding = 450 * std::numeric_limits<Scalar>::epsilon();
     const Scalar tolerance = rounding * (best.worst + size);
+    // Of angles that are as good the first: the ends of what can be built often mirror each other.
+    const auto chosen = std::find_if(cuts.begin(), cuts.end(), [&](const Cut<Scalar>& cut) {
+        return cut.value <= least->value + tolerance;
+    });
+    best.alpha = chosen->alpha;
+    best.value = chosen->value;
     constexpr int most_evaluations = 20'000;
     while (!open.empty()) {
         const std::array<Cut<Scalar>, 2> interval = open.back();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "balance-shaft/angle_minimum.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/json.h"
@@ -216,6 +217,18 @@ TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
                 result.best_range.value, 1e-9);
     EXPECT_NEAR(study.least_bad_angle(Criterion::rms, Measure::relative).shaft_angle,
                 *result.best_rms.shaft_angle, 1e-5);
+}
+
+TEST(AngleMinimum, OfEndsThatMirrorEachOtherTheFirstIsChosenWhateverRoundingSays) {
+    const auto evaluate = [](double alpha) {
+        return Cut<double>{alpha, std::cos(alpha), {0.0, 1.0, 0.0}};
+    };
+    for (int i = 1; i < 200; ++i) {
+        const double end = 0.3 + 0.01 * i;
+        const auto best = minimise_over_angle<double>(evaluate, 1.0, 1.0,
+                                                      {{0.1, end}, {two_pi - end, two_pi - 0.1}});
+        EXPECT_NEAR(best.alpha, end, 1e-12);
+    }
 }
 
 TEST(SpeedStudy, CanBeCancelledAndReportsItsProgress) {
