@@ -70,17 +70,20 @@ QWidget* ElasticHingePage::buildSliders() {
         const double most = model_->input().spring.value_or(Spring()).free_length / units::mm;
         return std::pair(std::min(1.0, 0.005 * most), most);
     };
+    const auto hasSpring = [this] { return model_->input().spring.has_value(); };
     const auto hasCounterweight = [this] { return model_->input().rod_counterweight.has_value(); };
     FieldSlider* sliders[]{
         new FieldSlider(model_, "/angular_speed_rad_s", {0.0, 600.0, 1.0, 20.0, 1}, panel,
                         {.label = tr("&ω")}),
         new FieldSlider(model_, "/lambda", {0.05, 0.99, 0.01, 0.1, 3}, panel,
                         {.label = tr("&λ"), .ends = lambdaEnds}),
-        new FieldSlider(
-            model_, "/spring/stiffness_N_m", {1.0, 1e6, 0.1, 1.0, 1}, panel,
-            {.label = tr("&c"), .name = QStringLiteral("stiffness_kN_m"), .unit = units::kN_per_m}),
+        new FieldSlider(model_, "/spring/stiffness_N_m", {1.0, 1e6, 0.1, 1.0, 1}, panel,
+                        {.label = tr("&c"),
+                         .name = QStringLiteral("stiffness_kN_m"),
+                         .unit = units::kN_per_m,
+                         .isGiven = hasSpring}),
         new FieldSlider(model_, "/spring/guide_radius_at_zero_mm", {1.0, 199.0, 0.01, 1.0, 3},
-                        panel, {.label = tr("&ρ₀"), .ends = radiusEnds}),
+                        panel, {.label = tr("&ρ₀"), .ends = radiusEnds, .isGiven = hasSpring}),
         new FieldSlider(model_, "/rod_counterweight/distance_mm", {10.0, 300.0, 1.0, 10.0, 1},
                         panel,
                         {.label = tr("ℓ&₂"),

@@ -75,6 +75,7 @@ void FieldSlider::follow() {
     const double value = own_.read();
     const auto [min, max] = own_.ends();
     setEnabled(!own_.isMovable || own_.isMovable());
+    setGiven(!own_.isGiven || own_.isGiven());
     if (!slider()->isSliderDown()) {
         setRange(std::min(min, value), std::max(max, value));
     }

@@ -22,6 +22,7 @@ struct SliderOwn {
     Unit unit = units::none;  ///< none: that of the field
     std::function<std::pair<double, double>()> ends{};  ///< where it may be moved now
     std::function<bool()> isMovable{};
+    std::function<bool()> isGiven{};  ///< by the case; else what is shown is pale, and can be typed
     // Of a number that is more than the field.
     std::function<double()> read{};
     std::function<void(double)> write{};

@@ -12,6 +12,7 @@
 #include <QStyleOptionSlider>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case-file/decimal.h"
 #include "case-file/range.h"
@@ -94,7 +95,33 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     });
     connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
     connect(box_, &DecimalSpinBox::refused, this, &ValueSlider::sayOutOfRange);
-    connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] { refuse({}); });
+    connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] {
+        refuse({});
+        isTyped_ = true;
+    });
+    connect(box_, &QDoubleSpinBox::editingFinished, this, [this] {
+        const bool givesWhatIsShown = std::exchange(isTyped_, false) && !isGiven_;
+        if (givesWhatIsShown && trouble().isEmpty()) {
+            const QScopedValueRollback passing(isPassing_, true);
+            Q_EMIT valueEdited(value_);
+        }
+    });
+    connect(&Theme::instance(), &Theme::changed, this, &ValueSlider::inkBox);
+}
+
+void ValueSlider::setGiven(bool isGiven) {
+    if (isGiven != isGiven_) {
+        isGiven_ = isGiven;
+        inkBox();
+    }
+}
+
+void ValueSlider::inkBox() {
+    QPalette palette;
+    if (!isGiven_) {
+        palette.setColor(QPalette::Text, Theme::instance().mutedText());
+    }
+    box_->setPalette(palette);
 }
 
 ValueSlider::~ValueSlider() {

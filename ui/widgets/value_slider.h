@@ -39,6 +39,8 @@ class ValueSlider : public QWidget {
     /// Says why the value that the user gave is refused; with nothing, that this is over.
     void refuse(const QString& why);
     QString trouble() const;
+    /// A value that stands for none of the case is pale; typed as it is shown, it is passed on.
+    void setGiven(bool isGiven);
     /// What this model refuses of the values passed on is said below.
     void setModel(SceneModel* model);
     /// Gives the label this width, so that the sliders of a column stand in line.
@@ -62,6 +64,7 @@ class ValueSlider : public QWidget {
     void sayOutOfRange(const QString& typed);
     void edit(double value);
     void showRange();
+    void inkBox();
     int tickOf(double value) const;
     double valueAt(int tick) const;
 
@@ -74,7 +77,9 @@ class ValueSlider : public QWidget {
     QString unit_;
     bool folded_ = false;
     bool isPassing_ = false;
-    double factor_ = 1.0;  ///< numbers in the box per number of the value
+    bool isGiven_ = true;
+    bool isTyped_ = false;  ///< in the box, since it was finished last
+    double factor_ = 1.0;   ///< numbers in the box per number of the value
     double min_;
     double max_;
     double step_;

@@ -153,6 +153,16 @@ TEST_F(ElasticHingePageTest, EverySliderSetsItsQuantity) {
     EXPECT_EQ(find<QDoubleSpinBox>("guide_radius_at_zero_mm")->value(), 90.0);
 }
 
+TEST_F(ElasticHingePageTest, WithoutASpringWhatIsTypedGivesOneAlsoWhereItIsWhatIsShown) {
+    model->edit(QStringLiteral("No spring"), [](auto& input) { input.spring.reset(); });
+    auto* stiffness = find<QDoubleSpinBox>("stiffness_kN_m");
+    EXPECT_EQ(stiffness->palette().color(QPalette::Text), Theme::instance().mutedText());
+    type(stiffness, QStringLiteral("20000"));
+    ASSERT_TRUE(model->input().spring);
+    EXPECT_DOUBLE_EQ(model->input().spring->stiffness, 2e7);
+    EXPECT_NE(stiffness->palette().color(QPalette::Text), Theme::instance().mutedText());
+}
+
 TEST_F(ElasticHingePageTest, KeysAndWheelMoveTheSliders) {
     auto* slider = find<QSlider>("lambda_slider");
     QTest::keyClick(slider, Qt::Key_Right);
