@@ -217,7 +217,6 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
         span = open_span;
         cycle.format.closed = true;
     }
-    check_end(value, column, column.end_tolerance, table_place(rows.line.back(), 2));
     cycle.format.in_radians = from_header.value_or(is_cycle(span, true));
     if (!is_cycle(span, cycle.format.in_radians)) {
         throw InputError(
@@ -227,6 +226,7 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
                       "repeating the first"),
             Number{span, cycle.format.in_radians ? units::radian : units::degree});
     }
+    check_end(value, column, column.end_tolerance, table_place(rows.line.back(), 2));
     if (column.may_be_open && value.back() != value.front()) {
         value.front() = (value.front() + value.back()) / 2.0;
         cycle.format.closed = true;

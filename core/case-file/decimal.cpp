@@ -37,6 +37,25 @@ std::optional<double> parse_decimal(std::string_view text) {
     return value;
 }
 
+bool may_have_thousands(std::string_view text) {
+    const std::size_t first = text.find_first_of("0123456789,.");
+    if (first == std::string_view::npos) {
+        return false;
+    }
+    text.remove_prefix(first);
+    const auto digits = [](std::string_view part) {
+        return std::min(part.find_first_not_of("0123456789"), part.size());
+    };
+    const std::size_t before = digits(text);
+    if (before < 1 || before > 3 || text.front() == '0' || text.substr(before, 1) != ",") {
+        return false;
+    }
+    text.remove_prefix(before + 1);
+    const std::size_t behind = digits(text);
+    const std::string_view rest = text.substr(behind);
+    return behind == 3 && !rest.starts_with(',') && !rest.starts_with('.');
+}
+
 std::string format_number(double value) {
     if (std::isnan(value)) {
         return "not a number";

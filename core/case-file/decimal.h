@@ -12,6 +12,10 @@ namespace ravnoves {
 /// rather than guessed. Nothing where the whole text is not one finite number.
 std::optional<double> parse_decimal(std::string_view text);
 
+/// Whether the number that a text begins with may have its thousands divided by a comma: "1,893",
+/// not "0,893" or "1,89".
+bool may_have_thousands(std::string_view text);
+
 /// A number as a person would write it: the shortest decimal text that reads back to the same
 /// double, with a decimal point, in any locale.
 std::string format_number(double value);

@@ -140,6 +140,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
     std::size_t number = 0;
     std::size_t header_lines = 0;
     bool separator_known = false;
+    bool decimal_point = false;
+    bool thousands = false;
     while (!text.empty()) {
         ++number;
         const std::size_t end = text.find_first_of("\r\n");
@@ -188,8 +190,18 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
                                  found(fields[column], !rows.first.empty()));
             }
             values[column] = *value;
-            rows.decimal_comma =
-                rows.decimal_comma || fields[column].find(',') != std::string_view::npos;
+            const bool has_comma = fields[column].find(',') != std::string_view::npos;
+            rows.decimal_comma = rows.decimal_comma || has_comma;
+            decimal_point = decimal_point || fields[column].find('.') != std::string_view::npos;
+            thousands = thousands || may_have_thousands(fields[column]);
+            if (thousands && decimal_point) {
+                // "1,893" below 60.30 is 1893 to who wrote it.
+                throw InputError(table_place(number, static_cast<int>(column) + 1),
+                                 CORE_TEXT("core",
+                                           "must have the decimal sign of the numbers above: all "
+                                           "points or all commas, and nothing between thousands"),
+                                 found(fields[column], true));
+            }
         }
         if (!rule.first_range.contains(values[0])) {
             throw InputError(table_place(number, 1), rule.first_range.message(), Number{values[0]});

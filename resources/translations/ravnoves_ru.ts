@@ -4636,6 +4636,10 @@
         <source>must be numbers with blanks or semicolons between them</source>
         <translation>должны быть числа через пробел или точку с запятой</translation>
     </message>
+    <message>
+        <source>must have the decimal sign of the numbers above: all points or all commas, and nothing between thousands</source>
+        <translation>десятичный знак должен быть тем же, что у чисел выше: везде точка или везде запятая, и ничего между тысячами</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -15676,6 +15680,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The clipboard holds no numbers.</source>
         <translation>В буфере обмена нет чисел.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: “%1” has a comma and “%2” a point. All must have the same decimal sign, and nothing between thousands.</source>
+        <translation>Ничего не вставлено: в «%1» запятая, а в «%2» точка. Десятичный знак должен быть везде один, и ничего между тысячами.</translation>
     </message>
 </context>
 <context>

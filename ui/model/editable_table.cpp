@@ -1,7 +1,9 @@
 #include "model/editable_table.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 
+#include "case-file/decimal.h"
 #include "case-file/json.h"
 #include "text/typed_number.h"
 
@@ -30,6 +32,27 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
         rows.erase(rows.begin());
     }
     return rows;
+}
+
+QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
+    QString comma;
+    QString point;
+    for (const QStringList& row : cells) {
+        for (const QString& cell : row) {
+            if (isTypedNumber(cell)) {
+                comma = comma.isEmpty() && may_have_thousands(cell.toStdString()) ? cell : comma;
+                point = point.isEmpty() && cell.contains(QLatin1Char('.')) ? cell : point;
+            }
+        }
+    }
+    return comma.isEmpty() || point.isEmpty()
+               ? QString()
+               : QCoreApplication::translate(
+                     "ravnoves::TableEditor",
+                     "Nothing is pasted: “%1” has a comma and “%2” a point. "
+                     "All must have the same decimal sign, and nothing "
+                     "between thousands.")
+                     .arg(comma, point);
 }
 
 Qt::ItemFlags EditableTable::flags(const QModelIndex& index) const {

@@ -23,6 +23,10 @@ enum class EmptyLine {
 /// more lines follow: it is a header.
 std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = EmptyLine::nothing);
 
+/// Why a block of cells is not taken where some have a decimal point and others what may be a comma
+/// between thousands: "1,893" beside 60.30 is 1893 to who wrote it. Else empty.
+QString mixedDecimalSigns(const std::vector<QStringList>& cells);
+
 /// A table of numbers that is edited in place.
 class EditableTable : public QAbstractTableModel {
     Q_OBJECT

@@ -125,13 +125,10 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit) {
 }
 
 std::optional<double> readWithThousands(const QString& text, const QString& unit) {
-    static const QRegularExpression thousands(
-        QStringLiteral("^[+\\-\u2212]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9,.])"));
-    const QString typed = text.trimmed();
-    if (QLocale().decimalPoint() != QLatin1String(".") || !thousands.match(typed).hasMatch()) {
+    if (QLocale().decimalPoint() != QLatin1String(".") || !may_have_thousands(text.toStdString())) {
         return std::nullopt;
     }
-    return readTypedNumber(QString(typed).remove(QLatin1Char(',')), unit).value;
+    return readTypedNumber(QString(text).remove(QLatin1Char(',')), unit).value;
 }
 
 QString eitherNumberText(const QString& text, double one, double other) {

@@ -153,8 +153,10 @@ bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
         const QString text = QGuiApplication::clipboard()->text();
         const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
         if (isBlock) {
-            trouble_->say(
-                table_->pasteBlock(cell.row(), cell.column(), readTextTable(text, EmptyLine::gap)));
+            const auto cells = readTextTable(text, EmptyLine::gap);
+            const QString mixed = mixedDecimalSigns(cells);
+            trouble_->say(!mixed.isEmpty() ? mixed
+                                           : table_->pasteBlock(cell.row(), cell.column(), cells));
         }
         return isBlock;
     }

@@ -130,6 +130,22 @@ TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
               "once; separate the columns by semicolons, got \"0,5,1,5\"");
 }
 
+TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
+    EXPECT_EQ(
+        refusal_of_text("0\t-81.5\n360\t1,893\n720\t-81.5\n"),
+        "line 2, column 2: must have the decimal sign of the numbers above: all points or all "
+        "commas, and nothing between thousands, got \"1,893\"");
+    EXPECT_EQ(refusal_of_text("0;1,500\n360;2.5\n720;1,500\n").substr(0, 17), "line 2, column 2:");
+    EXPECT_EQ(refusal_of_text("0;1,5\n360;2.5\n720;1,5\n"), "no error");
+    EXPECT_EQ(refusal_of_text("0\t-81,5\n360\t1,893\n720\t-81,5\n"), "no error");
+}
+
+TEST(ParsedTorqueTable, ATableThatEndsEarlyIsSaidAsSuch) {
+    EXPECT_EQ(refusal_of_text("0;0\n360;2\n705;-79.2\n")
+                  .find("line 3, column 1: the angles must span 720°"),
+              0U);
+}
+
 TEST(ParsedTorqueTable, RefusesWhatIsNoTable) {
     EXPECT_EQ(refusal_of_text(""), "the torque table must have at least 3 rows, got 0");
     EXPECT_EQ(refusal_of_text("\n\n  \n"), "the torque table must have at least 3 rows, got 0");

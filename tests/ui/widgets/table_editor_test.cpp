@@ -33,5 +33,15 @@ TEST(TextTable, KeepsGapsWhereTheyMeanSomething) {
     EXPECT_EQ(readTextTable(QStringLiteral("\n152\n"), EmptyLine::gap).size(), 2U);
 }
 
+TEST(TextTable, ThousandsAreNotTakenForDecimals) {
+    EXPECT_EQ(mixedDecimalSigns(read("0.5\t1,893\n2\t3\n")),
+              QStringLiteral("Nothing is pasted: “1,893” has a comma and “0.5” a point. All must "
+                             "have the same decimal sign, and nothing between thousands."));
+    for (const char* table : {"0,5\t1,893\n", "0.5\t1,89\n", "0.5\t0,893\n", "1.5\t1893\n",
+                              "1,893 g\t0,5\n", "a.b\t1,893\n"}) {
+        EXPECT_EQ(mixedDecimalSigns(read(table)), QString()) << table;
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves
