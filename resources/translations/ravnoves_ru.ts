@@ -12093,6 +12093,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Bands about the curves and ± beside the numbers, where the case has tolerances</source>
         <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
     </message>
+    <message>
+        <source>Writing the report…</source>
+        <translation>Пишется отчёт…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>The report was not written.</source>
+        <translation>Отчёт не записан.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MatchingSheet</name>
@@ -13539,6 +13551,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The results are seen against the variant %1: its curves are pale and wide, and Δ is the present value less its value.</source>
         <translation>Результаты сопоставлены с вариантом %1: его кривые бледные и широкие, а Δ — текущее значение минус его значение.</translation>
+    </message>
+    <message>
+        <source>A section: the plot is zoomed.</source>
+        <translation>Часть графика: он увеличен.</translation>
     </message>
 </context>
 <context>

@@ -179,7 +179,7 @@ void addTheory(Report& report, const SceneModel& model) {
     }
 }
 
-void addValidation(Report& report, const QString& scene) {
+void addValidation(Report& report, const QString& scene, const Patience& patience) {
     using Model = ValidationModel;
     const auto papers = methods::papers();
     const auto paper = std::find_if(papers.begin(), papers.end(), [&](const auto& each) {
@@ -188,8 +188,7 @@ void addValidation(Report& report, const QString& scene) {
     Model model;
     model.load();
     while (model.isRunning()) {
-        QApplication::processEvents(
-            QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 20);
+        patience.wait(20);
     }
     if (paper == papers.end() || model.report() == nullptr) {
         return;
@@ -310,7 +309,7 @@ void addVariants(Report& report, const SceneModel& model) {
     }
 }
 
-Report makeReport(ScenePage& page, CaseDocument& document) {
+Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patience) {
     SceneModel& model = *page.model();
     model.keepTyped();
     Report report;
@@ -321,17 +320,17 @@ Report makeReport(ScenePage& page, CaseDocument& document) {
                                            : shortened(model.titleShown().simplified());
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
-    std::vector<PageGroup> groups = pageParts(page);
+    std::vector<PageGroup> groups = pageParts(page, patience);
     addCase(report, model, document);
     report.items.push_back(Heading{ReportWords::tr("Inputs")});
     for (Table& table : inputTables(model)) {
         report.items.push_back(std::move(table));
     }
     addVariants(report, model);
-    addTolerances(report, model);
+    addTolerances(report, model, patience);
     addResults(report, std::move(groups));
     addTheory(report, model);
-    addValidation(report, model.sceneName());
+    addValidation(report, model.sceneName(), patience);
     return report;
 }
 
@@ -346,7 +345,8 @@ bool isReportName(const QString& path) {
            path.endsWith(QLatin1String(".htm"), Qt::CaseInsensitive);
 }
 
-QString writeReport(ScenePage& page, CaseDocument& document, const QString& path) {
+QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
+                    const Patience& patience) {
     if (!isReportName(path)) {
         return ReportWords::tr("%1: a report ends in .pdf or .html").arg(path);
     }
@@ -356,7 +356,7 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     }
     return writeFile(path, [&] {
         const LightTheme light(page.window());
-        const Report report = makeReport(page, document);
+        const Report report = makeReport(page, document, patience);
         return (isPdf(path) ? reportAsPdf(report) : reportAsHtml(report)).toStdString();
     });
 }

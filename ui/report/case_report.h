@@ -2,6 +2,8 @@
 
 #include <QString>
 
+#include "report/patience.h"
+
 namespace ravnoves {
 
 class CaseDocument;
@@ -14,6 +16,7 @@ bool isReportName(const QString& path);
 /// Where it fails, nothing is left behind.
 /// Never writes over an open case, or over a file that one reads.
 /// @return an empty string, or what is wrong
-QString writeReport(ScenePage& page, CaseDocument& document, const QString& path);
+QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
+                    const Patience& patience = Patience());
 
 }  // namespace ravnoves

@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QPointer>
 #include <QResizeEvent>
+#include <QScopeGuard>
 #include <QTabWidget>
 #include <algorithm>
 
 #include "plot/plot_view.h"
+#include "report/patience.h"
 #include "shell/scene_page.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
@@ -75,10 +77,9 @@ Figure figureOf(PlotView* plot) {
     constexpr double narrow = 0.62;  // on the page it shares its row
     const int width = shape < narrow ? figureWidth : narrowWidth;
     const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
-    return {{},
+    return {plot->isZoomed() ? ReportWords::tr("A section: the plot is zoomed.") : QString(),
             plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
-            size,
-            [plot = QPointer(plot), size](QPainter& painter) {
+            size, [plot = QPointer(plot), size](QPainter& painter) {
                 if (plot) {
                     drawAt(plot, size,
                            [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
@@ -133,7 +134,9 @@ Table tableOf(const ResultTable& table) {
 
 class Collector {
   public:
-    explicit Collector(ScenePage& page) : page_(page) { groups_.emplace_back(); }
+    Collector(ScenePage& page, const Patience& patience) : page_(page), patience_(patience) {
+        groups_.emplace_back();
+    }
 
     std::vector<PageGroup> collect() {
         wait();
@@ -147,13 +150,12 @@ class Collector {
         waited.start();
         // Layout, then what a shown tab computes.
         for (int turn = 0; turn < 3; ++turn) {
-            QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+            patience_.turn();
         }
         while (page_.isBusy() && waited.elapsed() < patience) {
-            QApplication::processEvents(
-                QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+            patience_.wait(50);
         }
-        QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+        patience_.turn();
     }
 
     void walk(QWidget* widget, std::size_t group) {
@@ -177,7 +179,8 @@ class Collector {
     }
 
     void walkTabs(QTabWidget* tabs, std::size_t group) {
-        const int front = tabs->currentIndex();
+        const auto bringBack =
+            qScopeGuard([tabs, front = tabs->currentIndex()] { tabs->setCurrentIndex(front); });
         for (int i = 0; i < tabs->count(); ++i) {
             if (!tabs->isTabVisible(i) || !tabs->isTabEnabled(i)) {
                 continue;
@@ -192,7 +195,6 @@ class Collector {
             groups_.push_back({title, {}, {}, {}, {}});
             walk(tabs->widget(i), own);
         }
-        tabs->setCurrentIndex(front);
     }
 
     /// @return true where nothing below the widget is looked at
@@ -241,13 +243,14 @@ class Collector {
     }
 
     ScenePage& page_;
+    const Patience& patience_;
     std::vector<PageGroup> groups_;
 };
 
 }  // namespace
 
-std::vector<PageGroup> pageParts(ScenePage& page) {
-    return Collector(page).collect();
+std::vector<PageGroup> pageParts(ScenePage& page, const Patience& patience) {
+    return Collector(page, patience).collect();
 }
 
 }  // namespace ravnoves

@@ -8,6 +8,7 @@
 
 namespace ravnoves {
 
+class Patience;
 class ScenePage;
 
 /// What stands on one tab of a page, or beside the tabs.
@@ -24,6 +25,6 @@ struct PageGroup {
 /// Brings every tab of a page to the front, waits for what it computes, and collects what answers:
 /// labels whose text can be selected, result tables, plots, and pictures (isFigure). What stands
 /// beside the tabs comes first. The figures draw the page's own widgets: they live as long as it.
-std::vector<PageGroup> pageParts(ScenePage& page);
+std::vector<PageGroup> pageParts(ScenePage& page, const Patience& patience);
 
 }  // namespace ravnoves

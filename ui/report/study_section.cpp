@@ -8,6 +8,7 @@
 #include "case-file/case_file.h"
 #include "model/background_job.h"
 #include "model/scene_model.h"
+#include "report/patience.h"
 #include "report/report.h"
 #include "scenes/responses.h"
 #include "studies/model/result_words.h"
@@ -26,12 +27,11 @@ namespace {
 
 constexpr int studyPatienceMs = 60'000;
 
-void waitFor(const StudyModel& study) {
+void waitFor(const StudyModel& study, const Patience& patience) {
     QElapsedTimer waited;
     waited.start();
     while (study.isBusy() && waited.elapsed() < studyPatienceMs) {
-        QApplication::processEvents(
-            QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+        patience.wait(50);
     }
 }
 
@@ -139,7 +139,7 @@ Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
 }
 
 /// The angle that holds best, where what it is chosen for is watched.
-void addRobustBest(Report& report, StudyModel& study) {
+void addRobustBest(Report& report, StudyModel& study, const Patience& patience) {
     const auto choice = best_choice(study.scene()->caseFile());
     if (!choice ||
         std::none_of(study.study().watch.begin(), study.study().watch.end(),
@@ -151,8 +151,7 @@ void addRobustBest(Report& report, StudyModel& study) {
     QElapsedTimer waited;
     waited.start();
     while (model.job()->isRunning() && waited.elapsed() < studyPatienceMs) {
-        QApplication::processEvents(
-            QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+        patience.wait(50);
     }
     const studies::RobustBest* best = model.best();
     const auto say = [&](const QString& text, Paragraph::Kind kind = Paragraph::Kind::Text) {
@@ -178,7 +177,7 @@ void addRobustBest(Report& report, StudyModel& study) {
 
 }  // namespace
 
-void addTolerances(Report& report, SceneModel& model) {
+void addTolerances(Report& report, SceneModel& model, const Patience& patience) {
     if (model.study().empty()) {
         return;
     }
@@ -205,7 +204,7 @@ void addTolerances(Report& report, SceneModel& model) {
         return;
     }
     study.setWatched(true);
-    waitFor(study);
+    waitFor(study, patience);
     const StudyAnswers* answers = study.answers();
     if (answers == nullptr) {
         report.items.push_back(
@@ -232,7 +231,7 @@ void addTolerances(Report& report, SceneModel& model) {
     for (const QString& note : study.notes()) {
         report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
     }
-    addRobustBest(report, study);
+    addRobustBest(report, study, patience);
     constexpr std::size_t most = 4;
     for (std::size_t i = 0; i < std::min(most, answers->values.size()); ++i) {
         report.items.push_back(tornadoOf(study, answers->values[i]));

@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QProgressDialog>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -470,8 +471,8 @@ void MainWindow::exportPicture() {
                           });
 }
 
-QString MainWindow::writeReport(const QString& path) {
-    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path);
+QString MainWindow::writeReport(const QString& path, const Patience& patience) {
+    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path, patience);
 }
 
 void MainWindow::exportReport() {
@@ -488,8 +489,23 @@ void MainWindow::exportReport() {
     if (path.isEmpty()) {
         return;
     }
-    const QString trouble = writeReport(path);
-    if (trouble.isEmpty()) {
+    // Tolerances take up to a minute.
+    QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 0, this);
+    progress.setWindowTitle(tr("Report"));
+    progress.setWindowModality(Qt::ApplicationModal);
+    constexpr int noticedMs = 500;
+    progress.setMinimumDuration(noticedMs);
+    // What the file dialog lay over: nothing of this window is painted while its tabs are gone
+    // through.
+    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    const QString trouble =
+        writeReport(path, Patience([&progress] { return progress.isVisible(); },
+                                   [&progress] { return progress.wasCanceled(); }));
+    const bool isCancelled = progress.wasCanceled();
+    progress.reset();
+    if (isCancelled) {
+        statusBar()->showMessage(tr("The report was not written."), 5000);
+    } else if (trouble.isEmpty()) {
         statusBar()->showMessage(tr("Report written: %1").arg(path), 5000);
     } else {
         QMessageBox::warning(this, tr("Report"), trouble);

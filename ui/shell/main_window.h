@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case-file/case_context.h"
+#include "report/patience.h"
 
 class QActionGroup;
 class QLabel;
@@ -59,7 +60,7 @@ class MainWindow : public QMainWindow {
     /// Writes the current page's case. The same return.
     QString saveCase(const QString& path);
     /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
-    QString writeReport(const QString& path);
+    QString writeReport(const QString& path, const Patience& patience = Patience());
 
     /// Keeps what is not saved for the case of a crash, and what is open for the next start; opens
     /// what was open at the last, if the user likes.

@@ -18,6 +18,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "plot/plot_view.h"
 #include "report/case_report.h"
 #include "report/report.h"
 #include "shell/documents.h"
@@ -254,6 +255,41 @@ TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
     ASSERT_EQ(window.writeReport(html), QString());
     EXPECT_FALSE(fileText(html).contains(sum));
     EXPECT_TRUE(fileText(html).contains(u"not saved"_s));
+}
+
+TEST_F(ReportInWindow, CanBeCancelledAndLeavesTheTabsAsTheyWere) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    const auto fronts = [&] {
+        QStringList names;
+        for (const QTabWidget* tabs : window.currentPage()->findChildren<QTabWidget*>()) {
+            names << tabs->tabText(tabs->currentIndex());
+        }
+        return names;
+    };
+    const QStringList before = fronts();
+    for (const int turns : {0, 7, 12}) {
+        int left = turns;
+        const QString html = file(u"cancelled.html"_s);
+        EXPECT_NE(window.writeReport(html, Patience({}, [&left] { return left-- == 0; })),
+                  QString());
+        EXPECT_LT(left, 0);
+        EXPECT_FALSE(QFile::exists(html));
+        EXPECT_EQ(fronts(), before);
+        EXPECT_TRUE(window.updatesEnabled());
+    }
+}
+
+TEST_F(ReportInWindow, AZoomedPlotIsSaidToBeASection) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    const QString html = file(u"report.html"_s);
+    const QString said = u"A section: the plot is zoomed."_s;
+    ASSERT_EQ(window.writeReport(html), QString());
+    EXPECT_FALSE(fileText(html).contains(said));
+    auto* plot = window.currentPage()->findChild<PlotView*>();
+    test::turnWheel(plot, plot->rect().center(), 5);
+    ASSERT_TRUE(plot->isZoomed());
+    ASSERT_EQ(window.writeReport(html), QString());
+    EXPECT_EQ(fileText(html).count(said), 1);
 }
 
 TEST_F(ReportInWindow, RefusesWhatCannotBeWrittenAndLeavesNothing) {

@@ -16,6 +16,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "plot/plot_view.h"
+#include "report/patience.h"
 #include "report/report.h"
 #include "report/study_section.h"
 #include "scene_tests.h"
@@ -615,12 +616,12 @@ TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
 
 TEST_F(Tolerances, StandInTheReport) {
     Report report;
-    addTolerances(report, scene());
+    addTolerances(report, scene(), Patience());
     EXPECT_TRUE(report.items.empty());  // without tolerances no word of them
     scatter("/centre_distance_mm", u"1"_s);
     watch("/moment_amplitude_Nm");
     waitForAnswer();
-    addTolerances(report, scene());
+    addTolerances(report, scene(), Patience());
     std::vector<report::Table> tables;
     int figures = 0;
     for (const report::Item& item : report.items) {
