@@ -139,6 +139,13 @@ QString eitherNumberText(const QString& text, double one, double other) {
         .arg(text, shownFormNumber(one, locale, digits), shownFormNumber(other, locale, digits));
 }
 
+QString notANumberText(const QString& text) {
+    constexpr qsizetype longest = 40;
+    const QString shown = text.simplified();
+    return QCoreApplication::translate("ravnoves::NumberField", "“%1” is not a number.")
+        .arg(shown.size() > longest ? shown.left(longest) + QChar(0x2026) : shown);
+}
+
 bool isTypedNumber(const QString& text) {
     const auto [digits, word] = split(text.trimmed());
     return readFormNumber(digits) && (word.isEmpty() || typedUnit(word) != nullptr);

@@ -28,6 +28,9 @@ std::optional<double> readWithThousands(const QString& text, const QString& unit
 /// Why such a text is refused, with both numbers.
 QString eitherNumberText(const QString& text, double one, double other);
 
+/// That a text is no number; of a long one, as a table that was pasted into a field, its beginning.
+QString notANumberText(const QString& text);
+
 /// True for a number with a unit of mass or length, or without one.
 bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.

@@ -64,7 +64,7 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     }
     const auto [number, trouble] = readTypedNumber(typed, unit_);
     if (!number) {
-        return {{}, trouble.isEmpty() ? tr("“%1” is not a number.").arg(typed) : trouble};
+        return {{}, trouble.isEmpty() ? notANumberText(typed) : trouble};
     }
     if (whole_ && std::floor(*number) != *number) {
         return {{}, tr("The value must be a whole number.")};

@@ -162,9 +162,12 @@ void ValueSlider::sayOutOfRange(const QString& typed) {
         refuse(eitherNumberText(typed, *thousands, *number));
         return;
     }
-    const QString rule = number ? NumberField::tr("The value %1.").arg(rangeText(range, unit_))
-                         : trouble.isEmpty() ? NumberField::tr("“%1” is not a number.").arg(typed)
-                                             : trouble;
+    if (!number && trouble.isEmpty()) {
+        refuse(notANumberText(typed));
+        return;
+    }
+    const QString rule =
+        number ? NumberField::tr("The value %1.").arg(rangeText(range, unit_)) : trouble;
     refuse(tr("“%1” is refused. %2").arg(typed, rule));
 }
 

@@ -153,6 +153,17 @@ TEST_F(NumberFieldTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
     EXPECT_EQ(field.value(), 58.5);
 }
 
+TEST_F(NumberFieldTest, OfATableThatIsPastedIntoAFieldTheBeginningIsQuoted) {
+    QString table;
+    for (int i = 0; i < 50; ++i) {
+        table += QStringLiteral("%1 0.5 ").arg(i);
+    }
+    field.insert(table);
+    EXPECT_TRUE(field.trouble().startsWith(QStringLiteral("“0 0.5 1 0.5")))
+        << qPrintable(field.trouble());
+    EXPECT_LT(field.trouble().size(), 80) << qPrintable(field.trouble());
+}
+
 TEST_F(NumberFieldTest, EscapeBringsTheLastValueBack) {
     QTest::keyClicks(&field, QStringLiteral("x"));
     QTest::keyClick(&field, Qt::Key_Escape);
