@@ -13671,8 +13671,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>межосевое расстояние l</translation>
     </message>
     <message>
-        <source>change without the shaft</source>
-        <translation>изменение без вала</translation>
+        <source>change against no shaft</source>
+        <translation>изменение против двигателя без вала</translation>
     </message>
     <message>
         <source>clearance</source>

@@ -755,6 +755,15 @@ TEST_F(BobPageTest, WhatTheLimitIsMadeOfIsDoubted) {
         << qPrintable(label("troubles"));
 }
 
+TEST_F(BobPageTest, PlanesAtOnePlaceAreNamedAsTheFormNamesThem) {
+    typeShopCard();
+    typeReadings();
+    type("position_2", u"60"_s);
+    const QString said = find<NumberField>("position_2")->trouble() + label("headline") +
+                         label("troubles") + label("refused");
+    EXPECT_TRUE(said.contains(u"Rear plane, position: must differ"_s)) << qPrintable(said);
+}
+
 TEST_F(BobPageTest, WhatIsZeroNeedsNoAngle) {
     typeShopCard();
     typeReadings();

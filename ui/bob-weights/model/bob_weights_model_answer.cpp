@@ -33,6 +33,18 @@ QString BobWeightsModel::shownError(const InputError& error) const {
                                   place.value(1) == QLatin1String("tolerance"))) {
         return missingText(error.where());
     }
+    if (place.value(1) == QLatin1String("correction") &&
+        place.value(2) == QLatin1String("planes") && place.size() == 5) {
+        // The form has a column for each plane, no rows.
+        const auto described = describedFields("/correction/planes/0/" + place[4].toStdString());
+        const QString plane = bob_text::planeName(Words(), place[3].toULongLong());
+        if (!described.empty()) {
+            return explain(
+                {(plane + QStringLiteral(", ") + inSentence(fieldName(described.front().field)))
+                     .toStdString(),
+                 error.allowed_message(), error.found_message()});
+        }
+    }
     if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
         for (const Word& word : workshop::part_words) {
             if (place[2] == QLatin1String(word.word.data())) {

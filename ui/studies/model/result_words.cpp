@@ -44,7 +44,7 @@ struct ResultWords {
         {"bobweight_with_plugs_in", QT_TR_NOOP("bob weight with plugs in")},
         {"bobweights", QT_TR_NOOP("bob weights")},
         {"centre_distance", QT_TR_NOOP("centre distance l")},
-        {"change_without_shaft", QT_TR_NOOP("change without the shaft")},
+        {"change_without_shaft", QT_TR_NOOP("change against no shaft")},
         {"clearances", QT_TR_NOOP("clearance")},
         {"compressed", QT_TR_NOOP("spring compressed")},
         {"constant", QT_TR_NOOP("constant")},
