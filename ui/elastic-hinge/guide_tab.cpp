@@ -54,6 +54,11 @@ class GuideTab : public HingePlotTab {
 GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
     : HingePlotTab(model, parent), model_(model) {
     refresh = [this] { showGuides(); };
+    connect(model_, &SceneModel::rested, this, [this] {
+        if (isVisible()) {
+            showGuides();
+        }
+    });
     showPresent = [this] { showMarks(); };
     buildBar();
     guide_ = addPlot(HingePlots::tr("Guides"), {HingePlots::tr("x, mm"), -130.0, 130.0},
@@ -159,8 +164,11 @@ void GuideTab::setPath(int curve, GuidePicture::Path path) {
 }
 
 void GuideTab::showReach() {
-    if (reach_ > 0.0 && (reach_ > shownReach_ || reach_ < 0.6 * shownReach_)) {
-        shownReach_ = 1.12 * reach_;
+    const double wanted = 1.12 * reach_;
+    const bool isFar = model_->isMoved() ? reach_ > shownReach_ || reach_ < 0.6 * shownReach_
+                                         : wanted != shownReach_;
+    if (reach_ > 0.0 && isFar) {
+        shownReach_ = wanted;
         if (!guide_->isZoomed()) {
             guide_->setXAxis({HingePlots::tr("x, mm"), -shownReach_, shownReach_});
         }
@@ -172,7 +180,9 @@ void GuideTab::showRelief() {
     const std::vector<double>& phi = model_->result().crank_angle_deg;
     const GuidePicture picture = shown();
     if (const double finest = picture.greatestRise(); finest > 0.0) {
-        const bool narrow = finest < (narrow_ ? 0.6e-3 : 0.4e-3);  // no flicker at the border
+        // No flicker at the border.
+        const double border = !model_->isMoved() ? 0.5e-3 : narrow_ ? 0.6e-3 : 0.4e-3;
+        const bool narrow = finest < border;
         if (narrow != narrow_) {
             narrow_ = narrow;
             nameRelief();

@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/model/engine_curves.h"
@@ -75,6 +77,7 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
         showMoments();
         showCursor(model_->crank()->degrees());
     });
+    connect(model_, &SceneModel::rested, this, &InertiaMomentsCharts::showFront);
     connect(model_, &SceneModel::viewChanged, this, &InertiaMomentsCharts::showMoments);
     connect(model_->crank(), &CrankAngle::changed, this, &InertiaMomentsCharts::showCursor);
     showMoments();
@@ -375,15 +378,21 @@ void InertiaMomentsCharts::showHodograph(Hodograph& hodograph, bool force) {
     const auto fills = [](const engine_curves::Interval& axis, const engine_curves::Interval& now) {
         return now.span() > 0.6 * axis.span();
     };
-    if (!hodograph.x.holds(picture.x) || !hodograph.y.holds(picture.y) ||
+    if (!model_->isMoved() || !hodograph.x.holds(picture.x) || !hodograph.y.holds(picture.y) ||
         (!fills(hodograph.x, picture.x) && !fills(hodograph.y, picture.y))) {
         // As much room on either axis: both have one scale.
         const double room = 0.08 * std::max(picture.x.span(), picture.y.span());
         const auto with = [room](const engine_curves::Interval& of) {
             return engine_curves::Interval{of.low - room, of.high + room};
         };
-        hodograph.x = with(picture.x);
-        hodograph.y = with(picture.y);
+        const std::pair wanted(with(picture.x), with(picture.y));
+        const auto same = [](const engine_curves::Interval& a, const engine_curves::Interval& b) {
+            return a.low == b.low && a.high == b.high;
+        };
+        if (same(wanted.first, hodograph.x) && same(wanted.second, hodograph.y)) {
+            return;
+        }
+        std::tie(hodograph.x, hodograph.y) = wanted;
         hodograph.plot->setXAxis(
             {force ? tr("Fx, N") : tr("Mx, N·m"), hodograph.x.low, hodograph.x.high});
         hodograph.plot->setYRange(PlotView::Side::Left, hodograph.y.low, hodograph.y.high);

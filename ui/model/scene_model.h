@@ -160,8 +160,13 @@ class SceneModel : public QObject {
     /// The next change is a step of its own in the history, whatever its name.
     void finishDrag() {
         ++step_;
-        lastName_.clear();
+        if (isMoved()) {
+            lastName_.clear();
+            Q_EMIT rested();
+        }
     }
+    /// True from the first step of a drag to finishDrag(): what would jump to and fro rests.
+    bool isMoved() const { return !lastName_.isEmpty(); }
 
     // An editing of a field, from its first key to Enter, Escape or the loss of the focus. What is
     // typed shows its effect at once, but is in no history: that, and what could be redone, change
@@ -201,6 +206,8 @@ class SceneModel : public QObject {
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
+    /// A drag has ended: what rested meanwhile follows.
+    void rested();
     /// What draftFile() has beyond the case.
     void typingChanged();
     void titleChanged(const QString& title);

@@ -120,6 +120,10 @@ class PlotView : public QWidget {
 
     void resetZoom();
     bool isZoomed() const { return data_.zoomed; }
+    /// Axes of all plots rest as far as they can, while something is dragged.
+    static void setSteady(bool steady) { PlotData::steady = steady; }
+    /// The axes follow what is shown now.
+    void fitAxes() { curvesChanged(); }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
     QRectF plotArea() const { return data_.area; }
     QPointF toPixel(double x, double y, Side side = Side::Left) const {

@@ -30,6 +30,16 @@ ScenePage::~ScenePage() {
     }
 }
 
+void ScenePage::followDrags(const SceneModel* model) {
+    connect(model, &SceneModel::changed, this, [model] { PlotView::setSteady(model->isMoved()); });
+    connect(model, &SceneModel::rested, this, [this] {
+        PlotView::setSteady(false);
+        for (PlotView* plot : findChildren<PlotView*>()) {
+            plot->fitAxes();
+        }
+    });
+}
+
 void ScenePage::setActive(bool active) {
     if (!active) {
         for (MechanismPicture* picture : findChildren<MechanismPicture*>()) {

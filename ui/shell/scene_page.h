@@ -63,11 +63,17 @@ class ScenePage : public QWidget {
     template <typename Model, typename... Arguments>
     Model* takeOver(SceneModel* kept, Arguments&&... arguments) {
         if (kept == nullptr) {
-            return new Model(std::forward<Arguments>(arguments)..., this);
+            kept = new Model(std::forward<Arguments>(arguments)..., this);
         }
         kept->setParent(this);
+        followDrags(kept);
         return static_cast<Model*>(kept);
     }
+
+  private:
+    /// Axes rest while something is dragged, and are then those of what is shown, whatever was
+    /// shown before.
+    void followDrags(const SceneModel* model);
 };
 
 }  // namespace ravnoves

@@ -115,18 +115,24 @@ TEST(LabelPlaces, ChoosesWhereLeastIsDrawn) {
     places.addShape(QRectF(500, 500, 4, 4));  // elsewhere
 }
 
-TEST(PlotScale, RestsWhileTheDataFit) {
+TEST(PlotScale, RestsInADragWhileTheDataFit) {
     PlotScale scale;
     scale.fit(-100.0, 100.0);
     EXPECT_LE(scale.low, -100.0);
     EXPECT_GE(scale.high, 100.0);
     const std::pair before(scale.low, scale.high);
-    scale.fit(-80.0, 80.0);
+    scale.fit(-80.0, 80.0, true);
     EXPECT_EQ(std::pair(scale.low, scale.high), before);
     scale.fit(infinity, -infinity);  // no data
     EXPECT_EQ(std::pair(scale.low, scale.high), before);
-    scale.fit(-20.0, 20.0);
+    scale.fit(-20.0, 20.0, true);
     EXPECT_LT(scale.high, 50.0);
+    // Else what was shown before does not matter.
+    PlotScale other;
+    other.fit(-80.0, 80.0);
+    scale.fit(-100.0, 100.0);
+    scale.fit(-80.0, 80.0);
+    EXPECT_EQ(std::pair(scale.low, scale.high), std::pair(other.low, other.high));
 }
 
 TEST(PlotScale, KeepsToWhatIsFixed) {

@@ -199,7 +199,7 @@ void PlotData::fitScales() {
                 most = follower.holds(high) ? std::max(most, high) : most;
             }
         }
-        follower.fit(least, most);
+        follower.fit(least, most, steady);
         if (both && follower.fixed && reference->scale(side).fixed) {
             follower.low = std::min(follower.low, reference->scale(side).fixed->first);
             follower.high = std::max(follower.high, reference->scale(side).fixed->second);

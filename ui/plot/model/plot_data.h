@@ -139,12 +139,13 @@ struct PlotData {
     PlotScale x = {};
     PlotScale left = {};
     PlotScale right = {};
-    QRectF area = {};           ///< the chart's inner rectangle, pixels
-    double headerHeight = 0.0;  ///< title and legend
-    double flatRoom = 0.0;      ///< pixels for the title of the x axis
-    double uprightRoom = 0.0;   ///< the same of y axes
-    bool equalScale = false;    ///< one unit is the same length on both axes
-    bool zoomed = false;        ///< the scales are the user's
+    QRectF area = {};                   ///< the chart's inner rectangle, pixels
+    double headerHeight = 0.0;          ///< title and legend
+    double flatRoom = 0.0;              ///< pixels for the title of the x axis
+    double uprightRoom = 0.0;           ///< the same of y axes
+    bool equalScale = false;            ///< one unit is the same length on both axes
+    bool zoomed = false;                ///< the scales are the user's
+    static inline bool steady = false;  ///< something is dragged: scales of all plots rest
 
     QImage image = {};
     QRectF imageValues = {};

@@ -29,7 +29,7 @@ double PlotScale::number(double value) const {
     return spec.factor == 1.0 ? value : rounded_to_digits(spec.factor * value, 12);
 }
 
-void PlotScale::fit(double least, double most) {
+void PlotScale::fit(double least, double most, bool steady) {
     if (fixed) {
         std::tie(low, high) = *fixed;
         return;
@@ -49,7 +49,7 @@ void PlotScale::fit(double least, double most) {
         }
         return;
     }
-    if (least >= low && most <= high && most - least > 0.5 * (high - low)) {
+    if (steady && least >= low && most <= high && most - least > 0.5 * (high - low)) {
         return;
     }
     const double pad = 0.04 * (most - least);

@@ -82,9 +82,10 @@ struct PlotScale {
         return unscaled(start + fraction * (scaled(high) - start));
     }
 
-    /// Shows data from least to most, with hysteresis: rescaling costs a frame, so the axis stays
-    /// while the data fit and fill more than half of it. Without data (least > most) it stays too.
-    void fit(double least, double most);
+    /// Shows data from least to most. Without data (least > most) it stays.
+    /// @param steady  stays too while the data fit and fill more than half of it: under a hand that
+    ///   drags, axes that follow each step are not to be read, and take half of each frame
+    void fit(double least, double most, bool steady = false);
     /// Keeps to this interval, with a little room.
     /// @return whether that is news; an interval that is none is refused
     bool fix(double min, double max);
