@@ -70,7 +70,7 @@ NumberField::Reading NumberField::read(const QString& typed) const {
         return {{}, tr("The value must be a whole number.")};
     }
     const auto thousands = readWithThousands(typed, unit_);
-    if (thousands && range_.contains(*thousands) && range_.contains(*number)) {
+    if (thousands && range_.contains(*thousands)) {
         return {{}, eitherNumberText(typed, *thousands, *number)};
     }
     if (!range_.contains(*number)) {

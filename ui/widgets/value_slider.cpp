@@ -158,7 +158,7 @@ void ValueSlider::sayOutOfRange(const QString& typed) {
     const auto [number, trouble] = readTypedNumber(typed, unit_);
     const auto thousands = readWithThousands(typed, unit_);
     const Range range = Range::between(box_->minimum(), box_->maximum());
-    if (number && thousands && range.contains(*number) && range.contains(*thousands)) {
+    if (number && thousands && range.contains(*thousands)) {
         refuse(eitherNumberText(typed, *thousands, *number));
         return;
     }

@@ -229,9 +229,10 @@ QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
 }
 
 void WorkshopPage::goOn(QWidget* from) {
-    const auto* entry = qobject_cast<EntryField*>(from);
+    auto* entry = qobject_cast<EntryField*>(from);
     if (entry != nullptr && !entry->trouble().isEmpty()) {
         QApplication::beep();  // a refused entry is not passed over
+        entry->selectAll();    // what is typed next takes its place
         return;
     }
     for (qsizetype sheet = 0; sheet < forms_.size(); ++sheet) {

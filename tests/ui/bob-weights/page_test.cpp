@@ -764,6 +764,15 @@ TEST_F(BobPageTest, PlanesAtOnePlaceAreNamedAsTheFormNamesThem) {
     EXPECT_TRUE(said.contains(u"Rear plane, position: must differ"_s)) << qPrintable(said);
 }
 
+TEST_F(BobPageTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
+    type("rings", u"1,250"_s);
+    auto* rings = find<NumberField>("rings");
+    EXPECT_FALSE(rings->trouble().isEmpty());
+    QTest::keyClicks(rings, u"69"_s);
+    EXPECT_EQ(rings->text(), u"69"_s);
+    EXPECT_EQ(rings->value(), 69.0);
+}
+
 TEST_F(BobPageTest, WhatIsZeroNeedsNoAngle) {
     typeShopCard();
     typeReadings();

@@ -113,6 +113,12 @@ TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
               QStringLiteral("“1,250” may be 1250 or 1.25: type the one that is meant."));
     QTest::keyClicks(&field, QStringLiteral("5"));
     EXPECT_EQ(field.value(), 1.2505) << "no thousands";
+    // Also where only one of both is allowed.
+    field.setRange(Range::between(100, 5000), QStringLiteral("mm"));
+    field.selectAll();
+    QTest::keyClicks(&field, QStringLiteral("3,600"));
+    EXPECT_TRUE(field.trouble().contains(QStringLiteral("3600 or 3.6")))
+        << qPrintable(field.trouble());
     for (const char* plain : {"0,125", "-0,125", "1250", "1.250"}) {
         EXPECT_FALSE(readWithThousands(QString::fromLatin1(plain), {})) << plain;
     }
