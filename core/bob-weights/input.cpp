@@ -170,8 +170,8 @@ bool is_share_of_one(const Factor& factor) {
 }
 
 BearingPlaces places_of_bearings(const Input& input) {
-    if (!input.correction || !input.tolerance) {
-        return BearingPlaces::plausible;
+    if (!input.correction || input.correction->planes.size() != 2 || !input.tolerance) {
+        return BearingPlaces::plausible;  // a sheet may be saved half filled
     }
     const auto& front = input.correction->planes.at(0).position;
     const auto& rear = input.correction->planes.at(1).position;

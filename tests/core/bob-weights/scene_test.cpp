@@ -397,5 +397,23 @@ TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
                 1e-12);
 }
 
+TEST(BearingPlaces, AreJudgedOnlyWhereBothPlanesAreKnown) {
+    Input input;
+    input.tolerance.emplace();
+    input.tolerance->front_bearing = 0.4;
+    input.tolerance->rear_bearing = 0.1;
+    for (const std::size_t planes : {0U, 1U, 2U}) {
+        input.correction.emplace().planes.resize(planes);
+        EXPECT_EQ(places_of_bearings(input), BearingPlaces::plausible) << planes;
+    }
+    input.correction->planes[0].position = 0.06;
+    input.correction->planes[1].position = 0.48;
+    EXPECT_EQ(places_of_bearings(input), BearingPlaces::reversed);
+    std::swap(input.tolerance->front_bearing, input.tolerance->rear_bearing);
+    EXPECT_EQ(places_of_bearings(input), BearingPlaces::plausible);
+    input.tolerance->centre_of_mass = 6.0;
+    EXPECT_EQ(places_of_bearings(input), BearingPlaces::centre_beyond);
+}
+
 }  // namespace
 }  // namespace ravnoves::bob_weights
