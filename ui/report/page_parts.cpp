@@ -150,12 +150,12 @@ class Collector {
         waited.start();
         // Layout, then what a shown tab computes.
         for (int turn = 0; turn < 3; ++turn) {
-            patience_.turn();
+            patience_.wait();
         }
         while (page_.isBusy() && waited.elapsed() < patience) {
             patience_.wait(50);
         }
-        patience_.turn();
+        patience_.wait();
     }
 
     void walk(QWidget* widget, std::size_t group) {

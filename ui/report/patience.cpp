@@ -6,16 +6,11 @@
 
 namespace ravnoves {
 
-Patience::Patience(InDialog inDialog, std::function<bool()> isCancelled)
-    : inDialog_(std::move(inDialog)), isCancelled_(std::move(isCancelled)) {}
-
-void Patience::turn() const {
-    wait(0);
-}
+Patience::Patience(std::function<bool()> isCancelled) : isCancelled_(std::move(isCancelled)) {}
 
 void Patience::wait(int longest) const {
-    QEventLoop::ProcessEventsFlags flags =
-        inDialog_ && inDialog_() ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents;
+    const QEventLoop::ProcessEventsFlags flags =
+        isCancelled_ ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents;
     if (longest > 0) {
         QCoreApplication::processEvents(flags | QEventLoop::WaitForMoreEvents, longest);
     } else {

@@ -14,20 +14,16 @@ class ReportCancelled : public std::exception {
 /// While a report waits for what is computed, the program goes on.
 class Patience {
   public:
-    /// Whether the user waits in a dialog that blocks the rest of the program: only then is input
-    /// handled, which would change what is reported.
-    using InDialog = std::function<bool()>;
+    /// @param isCancelled  in a dialog that is shown and blocks the rest of the program; without
+    /// one
+    ///   no input is handled, for it would change what is reported
+    explicit Patience(std::function<bool()> isCancelled = {});
 
-    explicit Patience(InDialog inDialog = {}, std::function<bool()> isCancelled = {});
-
-    /// Handles what there is to handle.
+    /// Handles what there is to handle; where there is nothing, waits so long for it, ms.
     /// @throws ReportCancelled
-    void turn() const;
-    /// The same, and where there is nothing waits so long for it, ms.
-    void wait(int longest) const;
+    void wait(int longest = 0) const;
 
   private:
-    InDialog inDialog_;
     std::function<bool()> isCancelled_;
 };
 

@@ -493,14 +493,12 @@ void MainWindow::exportReport() {
     QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 0, this);
     progress.setWindowTitle(tr("Report"));
     progress.setWindowModality(Qt::ApplicationModal);
-    constexpr int noticedMs = 500;
-    progress.setMinimumDuration(noticedMs);
-    // What the file dialog lay over: nothing of this window is painted while its tabs are gone
-    // through.
+    progress.show();
+    // That, and what the file dialog lay over: nothing of this window is painted while its tabs are
+    // gone through.
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     const QString trouble =
-        writeReport(path, Patience([&progress] { return progress.isVisible(); },
-                                   [&progress] { return progress.wasCanceled(); }));
+        writeReport(path, Patience([&progress] { return progress.wasCanceled(); }));
     const bool isCancelled = progress.wasCanceled();
     progress.reset();
     if (isCancelled) {

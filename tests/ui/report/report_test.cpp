@@ -270,8 +270,7 @@ TEST_F(ReportInWindow, CanBeCancelledAndLeavesTheTabsAsTheyWere) {
     for (const int turns : {0, 7, 12}) {
         int left = turns;
         const QString html = file(u"cancelled.html"_s);
-        EXPECT_NE(window.writeReport(html, Patience({}, [&left] { return left-- == 0; })),
-                  QString());
+        EXPECT_NE(window.writeReport(html, Patience([&left] { return left-- == 0; })), QString());
         EXPECT_LT(left, 0);
         EXPECT_FALSE(QFile::exists(html));
         EXPECT_EQ(fronts(), before);
