@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "bibliography/formula.h"
@@ -27,13 +28,14 @@ constexpr double permissible_unbalance(double rotor_mass, double grade, double s
 
 /// A crankshaft's mass that was typed in grams, as it seems: those of cars, trucks and locomotives
 /// weigh less than 2 t.
-constexpr bool is_mass_in_grams(double rotor_mass) {
+inline bool is_mass_in_grams(const std::optional<double>& rotor_mass) {
     constexpr double heaviest = 2000.0;  // kg
-    return rotor_mass > heaviest;
+    return rotor_mass && *rotor_mass > heaviest;
 }
 /// No engine's speed in service, as it seems: below 30 or above 30 000 min⁻¹.
-constexpr bool is_odd_speed(double service_speed) {
-    return service_speed < 30.0 * units::rpm || service_speed > 30'000.0 * units::rpm;
+inline bool is_odd_speed(const std::optional<double>& service_speed) {
+    return service_speed &&
+           (*service_speed < 30.0 * units::rpm || *service_speed > 30'000.0 * units::rpm);
 }
 
 /// permissible_unbalance() as a report prints it.

@@ -40,7 +40,7 @@ BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(mod
     });
     section(tr("Factor"));
     doubt(number("/factor/reciprocating_percent"),
-          [this] { return bob_weights::is_share_of_one(model_->input().factor); });
+          [this] { return is_share_of_one(model_->input().factor); });
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
     addJob();
@@ -295,29 +295,19 @@ void BobMachineSheet::buildTolerance() {
                    : grades_->itemData(grades_->currentIndex(), Qt::ToolTipRole).toString();
     });
     number("/tolerance/grade_mm_s");
-    const auto doubtTolerance = [this](const char* place, auto isDoubtful) {
-        doubt(number(place), [this, isDoubtful] {
-            const auto& tolerance = model_->input().tolerance;
-            return tolerance && isDoubtful(*tolerance);
-        });
+    doubt(number("/tolerance/rotor_mass_kg"), [this] {
+        const auto& limit = model_->input().tolerance;
+        return limit && limit->by_grade && workshop::is_mass_in_grams(limit->rotor_mass);
+    });
+    doubt(number("/tolerance/service_speed_rpm"),
+          [this] { return workshop::is_odd_speed(service_speed(model_->input())); });
+    const auto doubtPlace = [this](const char* place, BearingPlaces wrong) {
+        doubt(number(place),
+              [this, wrong] { return places_of_bearings(model_->input()) == wrong; });
     };
-    doubtTolerance("/tolerance/rotor_mass_kg", [](const Tolerance& it) {
-        return it.by_grade && it.rotor_mass && workshop::is_mass_in_grams(*it.rotor_mass);
-    });
-    doubtTolerance("/tolerance/service_speed_rpm", [](const Tolerance& it) {
-        return it.by_grade && it.service_speed && workshop::is_odd_speed(*it.service_speed);
-    });
-    const auto misplaced = [this](const Tolerance&) {
-        return bob_weights::places_of_bearings(model_->input());
-    };
-    doubtTolerance("/tolerance/centre_of_mass_mm", [misplaced](const Tolerance& it) {
-        return misplaced(it) == BearingPlaces::centre_beyond;
-    });
-    for (const char* place : {"/tolerance/front_bearing_mm", "/tolerance/rear_bearing_mm"}) {
-        doubtTolerance(place, [misplaced](const Tolerance& it) {
-            return misplaced(it) == BearingPlaces::reversed;
-        });
-    }
+    doubtPlace("/tolerance/centre_of_mass_mm", BearingPlaces::centre_beyond);
+    doubtPlace("/tolerance/front_bearing_mm", BearingPlaces::reversed);
+    doubtPlace("/tolerance/rear_bearing_mm", BearingPlaces::reversed);
     line(Theme::baseSize, [this] { return model_->limitText(); });
 }
 

@@ -55,6 +55,11 @@ QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
                      .arg(comma, point);
 }
 
+QString EditableTable::paste(int row, int column, const std::vector<QStringList>& cells) {
+    const QString mixed = mixedDecimalSigns(cells);
+    return mixed.isEmpty() ? pasteBlock(row, column, cells) : mixed;
+}
+
 Qt::ItemFlags EditableTable::flags(const QModelIndex& index) const {
     return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable
                            : Qt::NoItemFlags;

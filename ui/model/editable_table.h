@@ -40,6 +40,8 @@ class EditableTable : public QAbstractTableModel {
     /// A new row below a row; below the last one for −1. A table of so many rows has none.
     virtual void insertRowBelow(int /*row*/) {}
     virtual void removeRowRange(int /*first*/, int /*count*/) {}
+    /// pasteBlock(), unless mixedDecimalSigns().
+    QString paste(int row, int column, const std::vector<QStringList>& cells);
     /// Writes a block of cells at a cell, as a spreadsheet does.
     /// @return an empty string, or what is wrong
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;

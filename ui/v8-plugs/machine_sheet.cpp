@@ -9,15 +9,13 @@ namespace ravnoves {
 MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section(tr("Permissible residual unbalance, ISO 21940-11"));
     number("/balancing/grade_mm_s");
-    NumberField* mass = number("/balancing/rotor_mass_kg");
-    NumberField* speed = number("/balancing/service_speed_rpm");
-    doubt(mass, [this] {
+    doubt(number("/balancing/rotor_mass_kg"), [this] {
         const auto& sheet = model_->input().balancing;
-        return sheet && sheet->rotor_mass && workshop::is_mass_in_grams(*sheet->rotor_mass);
+        return sheet && workshop::is_mass_in_grams(sheet->rotor_mass);
     });
-    doubt(speed, [this] {
+    doubt(number("/balancing/service_speed_rpm"), [this] {
         const auto& sheet = model_->input().balancing;
-        return sheet && sheet->service_speed && workshop::is_odd_speed(*sheet->service_speed);
+        return sheet && workshop::is_odd_speed(sheet->service_speed);
     });
     number("/balancing/front_share");
     section(tr("What the machine reads"));

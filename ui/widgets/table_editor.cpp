@@ -164,10 +164,7 @@ void TableEditor::paste() {
         return;
     }
     const QModelIndex at = view_->currentIndex();
-    const QString mixed = mixedDecimalSigns(cells);
-    const QString trouble = !mixed.isEmpty() ? mixed
-                                             : table_->pasteBlock(std::max(at.row(), 0),
-                                                                  std::max(at.column(), 0), cells);
+    const QString trouble = table_->paste(std::max(at.row(), 0), std::max(at.column(), 0), cells);
     if (!trouble.isEmpty()) {
         say(trouble, true);
     }

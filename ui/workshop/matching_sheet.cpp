@@ -153,10 +153,8 @@ bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
         const QString text = QGuiApplication::clipboard()->text();
         const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
         if (isBlock) {
-            const auto cells = readTextTable(text, EmptyLine::gap);
-            const QString mixed = mixedDecimalSigns(cells);
-            trouble_->say(!mixed.isEmpty() ? mixed
-                                           : table_->pasteBlock(cell.row(), cell.column(), cells));
+            trouble_->say(
+                table_->paste(cell.row(), cell.column(), readTextTable(text, EmptyLine::gap)));
         }
         return isBlock;
     }

@@ -216,8 +216,10 @@ std::size_t BobWeightsModel::newestRun() const {
 
 bool BobWeightsModel::isRunRead() const {
     for (std::size_t plane = 0; plane < 2; ++plane) {
-        const auto unbalance = reading(newestRun(), plane, false);
-        if (!unbalance || (*unbalance != 0.0 && !reading(newestRun(), plane, true))) {
+        EarlierReading read;
+        read.unbalance = reading(newestRun(), plane, false);
+        read.angle = reading(newestRun(), plane, true);
+        if (!is_read(read)) {
             return false;
         }
     }

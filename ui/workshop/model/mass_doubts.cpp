@@ -13,12 +13,12 @@ QString kilogramText(const Words& words, const QString& name, double mass) {
 QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,
                        const std::optional<double>& service_speed) {
     QStringList list;
-    if (rotor_mass && workshop::is_mass_in_grams(*rotor_mass)) {
+    if (workshop::is_mass_in_grams(rotor_mass)) {
         list << words.translate("Workshop", "%1: %2 looks like grams; it is in kilograms.")
                     .arg(words.name(workshop::field::rotor_mass),
                          words.plainWithUnit(*rotor_mass, units::kg, 0));
     }
-    if (service_speed && workshop::is_odd_speed(*service_speed)) {
+    if (workshop::is_odd_speed(service_speed)) {
         list << words
                     .translate("Workshop",
                                "%1: no engine runs at %2 in service; look at the decimal sign.")
