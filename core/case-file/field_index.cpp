@@ -10,7 +10,10 @@ namespace {
 
 class Index final : public FieldWalker {
   public:
-    Index(bool all, std::string_view only) : FieldWalker(""), all_(all), only_(only) {}
+    Index(bool all, std::string_view only) : FieldWalker(""), all_(all), only_(only) {
+        constexpr std::size_t usual = 48;  // most scenes have fewer fields
+        entries_.reserve(only.empty() ? usual : 1);
+    }
 
     std::vector<FieldEntry> take() { return std::move(entries_); }
 
@@ -94,9 +97,9 @@ class Index final : public FieldWalker {
   private:
     /// What is asked for may be within this object or list.
     bool leads_on(const Field& field) const {
-        return only_.empty() || only_.starts_with(pointer_to(field.key) + "/");
+        return only_.empty() || is_within(field.key, only_);
     }
-    bool wants(const Field& field) const { return only_.empty() || only_ == pointer_to(field.key); }
+    bool wants(const Field& field) const { return only_.empty() || is_at(field.key, only_); }
     FieldEntry& add(const Field& field, FieldKind kind, FieldValue value) {
         if (!wants(field)) {
             return passed_;
@@ -178,8 +181,7 @@ class Setter final : public FieldWalker {
         take(field, index);
     }
     bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
-        const std::string place = pointer_to(field.key) + "/";
-        return target_.starts_with(place) && FieldWalker::begin_object(field, required, true);
+        return is_within(field.key, target_) && FieldWalker::begin_object(field, required, true);
     }
 
   private:
@@ -187,7 +189,7 @@ class Setter final : public FieldWalker {
     template <typename Value>
     const Value* wanted(const Field& field) {
         const Value* value = std::get_if<Value>(&value_);
-        if (done_ || value == nullptr || pointer_to(field.key) != target_) {
+        if (done_ || value == nullptr || !is_at(field.key, target_)) {
             return nullptr;
         }
         done_ = true;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "case-file/field_visitor.h"
 
 namespace ravnoves {
@@ -23,6 +25,15 @@ class FieldWalker : public FieldVisitor {
     void custom(const Field& /*field*/, bool /*required*/, Custom& /*value*/) override {}
     std::string pointer() const override { return pointer_; }
     std::string pointer_to(std::string_view key) const;
+    /// The field at this key is what the pointer points to.
+    bool is_at(std::string_view key, std::string_view target) const {
+        return beyond(key, target) == "";
+    }
+    /// What the pointer points to is within the object or list at this key.
+    bool is_within(std::string_view key, std::string_view target) const {
+        const auto rest = beyond(key, target);
+        return rest && rest->starts_with('/');
+    }
 
   protected:
     void visit_number(const Field& /*field*/, double& /*si*/, const double* /*fallback*/,
@@ -44,6 +55,8 @@ class FieldWalker : public FieldVisitor {
     void end_element() override { leave(); }
 
   private:
+    /// What is left of a pointer that begins with that to this key; nothing where it does not.
+    std::optional<std::string_view> beyond(std::string_view key, std::string_view target) const;
     void enter(std::string_view key);
     void leave();
 

@@ -182,6 +182,13 @@ void check_range(const Field& field, double value, const Message& where, const U
 
 double from_si(const Field& field, double si) {
     const double value = si / field.unit;
+    // The digits that nearly every field has: no text is needed to round to them.
+    constexpr double millionth = 1e6;
+    constexpr double most = 1e12;  // so many digits in all
+    const double whole = std::nearbyint(value * millionth);
+    if (std::abs(whole) < most && whole / millionth * field.unit == si) {
+        return whole / millionth;
+    }
     for (const int digits : {12, 15, 16}) {
         const double shorter = rounded_to_digits(value, digits);
         if (shorter * field.unit == si) {

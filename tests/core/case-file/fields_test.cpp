@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <cmath>
+#include <random>
 
 #include "case-file/case_file.h"
+#include "case-file/decimal.h"
 #include "case-file/field_index.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
@@ -97,6 +100,11 @@ std::string refusal(const char* json) {
         return error.what();
     }
     return "accepted";
+}
+
+std::string shortest(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 }  // namespace
@@ -223,6 +231,27 @@ TEST(Fields, TheTableOfTheHelpSaysWhatIsNeededAndWhatStandsIn) {
     for (const FieldEntry& entry : describe_fields<Weight>()) {
         EXPECT_EQ(entry.word, entry.pointer == "/mass_g" ? "solve" : "") << entry.pointer;
     }
+}
+
+// Of the doubles that read back to an SI value, the shortest text: what was typed.
+TEST(Fields, AValueComesBackAsItWasTyped) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> exponent(-9.0, 9.0);
+    std::uniform_int_distribution<int> digits(1, 15);
+    for (int i = 0; i < 20000; ++i) {
+        for (const Unit& unit : {units::mm, units::gram, units::rpm, units::none}) {
+            const Field field{.key = "x", .unit = unit};
+            const double any = std::pow(10.0, exponent(random)) * (i % 2 == 0 ? 1.0 : -1.0);
+            const double typed = rounded_to_digits(any, digits(random));
+            const double back = from_si(field, typed * unit);
+            EXPECT_EQ(back * unit, typed * unit);
+            EXPECT_LE(shortest(back).size(), shortest(typed).size()) << typed;
+        }
+    }
+    const Field field{.key = "x", .unit = units::mm};
+    EXPECT_EQ(from_si(field, 0.0), 0.0);
+    EXPECT_TRUE(std::signbit(from_si(field, -0.0)));
+    EXPECT_EQ(from_si(field, 1e300), 1e303);
 }
 
 TEST(Fields, OneIsListedAsAmongAll) {
