@@ -64,6 +64,8 @@ class EntryField : public QLineEdit {
     /// @param isOfModel  other values of the model may mend it
     void setTrouble(const QString& trouble, bool isOfModel = false);
     void showValue();
+    /// The text is that of the value, and nobody is at it.
+    bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
     void endEditing();
     /// Makes the model hold again what it held before the editing.
     /// @return false where there is none, or the editing has changed nothing there
@@ -108,6 +110,9 @@ class ValueEntry : public EntryField {
     /// Shows a value. A text that the user is at, or that was refused, stays where the value below
     /// it is still the same.
     void setValue(const Value& value) {
+        if (value == value_ && isAtRest()) {
+            return;  // most fields, at every step of a drag
+        }
         const bool before = same(value, value_);
         if (before && (isEditing() || !trouble().isEmpty())) {
             return;

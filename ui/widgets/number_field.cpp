@@ -44,7 +44,12 @@ double NumberField::shown(double value) const {
 
 void NumberField::setDigits(int digits) {
     digits_ = digits;
-    setValue(value());
+    showValue();
+}
+
+void NumberField::setDecimals(int decimals) {
+    decimals_ = decimals;
+    showValue();
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
@@ -86,9 +91,8 @@ NumberField::Reading NumberField::read(const QString& typed) const {
 
 QString NumberField::written() const {
     // In a column of converted numbers the points stand below each other.
-    const QVariant decimals = property("decimals");
-    if (value() && factor_ != 1.0 && decimals.isValid()) {
-        return QString::number(*value() * factor_, 'f', decimals.toInt())
+    if (value() && factor_ != 1.0 && decimals_) {
+        return QString::number(*value() * factor_, 'f', *decimals_)
             .replace(QLatin1Char('.'), locale().decimalPoint());
     }
     return value() ? formNumber(shown(*value()), locale(), digits_) : QString();

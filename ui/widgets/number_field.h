@@ -26,6 +26,8 @@ class NumberField : public ValueEntry<std::optional<double>> {
     void setWhole(bool whole) { whole_ = whole; }
     /// Significant digits shown; all that is typed is kept.
     void setDigits(int digits);
+    /// Digits after the point of a number that was converted, for a column of them.
+    void setDecimals(int decimals);
 
   Q_SIGNALS:
     /// The user gave a valid value; empty only where the field is optional.
@@ -49,6 +51,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString unit_;         ///< as shown
     double factor_ = 1.0;  ///< numbers shown per number of the value
     int digits_ = 10;
+    std::optional<int> decimals_;
     bool optional_ = false;
     bool whole_ = false;
 };

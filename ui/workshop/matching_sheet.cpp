@@ -114,7 +114,7 @@ NumberField* MatchingSheet::addCell(int row, int column) {
     field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::baseSize));
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
-    field->setProperty("decimals", 2 + shownUnit(table_->fieldOf(row).unit).decimals);
+    field->setDecimals(2 + shownUnit(table_->fieldOf(row).unit).decimals);
     field->installEventFilter(this);
     bind(
         field,
