@@ -37,14 +37,12 @@ QWidget* BalanceShaftPage::buildAnswer() {
     auto* best = new QGridLayout;
     best->setHorizontalSpacing(Theme::space);
     best->setVerticalSpacing(2);
-    bestRange_ = new QLabel(answer);
-    bestRms_ = new QLabel(answer);
+    bestRange_ = new ChangingLabel(answer);
+    bestRms_ = new ChangingLabel(answer);
     goRange_ = new QPushButton(tr("Go"), answer);
     goRms_ = new QPushButton(tr("Go"), answer);
     const auto addBest = [&](int row, QLabel* label, QPushButton* button, const QString& name) {
         label->setToolTip(tr("Over all α that can be built, exact for the continuous cycle"));
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         button->setMaximumWidth(Theme::withText(52));
         button->setAccessibleName(name);
         button->setToolTip(name);
@@ -63,7 +61,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_ = new ResultTable(tr("Forces, masses and sizes"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = copyableCaption("", answer);
+    notes_ = changingCaption(answer);
     auto* apart = new Apart(notes_, answer);
     notesArea_ = scrolled(apart, answer);
     const int line = notes_->fontMetrics().lineSpacing();

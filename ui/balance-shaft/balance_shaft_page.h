@@ -5,13 +5,13 @@
 #include "widgets/field_slider.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QScrollArea;
 class QTabWidget;
 
 namespace ravnoves {
 
+class ChangingLabel;
 class BalanceShaftModel;
 class MechanismView;
 class Form;
@@ -66,11 +66,11 @@ class BalanceShaftPage : public ScenePage {
     MechanismView* picture_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    QLabel* bestRange_ = nullptr;
-    QLabel* bestRms_ = nullptr;
+    ChangingLabel* bestRange_ = nullptr;
+    ChangingLabel* bestRms_ = nullptr;
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
-    QLabel* notes_ = nullptr;
+    ChangingLabel* notes_ = nullptr;
     QScrollArea* notesArea_ = nullptr;
     QAction* playAction_ = nullptr;
     QAction* bestRangeAction_ = nullptr;

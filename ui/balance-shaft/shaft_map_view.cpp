@@ -78,9 +78,8 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     frontColumn->setSpacing(Theme::gap);
     plot_ = new ShaftMapPlot(model_, map_, front);
     frontColumn->addWidget(plot_, 1);
-    words_ = captionLabel({}, front);
+    words_ = changingCaption(front);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setObjectName(QStringLiteral("shaft_map_words"));
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
     wordsRoom_ = new Apart(words_, front);

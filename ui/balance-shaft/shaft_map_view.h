@@ -3,10 +3,10 @@
 #include <QWidget>
 #include <optional>
 
+#include "widgets/changing_label.h"
 #include "widgets/field_slider.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QTabWidget;
 class QVBoxLayout;
@@ -35,7 +35,7 @@ class ShaftMapView : public QWidget {
     QComboBox* criterionChoice() const { return criterion_; }
     ValueSlider* weightSlider() const { return weight_; }
     QPushButton* bestButton() const { return best_; }
-    QLabel* words() const { return words_; }
+    ChangingLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 
   protected:
@@ -67,7 +67,7 @@ class ShaftMapView : public QWidget {
     QComboBox* criterion_;
     ValueSlider* weight_;
     QPushButton* best_;
-    QLabel* words_;
+    ChangingLabel* words_;
     QWidget* wordsRoom_;  ///< what the words may take
     QTabWidget* tabs_;
     QWidget* side_;

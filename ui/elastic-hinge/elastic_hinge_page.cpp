@@ -156,9 +156,7 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    verdict_ = new QLabel(answer);
-    verdict_->setWordWrap(true);
-    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    verdict_ = new ChangingLabel(answer);
     verdict_->setObjectName(QStringLiteral("verdict"));
     answerColumn->addWidget(new Apart(verdict_, answer));
     auto* mend = new QHBoxLayout;
@@ -175,7 +173,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     quantities_ = new ResultTable(tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = copyableCaption("", answer);
+    notes_ = changingCaption(answer);
     answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;

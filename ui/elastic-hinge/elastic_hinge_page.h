@@ -4,12 +4,12 @@
 #include "shell/scene_page.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QTabWidget;
 
 namespace ravnoves {
 
+class ChangingLabel;
 class GuideExportForm;
 class HingeMechanismView;
 class HingePlots;
@@ -47,11 +47,11 @@ class ElasticHingePage : public ScenePage {
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
-    QLabel* verdict_ = nullptr;
+    ChangingLabel* verdict_ = nullptr;
     QPushButton* takePreload_ = nullptr;
     QPushButton* takeStiffness_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    QLabel* notes_ = nullptr;
+    ChangingLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

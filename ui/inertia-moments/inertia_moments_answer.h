@@ -5,11 +5,11 @@
 
 #include "text/result_row.h"
 
-class QLabel;
 class QTabWidget;
 
 namespace ravnoves {
 
+class ChangingLabel;
 class EngineView;
 class InertiaMomentsModel;
 class PicturePanel;
@@ -45,7 +45,7 @@ class InertiaMomentsAnswer : public QWidget {
     EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
-    QLabel* warning_;
+    ChangingLabel* warning_;
     std::vector<Table> tables_;
 };
 

@@ -419,6 +419,13 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
+ChangingLabel* changingCaption(QWidget* parent) {
+    auto* label = new ChangingLabel(parent);
+    label->setFont(Theme::font(Theme::smallSize));
+    colourText(label, &Theme::mutedText);
+    return label;
+}
+
 QLabel* copyableCaption(const char* name, QWidget* parent) {
     QLabel* label = captionLabel({}, parent);
     label->setObjectName(QLatin1String(name));

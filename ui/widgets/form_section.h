@@ -7,6 +7,7 @@
 
 #include "case-file/field.h"
 #include "theme/theme.h"
+#include "widgets/changing_label.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -73,6 +74,8 @@ using Ink = QColor (Theme::*)() const;
 void colourText(QLabel* label, Ink ink);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
+/// The same for a text that changes in drags, in an Apart.
+ChangingLabel* changingCaption(QWidget* parent);
 /// The same whose text can be copied.
 QLabel* copyableCaption(const char* name, QWidget* parent);
 /// A wrapping label whose text can be copied.
