@@ -30,16 +30,13 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
            "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showMap);
     connect(map_, &ShaftMapModel::staleChanged, this, [this] {
-        standingStale_ = true;
+        overCurvesChanged();
         setFaded(map_->isStale());
     });
     setPaintsGhosts();
     connect(this, &PlotView::referenceChanged, this, &ShaftMapPlot::followReference);
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
-    connect(model_->crank(), &CrankAngle::changed, this, [this] {
-        standingStale_ = true;
-        update();
-    });
+    connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
     connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
     showMap();
 }
@@ -149,7 +146,6 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     ShaftMapKey(*map_, size()).paint(painter, keyTop());
     labels_.clear(plotArea());
-    standingStale_ = true;
     if (map_->map() == nullptr) {
         return;
     }
@@ -186,30 +182,29 @@ void ShaftMapPlot::labelMarkers(const std::vector<QPointF>& signs) {
     labels_.addMarkers(*map_, signs);
 }
 
+void ShaftMapPlot::paintOverCurves(QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.save();
+    painter.setClipRect(plotArea());
+    drawEngine(painter, *model_, PlaceScale(*this));
+    if (isFaded()) {
+        // The numbers are old; that newer ones come stands where they do not meet the drawing.
+        painter.setFont(Theme::font(Theme::baseSize));
+        painter.setPen(Theme::instance().text());
+        painter.drawText(plotArea().adjusted(Theme::space, Theme::space, -Theme::space, 0),
+                         Qt::AlignTop | Qt::AlignRight, tr("computing …"));
+    } else {
+        labels_.paint(painter);
+    }
+    painter.restore();
+}
+
 // What moves.
 
 void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF area = plotArea();
     painter.save();
-    painter.setClipRect(area);
-    // An exported picture has pixels of its own, or none.
-    if (painter.device() != this || drawsForFile(painter, *this)) {
-        paintStanding(painter);
-    } else {
-        if (const QSizeF pixels = area.size() * devicePixelRatioF();
-            standingStale_ || standing_.size() != pixels.toSize()) {
-            standing_ = QPixmap(pixels.toSize());
-            standing_.setDevicePixelRatio(devicePixelRatioF());
-            standing_.fill(Qt::transparent);
-            QPainter standing(&standing_);
-            standing.setRenderHint(QPainter::Antialiasing);
-            standing.translate(-area.topLeft());
-            paintStanding(standing);
-            standingStale_ = false;
-        }
-        painter.drawPixmap(area.topLeft(), standing_);
-    }
+    painter.setClipRect(plotArea());
     drawShaft(painter, *model_, *map_, referenceMap(), PlaceScale(*this));
     if (dragging_) {
         paintChange(painter);
@@ -220,19 +215,6 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
         painter.drawEllipse(signPlaces()[*chosen_], 12.0 * strokeScale(), 12.0 * strokeScale());
     }
     painter.restore();
-}
-
-void ShaftMapPlot::paintStanding(QPainter& painter) const {
-    drawEngine(painter, *model_, PlaceScale(*this));
-    if (isFaded()) {
-        // The numbers are old; that newer ones come stands where they do not meet the drawing.
-        painter.setFont(Theme::font(Theme::baseSize));
-        painter.setPen(Theme::instance().text());
-        painter.drawText(plotArea().adjusted(Theme::space, Theme::space, -Theme::space, 0),
-                         Qt::AlignTop | Qt::AlignRight, tr("computing …"));
-        return;
-    }
-    labels_.paint(painter);
 }
 
 void ShaftMapPlot::paintChange(QPainter& painter) const {

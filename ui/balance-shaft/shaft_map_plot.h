@@ -50,6 +50,8 @@ class ShaftMapPlot : public PlotView {
 
   protected:
     void paintGround(QPainter& painter) override;
+    /// Engine and numbers.
+    void paintOverCurves(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
     double keyHeight() const override;
     bool readsUnderPointer() const override { return false; }  // in words beside the map
@@ -74,8 +76,6 @@ class ShaftMapPlot : public PlotView {
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
     void labelMarkers(const std::vector<QPointF>& signs);
-    /// What lies over the map and rests while the shaft moves: engine and numbers.
-    void paintStanding(QPainter& painter) const;
     /// What the place does, beside the shaft while it is dragged.
     void paintChange(QPainter& painter) const;
 
@@ -87,8 +87,6 @@ class ShaftMapPlot : public PlotView {
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     ShaftMapLabels labels_;
-    QPixmap standing_;  ///< of paintStanding()
-    bool standingStale_ = true;
     QMetaObject::Connection followed_;  ///< the reference's map
 };
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "plot/model/line_brush.h"
 #include "plot/model/plot_data.h"
 
 class QImage;
@@ -57,8 +56,7 @@ class PlotPainter {
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
     /// The same onto a picture of the screen, RGB32; lines by LineBrush.
-    /// @return where; nothing where that is not known
-    std::optional<InkedRows> paintCurves(QImage& picture) const;
+    void paintCurves(QImage& picture) const;
     /// Lines, present value, marks, readout.
     void paintOverlay(QPainter& painter) const;
 

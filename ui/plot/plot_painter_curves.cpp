@@ -56,12 +56,11 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     paintPoints(painter);
 }
 
-std::optional<InkedRows> PlotPainter::paintCurves(QImage& picture) const {
+void PlotPainter::paintCurves(QImage& picture) const {
     const auto any = [this](auto&& is) {
         return std::any_of(data_.curves.begin(), data_.curves.end(), is);
     };
-    const bool hasShades = any([this](const PlotCurve& curve) { return data_.showsSpread(curve); });
-    if (hasShades) {
+    if (any([this](const PlotCurve& curve) { return data_.showsSpread(curve); })) {
         QPainter painter(&picture);
         paintShades(painter);
     }
@@ -82,15 +81,13 @@ std::optional<InkedRows> PlotPainter::paintCurves(QImage& picture) const {
             }
         }
     }
-    const bool hasPoints = any([](const PlotCurve& curve) {
-        return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
-                               shrunkTo(curve).has_value());
-    });
-    if (hasPoints) {
+    if (any([](const PlotCurve& curve) {
+            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
+                                   shrunkTo(curve).has_value());
+        })) {
         QPainter painter(&picture);
         paintPoints(painter);
     }
-    return hasShades || hasPoints ? std::nullopt : std::optional(brush.inked());
 }
 
 void PlotPainter::paintShades(QPainter& painter) const {

@@ -25,6 +25,14 @@ QColor ghostSwatch() {
     return colour;
 }
 
+/// Of pictures of one size, from this height down; of the picture's pixel ratio.
+void copyRows(const QImage& from, QImage& to, int top) {
+    const auto bytes = static_cast<std::size_t>(from.bytesPerLine());
+    for (int y = static_cast<int>(top * from.devicePixelRatio()); y < from.height(); ++y) {
+        std::memcpy(to.scanLine(y), from.constScanLine(y), bytes);
+    }
+}
+
 }  // namespace
 
 PlotView::PlotView(const QString& title, QWidget* parent)
@@ -366,14 +374,19 @@ void PlotView::resetZoom() {
 }
 
 void PlotView::updateChart() {
-    update(rect().adjusted(0, static_cast<int>(keyTop()), 0, 0));
+    update(chartRect());
 }
 
 void PlotView::curvesChanged() {
-    pictureStale_ = true;
+    chartStale_ = true;
     if (referenceOf_ != nullptr) {
         referenceOf_->chartChanged();
     }
+    updateChart();
+}
+
+void PlotView::overCurvesChanged() {
+    pictureStale_ = true;
     updateChart();
 }
 
@@ -478,7 +491,7 @@ void PlotView::layoutChart() {
     painter_->layout(size(), most, axesStale_);
     // What stands over or under this one follows, unless it is to be laid out anyway.
     for (PlotView* other : stack_) {
-        if (!other->pictureStale_ && other->width() == width() &&
+        if (!other->chartStale_ && other->width() == width() &&
             (other->data_.area.left() != data_.area.left() ||
              other->data_.area.width() != data_.area.width())) {
             other->chartChanged();
@@ -486,65 +499,89 @@ void PlotView::layoutChart() {
     }
 }
 
-void PlotView::paintEvent(QPaintEvent* /*event*/) {
+void PlotView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     if (drawsForFile(painter, *this)) {
         drawChart(painter);
         return;
     }
-    if (pictureStale_) {
+    const bool moves = chartStale_;
+    if (chartStale_) {
         layoutChart();
-        const qreal ratio = devicePixelRatioF();
-        const QSize pixels = (QSizeF(size()) * ratio).toSize();
-        if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
-            for (QImage* layer : {&axesPicture_, &picture_}) {
-                *layer = QImage(pixels, QImage::Format_RGB32);
-                layer->setDevicePixelRatio(ratio);
-            }
-            axesStale_ = true;
-        }
-        if (axesStale_) {
-            axesPicture_.fill(Theme::instance().panel());
-            QPainter axes(&axesPicture_);
-            painter_->paintAxes(axes);
-            paintGround(axes);
-            axesStale_ = false;
-            inked_.reset();
-        }
-        clearCurves();
-        inked_ = painter_->paintCurves(picture_);
-        pictureStale_ = false;
+        chartStale_ = false;
+        pictureStale_ = true;
     }
+    paintAxesPicture();
+    if (QImage* screen = screen_.of(painter, rect(), chartRect(), event->region())) {
+        const int top = event->region().boundingRect().top();
+        // Curves that move go to the screen alone; a picture of those that rest is copied.
+        if (moves) {
+            copyRows(axesPicture_, *screen, top);
+            painter_->paintCurves(*screen);
+        } else {
+            paintCurvesPicture();
+            copyRows(picture_, *screen, top);
+        }
+        QPainter inside(screen);
+        inside.setFont(font());
+        if (moves) {
+            paintOverCurves(inside);
+        }
+        paintMoving(inside);
+        return;
+    }
+    paintCurvesPicture();
     painter.drawImage(0, 0, picture_);
+    paintMoving(painter);
+}
+
+void PlotView::paintAxesPicture() {
+    const qreal ratio = devicePixelRatioF();
+    const QSize pixels = (QSizeF(size()) * ratio).toSize();
+    if (axesPicture_.size() != pixels || axesPicture_.devicePixelRatio() != ratio) {
+        axesPicture_ = QImage(pixels, QImage::Format_RGB32);
+        axesPicture_.setDevicePixelRatio(ratio);
+        axesStale_ = true;
+    }
+    if (axesStale_) {
+        axesPicture_.fill(Theme::instance().panel());
+        QPainter axes(&axesPicture_);
+        painter_->paintAxes(axes);
+        paintGround(axes);
+        axesStale_ = false;
+        pictureStale_ = true;
+    }
+}
+
+void PlotView::paintCurvesPicture() {
+    if (!pictureStale_) {
+        return;
+    }
+    if (picture_.size() != axesPicture_.size()) {
+        picture_ = QImage(axesPicture_.size(), axesPicture_.format());
+    }
+    picture_.setDevicePixelRatio(axesPicture_.devicePixelRatio());
+    copyRows(axesPicture_, picture_, 0);
+    painter_->paintCurves(picture_);
+    QPainter painter(&picture_);
+    paintOverCurves(painter);
+    pictureStale_ = false;
+}
+
+void PlotView::paintMoving(QPainter& painter) {
     painter_->paintOverlay(painter);
     paintTop(painter);
     if (hasFocus()) {
+        // The same where it is painted again: beside title and legend, which rest.
+        painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
 }
 
-void PlotView::clearCurves() {
-    if (!inked_) {
-        std::memcpy(picture_.bits(), axesPicture_.constBits(),
-                    static_cast<std::size_t>(picture_.sizeInBytes()));
-        return;
-    }
-    constexpr std::size_t pixel = 4;  // bytes
-    int row = inked_->corner.y();
-    for (const auto& [from, to] : inked_->parts) {
-        if (from < to) {
-            const std::size_t before = static_cast<std::size_t>(inked_->corner.x() + from) * pixel;
-            std::memcpy(picture_.scanLine(row) + before, axesPicture_.constScanLine(row) + before,
-                        static_cast<std::size_t>(to - from) * pixel);
-        }
-        ++row;
-    }
-}
-
 void PlotView::resizeEvent(QResizeEvent* /*event*/) {
-    pictureStale_ = true;
+    chartStale_ = true;
     layoutHeader();
 }
 

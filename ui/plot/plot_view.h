@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "plot/model/line_brush.h"
 #include "plot/model/plot_data.h"
+#include "plot/screen_pixels.h"
 
 namespace ravnoves {
 
@@ -171,9 +171,13 @@ class PlotView : public QWidget {
 
   protected:
     // For a chart that is a drawing, too: what rests is painted over grid and axes into their
-    // picture, what moves on top of all; both also into exported pictures.
+    // picture or over the curves into theirs, what moves on top of all; all three also into
+    // exported pictures.
     virtual void paintGround(QPainter& /*painter*/) {}
+    virtual void paintOverCurves(QPainter& /*painter*/) {}
     virtual void paintTop(QPainter& /*painter*/) {}
+    /// What is painted over the curves is new.
+    void overCurvesChanged();
     /// What the ground paints is new.
     void groundChanged() { chartChanged(); }
     /// It paints of a reference more than curves, so that the legend has its entry in any case.
@@ -183,6 +187,8 @@ class PlotView : public QWidget {
     /// Height of a key of its own between title and chart, pixels.
     virtual double keyHeight() const { return 0.0; }
     double keyTop() const { return data_.headerHeight - keyHeight(); }
+    /// All but title and legend.
+    QRect chartRect() const { return rect().adjusted(0, static_cast<int>(keyTop()), 0, 0); }
 
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -214,7 +220,12 @@ class PlotView : public QWidget {
     void layoutHeader();
     void layoutChart();
     /// Brings the axes back where curves were.
-    void clearCurves();
+    /// Title, grid and axes, where they have changed.
+    void paintAxesPicture();
+    /// These with the curves, likewise.
+    void paintCurvesPicture();
+    /// What moves, the mark of the focus last.
+    void paintMoving(QPainter& painter);
     void drawChart(QPainter& painter);
     void showTheme();
     void zoom(double factorX, double factorY, const QPointF& about);
@@ -238,11 +249,12 @@ class PlotView : public QWidget {
     bool picking_ = false;
     std::optional<QPointF> panFrom_;
 
-    QImage axesPicture_;              ///< title, grid and axes, which rest while the curves move
-    QImage picture_;                  ///< these with the curves
-    std::optional<InkedRows> inked_;  ///< where the curves in it are; unknown: anywhere
+    QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move
+    ScreenPixels screen_;
+    QImage picture_;  ///< these with the curves
     bool axesStale_ = true;
     bool pictureStale_ = true;
+    bool chartStale_ = true;  ///< is to be laid out anew
 };
 
 /// Resets the zoom of every plot below a widget.

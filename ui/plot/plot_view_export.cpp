@@ -25,12 +25,13 @@ void PlotView::drawChart(QPainter& painter) {
     painter_->paintAxes(painter);
     paintGround(painter);
     painter_->paintCurves(painter);
+    paintOverCurves(painter);
     painter_->paintOverlay(painter);
     paintTop(painter);
     data_.cursorX = cursor;
     data_.pointRead = point;
     data_.presentX = present;
-    pictureStale_ = true;
+    chartStale_ = true;
 }
 
 void PlotView::renderTo(QPainter& painter, const QRectF& target) {

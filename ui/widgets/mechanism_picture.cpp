@@ -82,7 +82,7 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
+void MechanismPicture::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     if (drawsForFile(painter, *this)) {
         painter.fillRect(rect(), Theme::instance().panel());
@@ -91,20 +91,27 @@ void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     // Into a picture whose pixels lines and shapes are painted on.
+    if (QImage* screen = screen_.of(painter, rect(), rect(), event->region())) {
+        paintAll(*screen);
+        return;
+    }
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
     if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
         picture_ = QImage(pixels, QImage::Format_RGB32);
         picture_.setDevicePixelRatio(ratio);
     }
-    QPainter inside(&picture_);
-    inside.setFont(font());
-    paintSurface(inside);
-    inside.setRenderHint(QPainter::Antialiasing);
-    paintPicture(inside);
-    drawFocus(inside);
-    inside.end();
+    paintAll(picture_);
     painter.drawImage(0, 0, picture_);
+}
+
+void MechanismPicture::paintAll(QImage& picture) {
+    QPainter painter(&picture);
+    painter.setFont(font());
+    paintSurface(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintPicture(painter);
+    drawFocus(painter);
 }
 
 void MechanismPicture::paintSurface(QPainter& painter) const {

@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "model/crank_angle.h"
+#include "plot/screen_pixels.h"
 #include "widgets/compared_figure.h"
 #include "widgets/panel.h"
 
@@ -53,13 +54,15 @@ class MechanismPicture : public ComparedFigure {
     static QPen ghostPen();
 
   private:
+    void paintAll(QImage& picture);
     /// What all else is painted on; the corners of a panel around it stay round.
     void paintSurface(QPainter& painter) const;
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 
     CrankAngle* crank_;
-    QImage picture_;
+    ScreenPixels screen_;
+    QImage picture_;  ///< where the screen's pixels cannot be had
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

@@ -80,25 +80,6 @@ TEST(LineBrush, DrawsWhatQtDraws) {
     }
 }
 
-TEST(LineBrush, SaysWhereItDrew) {
-    QImage image = paper();
-    const QRect clip(20, 10, 180, 140);
-    LineBrush brush(image, clip);
-    brush.draw({wave()}, 1.0, Qt::black, 2.2);
-    brush.draw({{{0, 20}, {240, 30}}}, 1.0, Qt::red, 1.6, Qt::DashLine);
-    const InkedRows inked = brush.inked();
-    ASSERT_EQ(inked.parts.size(), 140U);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            if (image.pixel(x, y) != qRgb(255, 255, 255)) {
-                const auto [from, to] = inked.parts[static_cast<std::size_t>(y - inked.corner.y())];
-                EXPECT_TRUE(x >= inked.corner.x() + from && x < inked.corner.x() + to)
-                    << x << ' ' << y;
-            }
-        }
-    }
-}
-
 TEST(LineBrush, AClipShowsItsPartOfTheWholeHoweverNarrow) {
     for (const QColor& colour : {QColor(20, 90, 160), QColor(20, 90, 160, 120)}) {
         const auto drawn = [&](const QRect& clip) {

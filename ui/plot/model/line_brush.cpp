@@ -112,8 +112,7 @@ LineBrush::LineBrush(QImage& picture, const QRect& clip)
     : picture_(picture),
       clip_(clip & picture.rect()),
       cover_(static_cast<std::size_t>(std::max(0, clip_.width()) * std::max(0, clip_.height()))),
-      touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}),
-      inked_(touched_) {}
+      touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
 
 void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
                      double width, Qt::PenStyle style) {
@@ -318,8 +317,6 @@ void LineBrush::ink(const QColor& colour) {
         if (touched.first >= touched.second) {
             continue;
         }
-        auto& inked = inked_[static_cast<std::size_t>(row)];
-        inked = {std::min(inked.first, touched.first), std::max(inked.second, touched.second)};
         std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
         auto* pixels =
             reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) + clip_.left();

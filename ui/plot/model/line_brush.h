@@ -12,12 +12,6 @@
 
 namespace ravnoves {
 
-/// What was drawn on of a picture.
-struct InkedRows {
-    QPoint corner;                           ///< where the first row begins
-    std::vector<std::pair<int, int>> parts;  ///< of each row: from, to beyond the last; may be none
-};
-
 /// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
 /// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
 /// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
@@ -37,8 +31,6 @@ class LineBrush {
     void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
               const QList<qreal>& dashes);
 
-    InkedRows inked() const { return {clip_.topLeft(), inked_}; }
-
   private:
     void markDashes(const QPolygonF& line, const QList<qreal>& pattern);
     /// Of a straight way from a point, what lies within the clip: from, to; nothing is 0 to 0.
@@ -56,7 +48,6 @@ class LineBrush {
     std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
-    std::vector<std::pair<int, int>> inked_;  ///< the same, of all lines so far
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,46 @@
+#include "plot/screen_pixels.h"
+
+#include <QPaintEngine>
+#include <QPainter>
+#include <QRegion>
+#include <cmath>
+
+#include "plot/model/pixel.h"
+
+namespace ravnoves {
+
+QImage* ScreenPixels::of(const QPainter& painter, const QRect& widget, const QRect& part,
+                         const QRegion& seen) {
+    if (!paintsPixels(painter) || painter.hasClipping() || seen.rectCount() != 1 ||
+        !seen.boundingRect().contains(part)) {
+        return nullptr;
+    }
+    // Of a widget the painter names the widget, and its engine what it is painted on.
+    QPaintDevice* const device = painter.paintEngine()->paintDevice();
+    if (device == nullptr || device->devType() != QInternal::Image) {
+        return nullptr;
+    }
+    const auto* const screen = static_cast<const QImage*>(device);
+    const QTransform& transform = painter.deviceTransform();
+    const QRectF place = transform.mapRect(QRectF(widget));
+    const QRectF placeSeen = transform.mapRect(QRectF(seen.boundingRect()));
+    const QRect pixels = place.toRect();
+    const bool isWritable = screen->format() == QImage::Format_RGB32 ||
+                            screen->format() == QImage::Format_ARGB32_Premultiplied;
+    if (!isWritable || QRectF(pixels) != place || QRectF(placeSeen.toRect()) != placeSeen ||
+        pixels.isEmpty() || !screen->rect().contains(pixels)) {
+        return nullptr;
+    }
+    constexpr qsizetype pixel = 4;  // bytes
+    const uchar* const first = screen->constScanLine(pixels.top()) + pixel * pixels.left();
+    if (view_.constBits() != first || view_.size() != pixels.size() ||
+        view_.bytesPerLine() != screen->bytesPerLine() || view_.format() != screen->format()) {
+        // Painting on the widget writes there too.
+        view_ = QImage(const_cast<uchar*>(first), pixels.width(), pixels.height(),
+                       screen->bytesPerLine(), screen->format());
+    }
+    view_.setDevicePixelRatio(transform.m11());
+    return &view_;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QImage>
+
+class QPainter;
+class QRect;
+class QRegion;
+
+namespace ravnoves {
+
+/// The pixels that a widget is painted on, as a picture of the widget's size that shares them: what
+/// is painted into it need not be copied there.
+class ScreenPixels {
+  public:
+    /// While the widget is painted.
+    /// @param painter  on the widget
+    /// @param widget  its place in the painter's coordinates
+    /// @param part  of it, which alone is painted into the picture
+    /// @param seen  of it what Qt asks for, without what lies over it
+    /// @return null where there are no such pixels, as in a file; where the widget begins between
+    ///         two of them; or where not all of the part is seen
+    QImage* of(const QPainter& painter, const QRect& widget, const QRect& part,
+               const QRegion& seen);
+
+  private:
+    QImage view_;  ///< with what Qt keeps for painting on it
+};
+
+}  // namespace ravnoves
