@@ -32,16 +32,23 @@ namespace ravnoves {
 
 namespace {
 
+bool is_not_finite(const Json& value) {
+    const auto* number = value.get_ptr<const Json::number_float_t*>();
+    return number != nullptr && !std::isfinite(*number);
+}
+
 /// Whether a number below a value is not finite: then where, as a pointer. A result has thousands,
 /// so the pointer is put together on the way back from one alone.
 bool find_not_finite(const Json& value, std::string& where) {
-    if (value.is_number_float()) {
-        return !std::isfinite(value.get_ref<const Json::number_float_t&>());
+    if (is_not_finite(value)) {
+        return true;
     }
     if (value.is_array()) {
         const auto& array = value.get_ref<const Json::array_t&>();
         for (std::size_t i = 0; i < array.size(); ++i) {
-            if (find_not_finite(array[i], where)) {
+            // Most are numbers, which need no call.
+            if (array[i].is_structured() ? find_not_finite(array[i], where)
+                                         : is_not_finite(array[i])) {
                 where.insert(0, "/" + std::to_string(i));
                 return true;
             }
