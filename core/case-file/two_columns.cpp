@@ -5,6 +5,8 @@
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
@@ -23,14 +25,9 @@ std::string_view trim(std::string_view text) {
 
 std::string quote(std::string_view text) {
     constexpr std::size_t longest = 40;
-    std::string shown(text.substr(0, longest));
-    // Bytes that are not ASCII may be cut in the middle or be of another code page.
-    for (char& c : shown) {
-        if (static_cast<unsigned char>(c) >= 0x7F || static_cast<unsigned char>(c) < 0x20) {
-            c = '?';
-        }
-    }
-    return "\"" + shown + (text.size() > longest ? "…\"" : "\"");
+    // Bytes of another code page are none of UTF-8; JSON puts a sign in their place.
+    const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return "\"" + printable(std::string_view(json).substr(1, json.size() - 2), longest) + "\"";
 }
 
 /// In small letters, without signs, blanks and quotes.
@@ -128,6 +125,25 @@ char find_separator(std::string_view line, std::size_t number) {
     return ',';
 }
 
+/// What the commas of a column can be.
+struct DecimalSigns {
+    std::size_t doubtful_line = 0;  ///< of the first "1,893"; 0 where there is none
+    std::string_view doubtful;
+    bool has_whole = false;   ///< a number without a comma that is no 0
+    bool is_decimal = false;  ///< a comma that cannot divide thousands
+
+    void note(std::string_view text, std::size_t line) {
+        if (text.find(',') == std::string_view::npos) {
+            has_whole = has_whole || text.find_first_of("123456789") != std::string_view::npos;
+        } else if (!may_have_thousands(text)) {
+            is_decimal = true;
+        } else if (doubtful_line == 0) {
+            doubtful_line = line;
+            doubtful = text;
+        }
+    }
+};
+
 }  // namespace
 
 TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
@@ -142,6 +158,7 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
     bool separator_known = false;
     bool decimal_point = false;
     bool thousands = false;
+    std::array<DecimalSigns, 2> signs;
     while (!text.empty()) {
         ++number;
         const std::size_t end = text.find_first_of("\r\n");
@@ -194,6 +211,7 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
             rows.decimal_comma = rows.decimal_comma || has_comma;
             decimal_point = decimal_point || fields[column].find('.') != std::string_view::npos;
             thousands = thousands || may_have_thousands(fields[column]);
+            signs[column].note(fields[column], number);
             if (thousands && decimal_point) {
                 // "1,893" below 60.30 is 1893 to who wrote it.
                 throw InputError(table_place(number, static_cast<int>(column) + 1),
@@ -214,6 +232,18 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
         rows.first.push_back(values[0]);
         rows.second.push_back(values[1]);
         rows.line.push_back(number);
+    }
+    const bool is_decimal =
+        std::any_of(signs.begin(), signs.end(), [](const auto& each) { return each.is_decimal; });
+    for (std::size_t column = 0; column < 2 && !is_decimal; ++column) {
+        if (const DecimalSigns& seen = signs[column]; seen.doubtful_line != 0 && seen.has_whole) {
+            throw InputError(
+                table_place(seen.doubtful_line, static_cast<int>(column) + 1),
+                CORE_TEXT("core",
+                          "must not leave open whether its comma divides thousands or is a decimal "
+                          "sign: other numbers of the column have none"),
+                found(seen.doubtful, true));
+        }
     }
     return rows;
 }

@@ -138,6 +138,24 @@ TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
     EXPECT_EQ(refusal_of_text("0;1,500\n360;2.5\n720;1,500\n").substr(0, 17), "line 2, column 2:");
     EXPECT_EQ(refusal_of_text("0;1,5\n360;2.5\n720;1,5\n"), "no error");
     EXPECT_EQ(refusal_of_text("0\t-81,5\n360\t1,893\n720\t-81,5\n"), "no error");
+    // Among whole numbers it can be either.
+    EXPECT_EQ(refusal_of_text("0\t-81\n360\t1,893\n720\t-81\n"),
+              "line 2, column 2: must not leave open whether its comma divides thousands or is a "
+              "decimal sign: other numbers of the column have none, got \"1,893\"");
+    EXPECT_EQ(refusal_of_text("0\t0\n360\t1,893\n720\t0\n"), "no error");
+    EXPECT_EQ(refusal_of_text("0\t1,250\n360\t1,893\n720\t1,250\n"), "no error");
+    EXPECT_EQ(refusal_of_text("0\t-81\n180\t12,5\n360\t1,893\n720\t-81\n"), "no error");
+}
+
+TEST(ParsedTorqueTable, WhatIsNoNumberIsQuotedAsItStands) {
+    EXPECT_EQ(refusal_of_text("0\t0\n360\t\xE2\x88\x92\xE2\x88\x92"
+                              "5\n720\t0\n"),
+              "line 2, column 2: must be a finite number, got \"−−5\"");
+    EXPECT_EQ(refusal_of_text("0\t0\n360\tпять\n720\t0\n"),
+              "line 2, column 2: must be a finite number, got \"пять\"");
+    // Of another code page.
+    EXPECT_EQ(refusal_of_text("0\t0\n360\t\xEF\xFF\n720\t0\n"),
+              "line 2, column 2: must be a finite number, got \"\uFFFD\uFFFD\"");
 }
 
 TEST(ParsedTorqueTable, ATableThatEndsEarlyIsSaidAsSuch) {

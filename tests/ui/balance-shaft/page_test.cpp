@@ -261,6 +261,11 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->setData(table->index(25, 1), QStringLiteral("oops"), Qt::EditRole);
     EXPECT_EQ(table->trouble(), QStringLiteral("Row 26: “oops” is not a number."));
     EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
+    // Nor does what may be two numbers.
+    table->setData(table->index(25, 1), QStringLiteral("1,893"), Qt::EditRole);
+    EXPECT_EQ(table->trouble(),
+              QStringLiteral("Row 26: “1,893” may be 1893 or 1.893: type the one that is meant."));
+    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
     table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
     EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
     EXPECT_TRUE(table->trouble().isEmpty());

@@ -12,6 +12,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -25,6 +26,18 @@ QString shortened(const QString& text) {
     constexpr int digits = 6;
     const auto value = text.size() > longest ? readFormNumber(text) : std::nullopt;
     return value ? formNumber(*value, QLocale(), digits) : text;
+}
+
+/// What the cell's text stands for; nothing where it is no number, or may be two.
+std::optional<double> readCell(const QString& text) {
+    return readWithThousands(text, {}) ? std::nullopt : readFormNumber(text);
+}
+
+/// Why it stands for nothing.
+QString cellTrouble(const QString& text) {
+    const auto thousands = readWithThousands(text, {});
+    return thousands ? eitherNumberText(text, *thousands, readFormNumber(text).value_or(0.0))
+                     : notANumberText(text);
 }
 
 }  // namespace
@@ -45,14 +58,14 @@ QString TorqueTableModel::textOf(const Row& row, int column) {
 }
 
 std::optional<double> TorqueTableModel::angleOf(const Row& row) {
-    return row.typed && row.typed->angle ? readFormNumber(*row.typed->angle) : row.angle;
+    return row.typed && row.typed->angle ? readCell(*row.typed->angle) : row.angle;
 }
 
 std::optional<double> TorqueTableModel::torqueOf(const Row& row) {
     if (!row.typed || !row.typed->torque) {
         return row.torque;
     }
-    const auto shown = readFormNumber(*row.typed->torque);
+    const auto shown = readCell(*row.typed->torque);
     return shown ? std::optional(*shown * row.typed->unit) : std::nullopt;
 }
 
@@ -94,9 +107,9 @@ void TorqueTableModel::check() {
         const auto angle = angleOf(rows_[i]);
         const auto torque = torqueOf(rows_[i]);
         if (!angle || !torque) {
-            trouble = tr("Row %1: “%2” is not a number.")
+            trouble = tr("Row %1: %2")
                           .arg(i + 1)
-                          .arg(textOf(rows_[i], angle ? Torque : CrankAngle));
+                          .arg(cellTrouble(textOf(rows_[i], angle ? Torque : CrankAngle)));
             bad = static_cast<int>(i);
             break;
         }
@@ -137,7 +150,7 @@ void TorqueTableModel::putInto(balance_shaft::Input& input, const TorqueTable& t
 }
 
 void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    const auto number = readFormNumber(text);
+    const auto number = readCell(text);
     if (!number || rows_.empty()) {
         return;
     }
