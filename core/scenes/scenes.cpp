@@ -49,14 +49,14 @@ bool find_not_finite(const Json& value, std::string& where) {
             // Most are numbers, which need no call.
             if (array[i].is_structured() ? find_not_finite(array[i], where)
                                          : is_not_finite(array[i])) {
-                where.insert(0, "/" + std::to_string(i));
+                where.insert(0, std::to_string(i)).insert(0, 1, '/');
                 return true;
             }
         }
     } else if (value.is_object()) {
         for (const auto& [key, item] : value.get_ref<const Json::object_t&>()) {
             if (find_not_finite(item, where)) {
-                where.insert(0, "/" + key);
+                where.insert(0, key).insert(0, 1, '/');
                 return true;
             }
         }
