@@ -235,6 +235,12 @@ void BobMachineSheet::buildRuns() {
                     const auto& runs = model_->solution().runs;
                     return run < runs.size() && !runs[run].holds() && made->value();
                 });
+                if (isAngle) {
+                    follow([this, run, plane, made, hint = made->placeholderText()] {
+                        const bool isNothing = model_->reading(run, plane, false) == 0.0;
+                        made->setPlaceholderText(isNothing ? QStringLiteral("–") : hint);
+                    });
+                }
                 trouble->watch(made);
                 grid->addWidget(made, at, static_cast<int>(2 * plane) + (isAngle ? 2 : 1));
                 row << made;

@@ -783,6 +783,15 @@ TEST_F(BobPageTest, WhatIsZeroNeedsNoAngle) {
     const auto& result = dynamic_cast<BobWeightsModel*>(page.model())->solution();
     ASSERT_TRUE(result.correction);
     EXPECT_EQ(result.runs.size(), 1U);
+    // And has none, in the form and on the card.
+    EXPECT_EQ(find<NumberField>("angle_1")->placeholderText(), u"–"_s);
+    type("run_1_unbalance_1", u"0"_s);
+    type("run_1_unbalance_2", u"5"_s);
+    type("run_1_angle_2", u"10"_s);
+    EXPECT_TRUE(card().contains(u"0.0 g·mm\n–\n0.00 g"_s)) << qPrintable(card());
+    EXPECT_TRUE(card().contains(u"5.0 g·mm\n10.0°\n"_s)) << qPrintable(card());
+    type("unbalance_1", u"12"_s);
+    EXPECT_EQ(find<NumberField>("angle_1")->placeholderText(), u"needed"_s);
 }
 
 TEST_F(BobPageTest, ARefusedDateLeavesTheAnswerUpToDate) {

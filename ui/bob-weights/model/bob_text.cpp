@@ -34,6 +34,11 @@ QString unbalanceOf(const Words& words, double unbalance) {
     return words.number(unbalance, units::gram_mm, 1);
 }
 
+/// An unbalance in words with its direction; nothing has none.
+QString atAngle(const Words& words, const QString& shown, double unbalance, double angle) {
+    return unbalance == 0.0 ? shown : shown + QStringLiteral(" ∠ ") + degreesOf(words, angle);
+}
+
 /// By what limit, and how the planes share it.
 QString limitOrigin(const Words& words, const Tolerance& tolerance) {
     if (!tolerance.by_grade) {
@@ -280,9 +285,10 @@ QString asReadNote(const Words& words, const Input& input, const Result& result)
         const double at = reading.position.value_or(plane);
         constexpr double same = 1e-9;  // m
         isMoved = isMoved || std::abs(at - plane) > same;
-        read << words.translate("BobWeights", "%1 ∠ %2 at %3")
-                    .arg(unbalanceOf(words, reading.unbalance.value_or(0.0)),
-                         degreesOf(words, reading.angle.value_or(0.0)),
+        const double unbalance = reading.unbalance.value_or(0.0);
+        read << words.translate("BobWeights", "%1 at %2")
+                    .arg(atAngle(words, unbalanceOf(words, unbalance), unbalance,
+                                 reading.angle.value_or(0.0)),
                          words.plainWithUnit(at, units::mm, 1));
     }
     return isMoved ? words
@@ -414,9 +420,12 @@ ResultRows runs(const Words& words, const Result& result) {
     for (std::size_t run = 0; run < result.runs.size(); ++run) {
         const auto& planes = result.runs[run].planes;
         const auto cell = [&](std::size_t i) {
-            return planes ? words.digits((*planes)[i].unbalance, units::gram_mm, 1) +
-                                QStringLiteral(" ∠ ") + degreesOf(words, (*planes)[i].angle)
-                          : noNumber;
+            if (!planes) {
+                return noNumber;
+            }
+            const auto& plane = (*planes)[i];
+            return atAngle(words, words.digits(plane.unbalance, units::gram_mm, 1), plane.unbalance,
+                           plane.angle);
         };
         const QString verdict =
             verdictText(words, readWord(result.runs[run], result.runs[run].passes()));
@@ -448,12 +457,14 @@ ResultRows planes(const Words& words, const Result& result) {
         const auto unbalance = [&](double value) {
             return words.cellWithUnit(value, units::gram_mm, 1);
         };
-        rows << ResultRow{planeName(words, i), unbalance(plane.unbalance),
-                          direction(words, plane.angle),
-                          words.cellWithUnit(plane.grams_at_radius, units::gram, 2),
-                          // Of readings that may not hold nothing is known to remain.
-                          result.holds() ? unbalance(plane.remaining) : ResultCell(noNumber),
-                          verdict.isEmpty() ? noNumber : verdict};
+        rows << ResultRow{
+            planeName(words, i), unbalance(plane.unbalance),
+            // Nothing is heavy nowhere.
+            plane.unbalance == 0.0 ? ResultCell(noNumber) : direction(words, plane.angle),
+            words.cellWithUnit(plane.grams_at_radius, units::gram, 2),
+            // Of readings that may not hold nothing is known to remain.
+            result.holds() ? unbalance(plane.remaining) : ResultCell(noNumber),
+            verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
 }
