@@ -187,22 +187,23 @@ Message describe(const Boring& boring, const BoreLimits& limits) {
     switch (boring.limit) {
         case Boring::Limit::wall:
             return {CORE_TEXT("V8",
-                              "It cannot be bored with a %1 cutter: a wall of %2 would be left "
+                              "It cannot be bored with a cutter of %1: a wall of %2 would be left "
                               "under the thread, and %3 must stay."),
                     cutter, millimetres(boring.wall), millimetres(limits.minimum_wall)};
         case Boring::Limit::bottom:
-            return {CORE_TEXT("V8",
-                              "It cannot be bored with a %1 cutter: a bore %2 deep is needed, and "
-                              "a bottom of %3 must stay."),
-                    cutter, depth, millimetres(limits.minimum_bottom)};
+            return {
+                CORE_TEXT("V8",
+                          "It cannot be bored with a cutter of %1: a bore %2 deep is needed, and "
+                          "a bottom of %3 must stay."),
+                cutter, depth, millimetres(limits.minimum_bottom)};
         case Boring::Limit::none:
             break;
     }
     if (boring.deeper > 0.0 && boring.deeper < boring.depth) {
-        return {CORE_TEXT("V8", "Bore %1 deeper with a %2 cutter, to %3 from the face."),
+        return {CORE_TEXT("V8", "Bore %1 deeper with a cutter of %2, to %3 from the face."),
                 millimetres(boring.deeper), cutter, depth};
     }
-    return {CORE_TEXT("V8", "Bore with a %1 cutter to %2 from the face."), cutter, depth};
+    return {CORE_TEXT("V8", "Bore with a cutter of %1 to %2 from the face."), cutter, depth};
 }
 
 bool mass_fits(double typed_mass, double geometry_mass) {

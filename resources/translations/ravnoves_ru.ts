@@ -1284,19 +1284,19 @@
         <translation>Подошёл бы штатный вал: «%1».</translation>
     </message>
     <message>
-        <source>It cannot be bored with a %1 cutter: a wall of %2 would be left under the thread, and %3 must stay.</source>
+        <source>It cannot be bored with a cutter of %1: a wall of %2 would be left under the thread, and %3 must stay.</source>
         <translation>Фрезой %1 расфрезеровать нельзя: под резьбой осталась бы стенка %2, а должно быть %3.</translation>
     </message>
     <message>
-        <source>It cannot be bored with a %1 cutter: a bore %2 deep is needed, and a bottom of %3 must stay.</source>
+        <source>It cannot be bored with a cutter of %1: a bore %2 deep is needed, and a bottom of %3 must stay.</source>
         <translation>Фрезой %1 расфрезеровать нельзя: нужна глубина %2, а дно должно остаться %3.</translation>
     </message>
     <message>
-        <source>Bore %1 deeper with a %2 cutter, to %3 from the face.</source>
+        <source>Bore %1 deeper with a cutter of %2, to %3 from the face.</source>
         <translation>Углубить на %1 фрезой %2, до %3 от торца.</translation>
     </message>
     <message>
-        <source>Bore with a %1 cutter to %2 from the face.</source>
+        <source>Bore with a cutter of %1 to %2 from the face.</source>
         <translation>Расфрезеровать фрезой %1 на глубину %2 от торца.</translation>
     </message>
     <message>
@@ -4639,6 +4639,10 @@
     <message>
         <source>must have the decimal sign of the numbers above: all points or all commas, and nothing between thousands</source>
         <translation>десятичный знак должен быть тем же, что у чисел выше: везде точка или везде запятая, и ничего между тысячами</translation>
+    </message>
+    <message>
+        <source>must not leave open whether its comma divides thousands or is a decimal sign: other numbers of the column have none</source>
+        <translation>должно быть ясно, делит ли запятая тысячи или отделяет дробную часть: в других числах столбца её нет</translation>
     </message>
 </context>
 <context>
@@ -16108,16 +16112,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::TorqueTableModel</name>
     <message>
-        <source>Row %1: “%2” is not a number.</source>
-        <translation>Строка %1: «%2» — не число.</translation>
-    </message>
-    <message>
         <source>φ, °</source>
         <translation>φ, °</translation>
     </message>
     <message>
         <source>torque, N·m</source>
         <translation>момент, Н·м</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <translation>Строка %1: %2</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,7 @@ TEST(PlugGeometryTest, SolidPlugBoredNineTenths) {
     EXPECT_NEAR(boring.deeper / millimetre, 1.83 / (7.85e-3 * 100 * pi), 1e-9);
     EXPECT_EQ(boring.limit, Boring::Limit::none);
     EXPECT_EQ(describe(boring, limits).english(),
-              "Bore 0.74 mm deeper with a 20 mm cutter, to 8.74 mm from the face.");
+              "Bore 0.74 mm deeper with a cutter of 20 mm, to 8.74 mm from the face.");
 }
 
 TEST(PlugGeometryTest, BoringRemovesExactlyWhatWasAsked) {

@@ -121,7 +121,7 @@ TEST(Result, SheetsAddTheirParts) {
     const Json result = solved(full_example());
     EXPECT_EQ(result.at("recommended"), "steel-machined");
     EXPECT_NE(
-        result.at("reason").get<std::string>().find("Bore 0.75 mm deeper with a 20 mm cutter"),
+        result.at("reason").get<std::string>().find("Bore 0.75 mm deeper with a cutter of 20 mm"),
         std::string::npos)
         << result.at("reason");
     EXPECT_FALSE(result.at("plug").at("steel").at("fits").get<bool>());
