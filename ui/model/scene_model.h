@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "case-file/case_context.h"
@@ -160,13 +161,17 @@ class SceneModel : public QObject {
     /// The next change is a step of its own in the history, whatever its name.
     void finishDrag() {
         ++step_;
-        if (isMoved()) {
-            lastName_.clear();
+        lastName_.clear();
+        rest();
+    }
+    /// True from a step of a drag to rest() or finishDrag(): what would jump to and fro rests.
+    bool isMoved() const { return moved_; }
+    /// The hand rests, and may go on: a next step of the drag is still one with those before.
+    void rest() {
+        if (std::exchange(moved_, false)) {
             Q_EMIT rested();
         }
     }
-    /// True from the first step of a drag to finishDrag(): what would jump to and fro rests.
-    bool isMoved() const { return !lastName_.isEmpty(); }
 
     // An editing of a field, from its first key to Enter, Escape or the loss of the focus. What is
     // typed shows its effect at once, but is in no history: that, and what could be redone, change
@@ -206,7 +211,7 @@ class SceneModel : public QObject {
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
-    /// A drag has ended: what rested meanwhile follows.
+    /// A drag has ended, or pauses: what rested meanwhile follows.
     void rested();
     /// What draftFile() has beyond the case.
     void typingChanged();
@@ -252,6 +257,7 @@ class SceneModel : public QObject {
             ++step_;
             lastName_ = name;
         }
+        moved_ = true;
         return step_;
     }
     /// Drops the latest awaited change. @return false where there is none
@@ -301,6 +307,7 @@ class SceneModel : public QObject {
     std::string study_;
     int step_ = 0;
     QString lastName_;
+    bool moved_ = false;
     bool editing_ = false;
     int editings_ = 0;
     bool saidRefused_ = false;

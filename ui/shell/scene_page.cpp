@@ -1,6 +1,8 @@
 #include "shell/scene_page.h"
 
+#include <QGuiApplication>
 #include <QTabWidget>
+#include <QTimer>
 #include <algorithm>
 
 #include "model/background_job.h"
@@ -30,8 +32,21 @@ ScenePage::~ScenePage() {
     }
 }
 
-void ScenePage::followDrags(const SceneModel* model) {
-    connect(model, &SceneModel::changed, this, [model] { PlotView::setSteady(model->isMoved()); });
+void ScenePage::followDrags(SceneModel* model) {
+    // Keys end no drag: they pause.
+    constexpr int pauseMs = 400;
+    auto* pause = new QTimer(this);
+    pause->setSingleShot(true);
+    pause->setInterval(pauseMs);
+    connect(pause, &QTimer::timeout, model, [model, pause] {
+        QGuiApplication::mouseButtons() == Qt::NoButton ? model->rest() : pause->start();
+    });
+    connect(model, &SceneModel::changed, this, [model, pause] {
+        PlotView::setSteady(model->isMoved());
+        if (model->isMoved()) {
+            pause->start();
+        }
+    });
     connect(model, &SceneModel::rested, this, [this] {
         PlotView::setSteady(false);
         for (PlotView* plot : findChildren<PlotView*>()) {

@@ -73,7 +73,7 @@ class ScenePage : public QWidget {
   private:
     /// Axes rest while something is dragged, and are then those of what is shown, whatever was
     /// shown before.
-    void followDrags(const SceneModel* model);
+    void followDrags(SceneModel* model);
 };
 
 }  // namespace ravnoves

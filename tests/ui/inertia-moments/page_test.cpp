@@ -802,6 +802,30 @@ TEST_F(InertiaMomentsPageTest, HodographsAreThoseOfTheInputWhateverWasDraggedBef
     }
 }
 
+TEST_F(InertiaMomentsPageTest, AxesFollowKeysThatPause) {
+    const inertia_moments::Input before = model->input();
+    QSlider* slider = page.sliders()->speed()->slider();
+    slider->setFocus();
+    for (int i = 0; i < 60; ++i) {
+        QTest::keyClick(slider, Qt::Key_Left);
+    }
+    EXPECT_TRUE(model->isMoved());
+    QTRY_VERIFY(!model->isMoved());
+    InertiaMomentsPage fresh;
+    fresh.viewModel()->loadInput(model->inputJson(), {});
+    test::showAt(fresh, {1187, 712});
+    QApplication::processEvents();
+    for (const bool force : {true, false}) {
+        EXPECT_EQ(page.charts()->hodograph(force)->grab().toImage(),
+                  fresh.charts()->hodograph(force)->grab().toImage())
+            << force;
+    }
+    // What follows is one step with them.
+    QTest::keyClick(slider, Qt::Key_Left);
+    model->undo();
+    EXPECT_EQ(model->input(), before);
+}
+
 TEST_F(InertiaMomentsPageTest, TheRodsLengthMayStandForLambda) {
     NumberField* length = field("rod_length_mm");
     NumberField* ratio = field("lambda");
