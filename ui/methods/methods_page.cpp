@@ -382,9 +382,9 @@ void MethodsPage::showTable() {
         const MethodRow& row = report.rows[static_cast<std::size_t>(i)];
         for (int column = 0; column < table_->columnCount(); ++column) {
             QTableWidgetItem* cell = table_->item(i, column);
-            QFont font = table_->font();
-            font.setBold(row.in_use && column == Method);
-            cell->setFont(font);
+            QFont bold = table_->font();
+            bold.setBold(true);
+            cell->setData(Qt::FontRole, row.in_use && column == Method ? bold : QVariant());
             cell->setForeground(theme.text());
             if (const QString limits = shownText(row.limits); !limits.isEmpty()) {
                 cell->setToolTip(limits);
