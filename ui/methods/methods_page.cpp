@@ -29,6 +29,7 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/heights_by_width.h"
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
@@ -47,6 +48,17 @@ constexpr int progressHeight = 6;  ///< pixels
 
 /// Columns of the table.
 enum Column { Method, SettingColumn, Time, Error, Operations, Order, Fails };
+
+/// A long rich text, which takes longer to lay out than to paint.
+class Words final : public QLabel {
+  public:
+    int heightForWidth(int width) const override {
+        return heights_.of(*this, width, [this](int at) { return QLabel::heightForWidth(at); });
+    }
+
+  private:
+    mutable HeightsByWidth heights_;
+};
 
 QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -233,7 +245,7 @@ QWidget* MethodsPage::buildWords() {
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(1, 1, 1, 1);
-    words_ = new QLabel;
+    words_ = new Words;
     words_->setObjectName(QStringLiteral("words"));
     words_->setWordWrap(true);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);

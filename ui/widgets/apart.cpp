@@ -33,20 +33,7 @@ int Apart::needed(int width) const {
     if (!held_->hasHeightForWidth()) {
         return held_->sizeHint().height();
     }
-    // The layouts ask dozens of times at every step of a resize, about a few widths.
-    constexpr qsizetype most = 16;
-    if (measuredText_ != held_->text() || measuredFont_ != held_->font()) {
-        measured_.clear();
-        measuredText_ = held_->text();
-        measuredFont_ = held_->font();
-    }
-    if (const auto known = measured_.constFind(width); known != measured_.constEnd()) {
-        return *known;
-    }
-    if (measured_.size() >= most) {
-        measured_.clear();
-    }
-    return *measured_.insert(width, held_->heightForWidth(width));
+    return heights_.of(*held_, width, [this](int at) { return held_->heightForWidth(at); });
 }
 
 bool Apart::event(QEvent* event) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QFont>
-#include <QHash>
 #include <QLabel>
 #include <QTimer>
 #include <QWidget>
+
+#include "widgets/heights_by_width.h"
 
 namespace ravnoves {
 
@@ -41,10 +41,7 @@ class Apart : public QWidget {
     QTimer rest_;
     int height_ = 0;        ///< what the text takes at the present width
     qsizetype length_ = 0;  ///< of the text that it was measured for
-    // Heights by width of one text in one font.
-    mutable QHash<int, int> measured_;
-    mutable QString measuredText_;
-    mutable QFont measuredFont_;
+    mutable HeightsByWidth heights_;
 };
 
 }  // namespace ravnoves
