@@ -158,9 +158,10 @@ void MechanismView::paintPicture(QPainter& painter) {
                                        map.at(e + bore / 2 + wall, sizes.cylinder_top)));
     const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
     painter.setBrush(drawing::brightMetal());
-    painter.drawRoundedRect(
-        QRectF(map.at(e - bore / 2, pistonTop), map.at(e + bore / 2, pistonTop - pistonHeight)), 3,
-        3);
+    paintBlock(
+        painter,
+        QRectF(map.at(e - bore / 2, pistonTop), map.at(e + bore / 2, pistonTop - pistonHeight)),
+        3.0);
     for (int ring = 0; ring < 3; ++ring) {
         const double y = pistonTop - (0.10 + 0.09 * ring) * pistonHeight;
         paintLine(painter, map.at(e - bore / 2, y), map.at(e + bore / 2, y));

@@ -258,9 +258,10 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
     // Slider, rod with its counterweight, crank.
     painter.setPen(QPen(line, 1.4));
     painter.setBrush(block);
-    painter.drawRoundedRect(
-        QRectF(map.at(pose.slider.x - 0.36 * r, half), map.at(pose.slider.x + 0.36 * r, -half)), 3,
-        3);
+    paintBlock(
+        painter,
+        QRectF(map.at(pose.slider.x - 0.36 * r, half), map.at(pose.slider.x + 0.36 * r, -half)),
+        3.0);
     const double thick = std::clamp(0.22 * r * k, 5.0, 16.0);
     const auto rod = [&](const QPointF& from, const QPointF& to, double width) {
         drawing::drawRod(painter, from, to, width, metal, line);

@@ -121,7 +121,7 @@ void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QStrin
     const QRectF letters = painter.boundingRect(room, flags, text);  // none without a pen
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
-    painter.drawRoundedRect(letters.adjusted(-2, 0, 2, 0), 3, 3);
+    paintBlock(painter, letters.adjusted(-2, 0, 2, 0), 3.0);
     painter.setPen(ink);
     painter.drawText(room, flags, text);
 }

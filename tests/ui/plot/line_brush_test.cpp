@@ -249,6 +249,34 @@ TEST(LineBrush, PolygonsLookAsQtsDo) {
     }
 }
 
+TEST(PaintBlock, IsARectangleWithRoundCorners) {
+    for (const double scale : {1.0, 2.0}) {
+        for (const double corner : {0.0, 3.0, 20.0, 90.0}) {
+            const auto painted = [&](const auto& draw) {
+                QImage image(paper().size() * scale, QImage::Format_RGB32);
+                image.fill(Qt::white);
+                image.setDevicePixelRatio(scale);
+                QPainter painter(&image);
+                painter.setRenderHint(QPainter::Antialiasing);
+                painter.setPen(QPen(Qt::black, 1.4));
+                painter.setBrush(Qt::gray);
+                draw(painter, QRectF(QPointF(30.3, 20.6), QPointF(180.2, 110.9)));
+                painter.end();
+                return image;
+            };
+            const QImage ours = painted([&](QPainter& painter, const QRectF& block) {
+                paintBlock(painter, {block.bottomRight(), block.topLeft()}, corner);
+            });
+            const QImage qts = painted([&](QPainter& painter, const QRectF& block) {
+                const double round = std::min(corner, 0.5 * block.height());
+                painter.drawRoundedRect(block, round, round);
+            });
+            EXPECT_LT(meanDifference(qts, ours), 8.0) << scale << ' ' << corner;
+            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.005) << scale << ' ' << corner;
+        }
+    }
+}
+
 TEST(PaintBar, IsALineWithRoundEnds) {
     for (const QPointF& to :
          {QPointF(190, 120), QPointF(60, 120), QPointF(190, 40), QPointF(60, 40)}) {
@@ -303,6 +331,7 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
                 paintPolygon(painter, {{-20, 20}, {70, 60}, {60, 90}, {-40, 50}});
                 paintDisc(painter, {120, 60}, 31.4);
                 paintBar(painter, {150, 100}, {260, 140}, 9.0);
+                paintBlock(painter, {20, 110, 60, 60}, 8.0);
                 paintLine(painter, {10, 100}, {90, 145});
                 painter.setPen(QPen(QColor(10, 40, 60, alpha), 1.2, Qt::DashLine));
                 paintLine(painter, {150, 20}, {225, 35});

@@ -174,6 +174,28 @@ struct Bar {
     }
 };
 
+struct Block {
+    QRectF core;  ///< the edge is this far from it
+    double corner;
+
+    double distance(double x, double y) const {
+        const double across = std::max(core.left() - x, x - core.right());
+        const double up = std::max(core.top() - y, y - core.bottom());
+        return std::hypot(std::max(across, 0.0), std::max(up, 0.0)) +
+               std::min(std::max(across, up), 0.0) - corner;
+    }
+    Stretch row(double y, double distance) const {
+        const double reach = corner + distance;
+        const double up = std::max(core.top() - y, y - core.bottom());
+        if (!(up < reach)) {
+            return nothing;
+        }
+        const double wide = up > 0.0 ? std::sqrt(reach * reach - up * up) : reach;
+        return {core.left() - wide, core.right() + wide};
+    }
+    QRectF box() const { return core.adjusted(-corner, -corner, corner, corner); }
+};
+
 bool canMeasure(const QPainter& painter, const QSizeF& size) {
     constexpr double largest = 4000.0;  // pixels
     const QTransform& transform = painter.deviceTransform();
@@ -269,6 +291,18 @@ void paintPolygon(QPainter& painter, const QPolygonF& polygon) {
         return;
     }
     paint(painter, Polygon(painter.deviceTransform().map(polygon)));
+}
+
+void paintBlock(QPainter& painter, const QRectF& block, double corner) {
+    const QRectF whole = block.normalized();
+    const double round = std::min({corner, 0.5 * whole.width(), 0.5 * whole.height()});
+    if (!canMeasure(painter, whole.size())) {
+        painter.drawRoundedRect(whole, round, round);
+        return;
+    }
+    const QTransform& transform = painter.deviceTransform();
+    paint(painter, Block{transform.mapRect(whole.adjusted(round, round, -round, -round)),
+                         round * transform.m11()});
 }
 
 void paintBar(QPainter& painter, const QPointF& from, const QPointF& to, double radius) {

@@ -2,6 +2,7 @@
 
 #include <QPointF>
 #include <QPolygonF>
+#include <QRectF>
 
 class QPainter;
 
@@ -15,6 +16,9 @@ void paintDisc(QPainter& painter, const QPointF& middle, double radius);
 
 /// A polygon, which is convex.
 void paintPolygon(QPainter& painter, const QPolygonF& polygon);
+
+/// A block with round corners.
+void paintBlock(QPainter& painter, const QRectF& block, double corner);
 
 /// A bar with round ends about two points.
 void paintBar(QPainter& painter, const QPointF& from, const QPointF& to, double radius);
