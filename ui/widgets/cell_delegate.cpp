@@ -26,6 +26,10 @@ void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const QRect room = option.rect.adjusted(margin, 0, -margin, 0);
     QString shown = text;
     double width = textWidth(option.font, text);
+    if (width > room.width() && room.height() >= 2 * option.fontMetrics.lineSpacing()) {
+        QStyledItemDelegate::paint(painter, option, index);  // it goes on in a second line
+        return;
+    }
     if (width > room.width()) {
         shown = option.fontMetrics.elidedText(text, option.textElideMode, room.width());
         width = textWidth(option.font, shown);
