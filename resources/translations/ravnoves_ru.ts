@@ -281,10 +281,6 @@
         <translation>Для груза ещё нужны: %1</translation>
     </message>
     <message>
-        <source>%1 ∠ %2 at %3</source>
-        <translation>%1 ∠ %2 при %3</translation>
-    </message>
-    <message>
         <source>The machine read %1 and %2; measured is what that is in the planes.</source>
         <translation>Станок показал %1 и %2; «измерено» — это в плоскостях коррекции.</translation>
     </message>
@@ -303,6 +299,10 @@
     <message>
         <source>%1: %2 looks like a share of 1; the factor is in per cent, 50 for one half.</source>
         <translation>%1: %2 похоже на долю единицы; коэффициент задаётся в процентах, половина — это 50.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 при %2</translation>
     </message>
 </context>
 <context>
