@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QCursor>
 #include <QLabel>
 #include <QMessageBox>
+#include <QScreen>
+#include <QTest>
+#include <QToolTip>
+#include <algorithm>
 
 #include "events.h"
 
@@ -36,6 +42,35 @@ TEST(PlainText, WhatSaysThatItIsRichStaysSo) {
     label.setTextFormat(Qt::RichText);
     test::showAt(label, {400, 40});
     EXPECT_EQ(label.textFormat(), Qt::RichText);
+}
+
+/// Qt places it by the width of its text in one line.
+TEST(PlainText, ALongTipStandsBesideThePointer) {
+    keepTextPlain();
+    QWidget window;
+    test::showAt(window, {400, 300});
+    const int screen = window.screen()->geometry().right();
+    const int bottom = window.screen()->geometry().bottom();
+    for (const auto& [x, y] :
+         {std::pair(screen / 2, 100), {screen - 60, 100}, {screen / 2, bottom - 45}}) {
+        const QPoint at(x, y);
+        QCursor::setPos(at);
+        QToolTip::showText(
+            at, u"A tip of many words, longer than the screen has room for. "_s.repeated(3),
+            &window);
+        QTest::qWait(50);
+        const QWidgetList all = QApplication::topLevelWidgets();
+        const auto tip = std::find_if(all.begin(), all.end(), [](QWidget* each) {
+            return each->inherits("QTipLabel") && each->isVisible();
+        });
+        ASSERT_NE(tip, all.end());
+        EXPECT_LE((*tip)->geometry().right(), screen);
+        EXPECT_LE((*tip)->geometry().bottom(), bottom);
+        const bool hasRoom = x + 2 + (*tip)->width() <= screen + 1;
+        EXPECT_EQ((*tip)->x(), hasRoom ? x + 2 : x - 2 - (*tip)->width());
+        QToolTip::hideText();
+        QTest::qWait(400);
+    }
 }
 
 }  // namespace
