@@ -531,7 +531,7 @@ void PlotView::paintEvent(QPaintEvent* event) {
         return;
     }
     paintCurvesPicture();
-    painter.drawImage(0, 0, picture_);
+    drawPicture(painter, picture_, rect());
     paintMoving(painter);
 }
 

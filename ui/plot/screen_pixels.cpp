@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plot/model/pixel.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 
@@ -41,6 +42,14 @@ QImage* ScreenPixels::of(const QPainter& painter, const QRect& widget, const QRe
     }
     view_.setDevicePixelRatio(transform.m11());
     return &view_;
+}
+
+void drawPicture(QPainter& painter, const QImage& picture, const QRect& widget) {
+    const double ratio = picture.devicePixelRatio();
+    if (ratio != std::floor(ratio)) {
+        painter.fillRect(widget.adjusted(-1, -1, 1, 1), Theme::instance().panel());
+    }
+    painter.drawImage(widget.topLeft(), picture);
 }
 
 }  // namespace ravnoves

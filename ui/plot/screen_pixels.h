@@ -26,4 +26,8 @@ class ScreenPixels {
     QImage view_;  ///< with what Qt keeps for painting on it
 };
 
+/// Draws the picture of a widget where the screen's pixels cannot be had. A widget that begins or
+/// ends between two pixels has one more than its picture, which else nobody would paint.
+void drawPicture(QPainter& painter, const QImage& picture, const QRect& widget);
+
 }  // namespace ravnoves

@@ -57,6 +57,7 @@ void MechanismPicture::setPlaying(bool playing) {
     }
     sinceStep_.start();
     playing ? timer_.start() : timer_.stop();
+    update();
     Q_EMIT playingChanged(playing);
 }
 
@@ -102,7 +103,7 @@ void MechanismPicture::paintEvent(QPaintEvent* event) {
         picture_.setDevicePixelRatio(ratio);
     }
     paintAll(picture_);
-    painter.drawImage(0, 0, picture_);
+    drawPicture(painter, picture_, rect());
 }
 
 void MechanismPicture::paintAll(QImage& picture) {

@@ -25,8 +25,13 @@ class Framed final : public MechanismPicture {
   public:
     explicit Framed(CrankAngle* crank) : MechanismPicture(crank, u"Picture"_s, {}) {}
 
+    bool showsPlaying = false;  ///< in the picture as it was painted last
+
   protected:
-    void paintPicture(QPainter& painter) override { painter.fillRect(rect(), Qt::white); }
+    void paintPicture(QPainter& painter) override {
+        painter.fillRect(rect(), Qt::white);
+        showsPlaying = isPlaying();
+    }
 };
 
 TEST(CrankAngle, GoesRoundAndRestsAtTheEndOfItsCycle) {
@@ -64,6 +69,18 @@ TEST(MechanismPicture, TheFrameOfTheFocusIsOnTheScreenAlone) {
     ASSERT_TRUE(picture.hasFocus());
     EXPECT_NE(picture.grab().toImage(), screen);
     EXPECT_EQ(onPaper(), paper);
+}
+
+TEST(MechanismPicture, APauseIsSeenAtOnce) {
+    CrankAngle crank(0.0, 360.0);
+    Framed picture(&crank);
+    test::showAt(picture, {200, 100});
+    for (const bool playing : {true, false, true, false}) {
+        QApplication::processEvents();
+        picture.setPlaying(playing);
+        QApplication::processEvents();
+        EXPECT_EQ(picture.showsPlaying, playing);
+    }
 }
 
 TEST(Drawing, WordsStandOnTheirOwnGround) {
