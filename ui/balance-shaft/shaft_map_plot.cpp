@@ -35,10 +35,20 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
     });
     setPaintsGhosts();
     connect(this, &PlotView::referenceChanged, this, &ShaftMapPlot::followReference);
-    connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
+    connect(map_, &ShaftMapModel::moved, this, &ShaftMapPlot::showShaft);
+    connect(model_, &SceneModel::rested, this, &ShaftMapPlot::showShaft);
     connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
     connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
     showMap();
+}
+
+void ShaftMapPlot::showShaft() {
+    // Numbers give way to a shaft that rests.
+    const ShaftMapModel::Position present = map_->present();
+    if (!model_->isMoved() && (present.x != freeFor_.x || present.y != freeFor_.y)) {
+        groundChanged();
+    }
+    update();
 }
 
 QPointF ShaftMapPlot::pixelOf(const ShaftMapModel::Position& position) const {
@@ -178,7 +188,8 @@ void ShaftMapPlot::labelMarkers(const std::vector<QPointF>& signs) {
         labels_.keepFree(sign, glyphRadius() + 3.5);
     }
     // No number under the handle, as it stands now.
-    labels_.keepFree(pixelOf(map_->present()), shaftHandleRadius + 2.0);
+    freeFor_ = map_->present();
+    labels_.keepFree(pixelOf(freeFor_), shaftHandleRadius + 2.0);
     labels_.addMarkers(*map_, signs);
 }
 

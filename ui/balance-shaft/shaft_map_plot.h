@@ -67,6 +67,7 @@ class ShaftMapPlot : public PlotView {
 
   private:
     void showMap();
+    void showShaft();
     void showImage();
     /// The reference's map is by the criterion of this one.
     void leadReference();
@@ -87,6 +88,7 @@ class ShaftMapPlot : public PlotView {
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     ShaftMapLabels labels_;
+    ShaftMapModel::Position freeFor_;   ///< of the shaft, where no number stands
     QMetaObject::Connection followed_;  ///< the reference's map
 };
 
