@@ -122,6 +122,7 @@ class PlotView : public QWidget {
     bool isZoomed() const { return data_.zoomed; }
     /// Axes of all plots rest as far as they can, while something is dragged.
     static void setSteady(bool steady) { PlotData::steady = steady; }
+    static bool isSteady() { return PlotData::steady; }
     /// The axes follow what is shown now.
     void fitAxes() { curvesChanged(); }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.

@@ -2,6 +2,8 @@
 
 #include <QEvent>
 
+#include "plot/plot_view.h"
+
 namespace ravnoves {
 
 Apart::Apart(QLabel* held, QWidget* parent)
@@ -55,7 +57,12 @@ bool Apart::hasGivenRoom() const {
 void Apart::fit() {
     rest_.stop();
     length_ = held_->text().size();
-    if (const int height = needed(width()); height != height_) {
+    const int height = needed(width());
+    if (height < height_ && PlotView::isSteady()) {
+        rest_.start();
+        return;
+    }
+    if (height != height_) {
         height_ = height;
         updateGeometry();
     }

@@ -11,8 +11,9 @@ namespace ravnoves {
 /// Holds a label whose text changes at every step of a drag. No layout stands between them: a new
 /// text is laid out alone, and the whole page anew only where the text takes another height. A text
 /// of the same length has other digits, which are of one width: its height is looked at only when
-/// the hand rests. A label whose text can be selected is so while the pointer is on it: the
-/// document behind such a text takes longer than the picture of an engine.
+/// the hand rests, and only then room that is too large given back. A label whose text can be
+/// selected is so while the pointer is on it: the document behind such a text takes longer than the
+/// picture of an engine.
 class Apart : public QWidget {
     Q_OBJECT
 

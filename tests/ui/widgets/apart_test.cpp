@@ -6,6 +6,8 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "plot/plot_view.h"
+
 namespace ravnoves {
 namespace {
 
@@ -88,6 +90,24 @@ TEST_F(ApartTest, ATextOfTheSameLengthThatWrapsElsewhereIsFittedAtRest) {
     label_->setText(QString(length, QLatin1Char('W')).replace(length / 2, 1, QLatin1Char(' ')));
     QTest::qWait(150);
     EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
+}
+
+TEST_F(ApartTest, UnderAHandThatDragsItGivesNoRoomBack) {
+    const QString line = QStringLiteral("a text of several words ");
+    label_->setText(line.repeated(9));
+    settle();
+    const int high = apart_->height();
+    PlotView::setSteady(true);
+    label_->setText(line);
+    settle();
+    EXPECT_EQ(apart_->height(), high);
+    label_->setText(line.repeated(20));  // what it needs it has
+    settle();
+    EXPECT_GT(apart_->height(), high);
+    label_->setText(line);
+    PlotView::setSteady(false);
+    settle();
+    EXPECT_LT(apart_->height(), high);
 }
 
 TEST_F(ApartTest, ATextThatComesWhileThePageIsHiddenGetsItsRoom) {
