@@ -26,7 +26,7 @@ void ChangingLabel::setText(const QString& text) {
     if (text == QLabel::text()) {
         return;
     }
-    if (!isVisible() || !isPlain() || paragraphs_.empty()) {
+    if (!isVisible() || !updatesEnabled() || !isPlain() || paragraphs_.empty()) {
         QLabel::setText(text);
         return;
     }
