@@ -512,7 +512,7 @@ void PlotView::paintEvent(QPaintEvent* event) {
         pictureStale_ = true;
     }
     paintAxesPicture();
-    if (QImage* screen = screen_.of(painter, rect(), chartRect(), event->region())) {
+    if (QImage* screen = screen_.of(painter, *this, chartRect(), event->region())) {
         const int top = event->region().boundingRect().top();
         // Curves that move go to the screen alone; a picture of those that rest is copied.
         if (moves) {

@@ -3,6 +3,7 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <QRegion>
+#include <QWidget>
 #include <cmath>
 
 #include "plot/model/pixel.h"
@@ -10,7 +11,7 @@
 
 namespace ravnoves {
 
-QImage* ScreenPixels::of(const QPainter& painter, const QRect& widget, const QRect& part,
+QImage* ScreenPixels::of(const QPainter& painter, const QWidget& widget, const QRect& part,
                          const QRegion& seen) {
     if (!paintsPixels(painter) || painter.hasClipping() || seen.rectCount() != 1 ||
         !seen.boundingRect().contains(part)) {
@@ -23,7 +24,10 @@ QImage* ScreenPixels::of(const QPainter& painter, const QRect& widget, const QRe
     }
     const auto* const screen = static_cast<const QImage*>(device);
     const QTransform& transform = painter.deviceTransform();
-    const QRectF place = transform.mapRect(QRectF(widget));
+    if (transform.m11() != widget.devicePixelRatioF()) {
+        return nullptr;
+    }
+    const QRectF place = transform.mapRect(QRectF(widget.rect()));
     const QRectF placeSeen = transform.mapRect(QRectF(seen.boundingRect()));
     const QRect pixels = place.toRect();
     const bool isWritable = screen->format() == QImage::Format_RGB32 ||

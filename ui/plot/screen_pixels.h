@@ -5,6 +5,7 @@
 class QPainter;
 class QRect;
 class QRegion;
+class QWidget;
 
 namespace ravnoves {
 
@@ -14,12 +15,11 @@ class ScreenPixels {
   public:
     /// While the widget is painted.
     /// @param painter  on the widget
-    /// @param widget  its place in the painter's coordinates
-    /// @param part  of it, which alone is painted into the picture
+    /// @param part  of the widget, which alone is painted into the picture
     /// @param seen  of it what Qt asks for, without what lies over it
     /// @return null where there are no such pixels, as in a file; where the widget begins between
-    ///         two of them; or where not all of the part is seen
-    QImage* of(const QPainter& painter, const QRect& widget, const QRect& part,
+    ///         two of them, or is painted in another size; or where not all of the part is seen
+    QImage* of(const QPainter& painter, const QWidget& widget, const QRect& part,
                const QRegion& seen);
 
   private:

@@ -92,7 +92,7 @@ void MechanismPicture::paintEvent(QPaintEvent* event) {
         return;
     }
     // Into a picture whose pixels lines and shapes are painted on.
-    if (QImage* screen = screen_.of(painter, rect(), rect(), event->region())) {
+    if (QImage* screen = screen_.of(painter, *this, rect(), event->region())) {
         paintAll(*screen);
         return;
     }

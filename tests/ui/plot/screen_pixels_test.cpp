@@ -25,8 +25,7 @@ class Painted : public QWidget {
   protected:
     void paintEvent(QPaintEvent* event) override {
         QPainter painter(this);
-        QImage* screen =
-            screen_.of(painter, rect(), part.isNull() ? rect() : part, event->region());
+        QImage* screen = screen_.of(painter, *this, part.isNull() ? rect() : part, event->region());
         got = screen != nullptr;
         if (got) {
             QPainter(screen).fillRect(part.isNull() ? rect() : part, Qt::blue);
@@ -119,6 +118,17 @@ TEST_F(ScreenPixelsTest, ThereAreNoneInAFile) {
     QPicture file;
     painted_.render(&file);
     EXPECT_FALSE(painted_.got);
+}
+
+TEST_F(ScreenPixelsTest, ThereAreNoneOfAnotherSize) {
+    for (const double scale : {0.5, 1.5, 2.0}) {
+        QImage picture(500, 400, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        painter.scale(scale, scale);
+        painted_.got = true;
+        painted_.render(&painter);
+        EXPECT_FALSE(painted_.got) << scale;
+    }
 }
 
 TEST(PlotOnScreen, IsThatOfAPicture) {
