@@ -79,7 +79,6 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     plot_ = new ShaftMapPlot(model_, map_, front);
     frontColumn->addWidget(plot_, 1);
     words_ = changingCaption(front);
-    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     words_->setObjectName(QStringLiteral("shaft_map_words"));
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
     wordsRoom_ = new Apart(words_, front);

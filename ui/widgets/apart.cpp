@@ -1,6 +1,7 @@
 #include "widgets/apart.h"
 
 #include <QEvent>
+#include <algorithm>
 
 #include "plot/plot_view.h"
 
@@ -28,7 +29,9 @@ QSize Apart::minimumSizeHint() const {
 }
 
 int Apart::heightForWidth(int width) const {
-    return needed(width);
+    // Whatever the page is laid out anew for, in a drag no room is given back.
+    return PlotView::isSteady() && width == this->width() ? std::max(height_, needed(width))
+                                                          : needed(width);
 }
 
 int Apart::needed(int width) const {

@@ -421,6 +421,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
 
 ChangingLabel* changingCaption(QWidget* parent) {
     auto* label = new ChangingLabel(parent);
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);  // in a drag it may have more room
     label->setFont(Theme::font(Theme::smallSize));
     colourText(label, &Theme::mutedText);
     return label;

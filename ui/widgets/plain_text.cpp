@@ -41,17 +41,23 @@ class PlainText : public QObject {
     /// room.
     static void putBeside(QLabel& tip, const QRect& before) {
         constexpr int apart = 2;  // pixels
-        const int pointer = QCursor::pos().x();
-        if (tip.screen() == nullptr || pointer < before.left() ||
-            pointer > before.right() + 4 * apart) {
-            return;  // it is not that of the pointer, or stands right of it
+        const QPoint pointer = QCursor::pos();
+        if (tip.screen() == nullptr) {
+            return;
         }
         const QRect screen = tip.screen()->geometry();
-        const int right = pointer + apart;
-        const int left = std::max(screen.left(), pointer - apart - tip.width());
-        const int above = std::max(screen.top(), QCursor::pos().y() - apart - tip.height());
-        tip.move(right + tip.width() <= screen.right() + 1 ? right : left,
-                 tip.y() + tip.height() <= screen.bottom() + 1 ? tip.y() : above);
+        int x = tip.x();
+        // That of the pointer, and not yet right of it.
+        if (pointer.x() >= before.left() && pointer.x() <= before.right() + 4 * apart) {
+            const int right = pointer.x() + apart;
+            x = right + tip.width() <= screen.right() + 1
+                    ? right
+                    : std::max(screen.left(), pointer.x() - apart - tip.width());
+        }
+        const bool hasRoom = tip.y() + tip.height() <= screen.bottom() + 1;
+        tip.move(x, hasRoom ? tip.y()
+                            : std::max(screen.top(), std::min(pointer.y(), screen.bottom()) -
+                                                         apart - tip.height()));
     }
 
     /// Qt leaves a line of a plain tip as long as it is. @return whether it was too long

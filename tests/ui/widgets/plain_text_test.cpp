@@ -52,7 +52,7 @@ TEST(PlainText, ALongTipStandsBesideThePointer) {
     const int screen = window.screen()->geometry().right();
     const int bottom = window.screen()->geometry().bottom();
     for (const auto& [x, y] :
-         {std::pair(screen / 2, 100), {screen - 60, 100}, {screen / 2, bottom - 45}}) {
+         {std::pair(screen / 2, 100), {screen - 60, 100}, {screen / 2, bottom - 45}, {20, bottom - 30}}) {
         const QPoint at(x, y);
         QCursor::setPos(at);
         QToolTip::showText(
