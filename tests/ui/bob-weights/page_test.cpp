@@ -788,6 +788,7 @@ TEST_F(BobPageTest, WhatIsZeroNeedsNoAngle) {
     type("run_1_unbalance_1", u"0"_s);
     type("run_1_unbalance_2", u"5"_s);
     type("run_1_angle_2", u"10"_s);
+    EXPECT_TRUE(card().contains(u"Run 1\n0.0\n–\n5.0\n10.0"_s)) << qPrintable(card());
     EXPECT_TRUE(card().contains(u"0.0 g·mm\n–\n0.00 g"_s)) << qPrintable(card());
     EXPECT_TRUE(card().contains(u"5.0 g·mm\n10.0°\n"_s)) << qPrintable(card());
     type("unbalance_1", u"12"_s);
