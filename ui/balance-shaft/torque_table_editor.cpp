@@ -14,6 +14,7 @@
 #include "model/enough_memory.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/number_text.h"
 #include "text/write_file.h"
 #include "widgets/file_dialogs.h"
 
@@ -91,14 +92,36 @@ QString TorqueTableEditor::importFile(const QString& path) {
     }
 }
 
+namespace {
+
+/// Whether cells go from the beginning of a cycle to its end: meant for a table of their own, they
+/// are not put among the rows of another.
+bool isCycle(const std::vector<QStringList>& cells) {
+    std::vector<double> angles;
+    for (const QStringList& row : cells) {
+        const auto angle = row.size() > 1 ? readFormNumber(row[0]) : std::nullopt;
+        if (angle) {
+            angles.push_back(*angle);
+        }
+    }
+    constexpr std::size_t fewest = 3;
+    constexpr double turn = 360.0;  // degrees
+    return angles.size() >= fewest && angles.front() == 0.0 &&
+           (angles.back() == turn || angles.back() == 2.0 * turn);
+}
+
+}  // namespace
+
 void TorqueTableEditor::paste() {
     const QString text = QApplication::clipboard()->text();
     try {
         const QString what = table_->replaceByText(text.toStdString(), true);
         say(tr("Read %1.").arg(what), false);
     } catch (const InputError& error) {
-        const auto rows = static_cast<int>(readTextTable(text).size());
-        if (rows < table_->rowCount() && (rows == 0 || view()->currentIndex().isValid())) {
+        const auto cells = readTextTable(text);
+        const auto rows = static_cast<int>(cells.size());
+        if (!isCycle(cells) && rows < table_->rowCount() &&
+            (rows == 0 || view()->currentIndex().isValid())) {
             TableEditor::paste();
         } else {
             say(tr("Not pasted: %1").arg(errorText(error)), true);

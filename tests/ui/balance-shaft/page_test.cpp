@@ -350,6 +350,14 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
         QItemSelectionModel::ClearAndSelect);
     QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("45\t-1\n60\t-2\n"));
+    // A cycle that is refused is not put among the rows of this one.
+    const QString below = view->model()->index(5, 1).data().toString();
+    QApplication::clipboard()->setText(
+        QStringLiteral("0\t-81\n180\t40\n360\t1,893\n540\t40\n720\t-81\n"));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(view->model()->index(5, 1).data().toString(), below);
+    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("-2"));
+    EXPECT_TRUE(page.torqueEditor()->tableModel()->trouble().isEmpty());
 }
 
 TEST_F(BalanceShaftPageTest, ImportNamesFileLineAndColumn) {
