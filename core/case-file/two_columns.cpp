@@ -129,13 +129,19 @@ char find_separator(std::string_view line, std::size_t number) {
 struct DecimalSigns {
     std::size_t doubtful_line = 0;  ///< of the first "1,893"; 0 where there is none
     std::string_view doubtful;
+    bool has_comma = false;
+    bool has_point = false;
     bool has_whole = false;   ///< a number without a comma that is no 0
     bool is_decimal = false;  ///< a comma that cannot divide thousands
 
     void note(std::string_view text, std::size_t line) {
+        has_point = has_point || text.find('.') != std::string_view::npos;
         if (text.find(',') == std::string_view::npos) {
             has_whole = has_whole || text.find_first_of("123456789") != std::string_view::npos;
-        } else if (!may_have_thousands(text)) {
+            return;
+        }
+        has_comma = true;
+        if (!may_have_thousands(text)) {
             is_decimal = true;
         } else if (doubtful_line == 0) {
             doubtful_line = line;
@@ -156,9 +162,10 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
     std::size_t number = 0;
     std::size_t header_lines = 0;
     bool separator_known = false;
-    bool decimal_point = false;
-    bool thousands = false;
     std::array<DecimalSigns, 2> signs;
+    const auto any = [&signs](auto which) {
+        return static_cast<bool>(signs[0].*which) || static_cast<bool>(signs[1].*which);
+    };
     while (!text.empty()) {
         ++number;
         const std::size_t end = text.find_first_of("\r\n");
@@ -207,12 +214,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
                                  found(fields[column], !rows.first.empty()));
             }
             values[column] = *value;
-            const bool has_comma = fields[column].find(',') != std::string_view::npos;
-            rows.decimal_comma = rows.decimal_comma || has_comma;
-            decimal_point = decimal_point || fields[column].find('.') != std::string_view::npos;
-            thousands = thousands || may_have_thousands(fields[column]);
             signs[column].note(fields[column], number);
-            if (thousands && decimal_point) {
+            if (any(&DecimalSigns::doubtful_line) && any(&DecimalSigns::has_point)) {
                 // "1,893" below 60.30 is 1893 to who wrote it.
                 throw InputError(table_place(number, static_cast<int>(column) + 1),
                                  CORE_TEXT("core",
@@ -233,9 +236,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
         rows.second.push_back(values[1]);
         rows.line.push_back(number);
     }
-    const bool is_decimal =
-        std::any_of(signs.begin(), signs.end(), [](const auto& each) { return each.is_decimal; });
-    for (std::size_t column = 0; column < 2 && !is_decimal; ++column) {
+    rows.decimal_comma = any(&DecimalSigns::has_comma);
+    for (std::size_t column = 0; column < 2 && !any(&DecimalSigns::is_decimal); ++column) {
         if (const DecimalSigns& seen = signs[column]; seen.doubtful_line != 0 && seen.has_whole) {
             throw InputError(
                 table_place(seen.doubtful_line, static_cast<int>(column) + 1),
