@@ -105,10 +105,15 @@ struct EarlierReading {
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };
 
-/// A vector that is all read, of a Reading or an EarlierReading: what is 0 has no direction.
+/// Whether an unbalance has a direction: nothing has none.
+constexpr bool has_direction(double unbalance) {
+    return unbalance != 0.0;
+}
+
+/// A vector that is all read, of a Reading or an EarlierReading.
 template <typename AnyReading>
 bool is_read(const AnyReading& reading) {
-    return reading.unbalance && (reading.angle || *reading.unbalance == 0.0);
+    return reading.unbalance && (reading.angle || !has_direction(*reading.unbalance));
 }
 
 /// A run of the machine whose holes have been drilled since.

@@ -116,9 +116,9 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
         for (const auto& reading : readings) {
             row << (reading.unbalance ? words.digits(*reading.unbalance, units::gram_mm, 1)
                                       : byHand)
-                << (reading.unbalance == 0.0 ? QStringLiteral("–")  // nothing has no direction
-                    : reading.angle          ? words.digits(*reading.angle, units::degree, 1)
-                                             : byHand);
+                << (reading.unbalance && !has_direction(*reading.unbalance) ? QStringLiteral("–")
+                    : reading.angle ? words.digits(*reading.angle, units::degree, 1)
+                                    : byHand);
         }
         const QString verdict =
             run < result.runs.size()

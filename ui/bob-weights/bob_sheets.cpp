@@ -237,8 +237,9 @@ void BobMachineSheet::buildRuns() {
                 });
                 if (isAngle) {
                     follow([this, run, plane, made, hint = made->placeholderText()] {
-                        const bool isNothing = model_->reading(run, plane, false) == 0.0;
-                        made->setPlaceholderText(isNothing ? QStringLiteral("–") : hint);
+                        const auto unbalance = model_->reading(run, plane, false);
+                        const bool isMissing = !unbalance || has_direction(*unbalance);
+                        made->setPlaceholderText(isMissing ? hint : QStringLiteral("–"));
                     });
                 }
                 trouble->watch(made);

@@ -34,9 +34,10 @@ QString unbalanceOf(const Words& words, double unbalance) {
     return words.number(unbalance, units::gram_mm, 1);
 }
 
-/// An unbalance in words with its direction; nothing has none.
+/// An unbalance in words with its direction, where it has one.
 QString atAngle(const Words& words, const QString& shown, double unbalance, double angle) {
-    return unbalance == 0.0 ? shown : shown + QStringLiteral(" ∠ ") + degreesOf(words, angle);
+    return has_direction(unbalance) ? shown + QStringLiteral(" ∠ ") + degreesOf(words, angle)
+                                    : shown;
 }
 
 /// By what limit, and how the planes share it.
@@ -459,8 +460,7 @@ ResultRows planes(const Words& words, const Result& result) {
         };
         rows << ResultRow{
             planeName(words, i), unbalance(plane.unbalance),
-            // Nothing is heavy nowhere.
-            plane.unbalance == 0.0 ? ResultCell(noNumber) : direction(words, plane.angle),
+            has_direction(plane.unbalance) ? direction(words, plane.angle) : ResultCell(noNumber),
             words.cellWithUnit(plane.grams_at_radius, units::gram, 2),
             // Of readings that may not hold nothing is known to remain.
             result.holds() ? unbalance(plane.remaining) : ResultCell(noNumber),
