@@ -17,6 +17,8 @@ struct ShaftPosition {
     static ShaftPosition at(double centre_distance, double shaft_angle);
     double centre_distance() const;  ///< l, m
     double shaft_angle() const;      ///< α, rad, 0…2π; 0 at the crank's axis
+
+    friend bool operator==(const ShaftPosition&, const ShaftPosition&) = default;
 };
 
 /// The criteria of the moment on the mounts with the shaft's axis at a place.

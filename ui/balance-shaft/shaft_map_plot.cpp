@@ -44,8 +44,7 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
 
 void ShaftMapPlot::showShaft() {
     // Numbers give way to a shaft that rests.
-    const ShaftMapModel::Position present = map_->present();
-    if (!model_->isMoved() && (present.x != freeFor_.x || present.y != freeFor_.y)) {
+    if (!model_->isMoved() && !(map_->present() == freeFor_)) {
         groundChanged();
     }
     update();
