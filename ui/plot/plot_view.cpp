@@ -536,14 +536,7 @@ void PlotView::paintEvent(QPaintEvent* event) {
 }
 
 void PlotView::paintAxesPicture() {
-    const qreal ratio = devicePixelRatioF();
-    const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    if (axesPicture_.size() != pixels || axesPicture_.devicePixelRatio() != ratio) {
-        axesPicture_ = QImage(pixels, QImage::Format_RGB32);
-        axesPicture_.setDevicePixelRatio(ratio);
-        axesStale_ = true;
-    }
-    if (axesStale_) {
+    if (fitPicture(axesPicture_, *this) || axesStale_) {
         axesPicture_.fill(Theme::instance().panel());
         QPainter axes(&axesPicture_);
         painter_->paintAxes(axes);
@@ -557,10 +550,7 @@ void PlotView::paintCurvesPicture() {
     if (!pictureStale_) {
         return;
     }
-    if (picture_.size() != axesPicture_.size()) {
-        picture_ = QImage(axesPicture_.size(), axesPicture_.format());
-    }
-    picture_.setDevicePixelRatio(axesPicture_.devicePixelRatio());
+    fitPicture(picture_, *this);
     copyRows(axesPicture_, picture_, 0);
     painter_->paintCurves(picture_);
     QPainter painter(&picture_);

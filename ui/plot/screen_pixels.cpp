@@ -30,10 +30,9 @@ QImage* ScreenPixels::of(const QPainter& painter, const QWidget& widget, const Q
     const QRectF place = transform.mapRect(QRectF(widget.rect()));
     const QRectF placeSeen = transform.mapRect(QRectF(seen.boundingRect()));
     const QRect pixels = place.toRect();
-    const bool isWritable = screen->format() == QImage::Format_RGB32 ||
-                            screen->format() == QImage::Format_ARGB32_Premultiplied;
-    if (!isWritable || QRectF(pixels) != place || QRectF(placeSeen.toRect()) != placeSeen ||
-        pixels.isEmpty() || !screen->rect().contains(pixels)) {
+    if (!hasWritablePixels(*screen) || QRectF(pixels) != place ||
+        QRectF(placeSeen.toRect()) != placeSeen || pixels.isEmpty() ||
+        !screen->rect().contains(pixels)) {
         return nullptr;
     }
     constexpr qsizetype pixel = 4;  // bytes
@@ -46,6 +45,17 @@ QImage* ScreenPixels::of(const QPainter& painter, const QWidget& widget, const Q
     }
     view_.setDevicePixelRatio(transform.m11());
     return &view_;
+}
+
+bool fitPicture(QImage& picture, const QWidget& widget) {
+    const double ratio = widget.devicePixelRatioF();
+    const QSize pixels = (QSizeF(widget.size()) * ratio).toSize();
+    if (picture.size() == pixels && picture.devicePixelRatio() == ratio) {
+        return false;
+    }
+    picture = QImage(pixels, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    return true;
 }
 
 void drawPicture(QPainter& painter, const QImage& picture, const QRect& widget) {

@@ -26,6 +26,9 @@ class ScreenPixels {
     QImage view_;  ///< with what Qt keeps for painting on it
 };
 
+/// Makes a picture one of the widget's size, in its pixels. @return true where nothing is on it yet
+bool fitPicture(QImage& picture, const QWidget& widget);
+
 /// Draws the picture of a widget where the screen's pixels cannot be had. A widget that begins or
 /// ends between two pixels has one more than its picture, which else nobody would paint.
 void drawPicture(QPainter& painter, const QImage& picture, const QRect& widget);

@@ -96,12 +96,7 @@ void MechanismPicture::paintEvent(QPaintEvent* event) {
         paintAll(*screen);
         return;
     }
-    const double ratio = devicePixelRatioF();
-    const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
-        picture_ = QImage(pixels, QImage::Format_RGB32);
-        picture_.setDevicePixelRatio(ratio);
-    }
+    fitPicture(picture_, *this);
     paintAll(picture_);
     drawPicture(painter, picture_, rect());
 }

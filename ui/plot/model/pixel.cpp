@@ -13,6 +13,11 @@ bool paintsPixels(const QPainter& painter) {
            transform.m11() == transform.m22();
 }
 
+bool hasWritablePixels(const QImage& picture) {
+    return picture.format() == QImage::Format_RGB32 ||
+           picture.format() == QImage::Format_ARGB32_Premultiplied;
+}
+
 QImage* pictureOf(const QPainter& painter) {
     QPaintDevice* const device = painter.device();
     if (device == nullptr || device->devType() != QInternal::Image || !paintsPixels(painter) ||
@@ -21,9 +26,7 @@ QImage* pictureOf(const QPainter& painter) {
         return nullptr;
     }
     auto* const picture = static_cast<QImage*>(device);
-    const bool fits = picture->format() == QImage::Format_RGB32 ||
-                      picture->format() == QImage::Format_ARGB32_Premultiplied;
-    return fits ? picture : nullptr;
+    return hasWritablePixels(*picture) ? picture : nullptr;
 }
 
 }  // namespace ravnoves

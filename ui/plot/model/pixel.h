@@ -11,6 +11,10 @@ namespace ravnoves {
 /// directions.
 bool paintsPixels(const QPainter& painter);
 
+/// Whether the pixels of a picture can be written to beside a painter: opaque or premultiplied, 4
+/// bytes each.
+bool hasWritablePixels(const QImage& picture);
+
 /// The picture that a painter paints onto, where its pixels can be written to beside: all of it is
 /// seen, in 4 bytes a pixel. Null where there is none, as on a widget.
 QImage* pictureOf(const QPainter& painter);
