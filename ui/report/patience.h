@@ -14,9 +14,8 @@ class ReportCancelled : public std::exception {
 /// While a report waits for what is computed, the program goes on.
 class Patience {
   public:
-    /// @param isCancelled  in a dialog that is shown and blocks the rest of the program; without
-    /// one
-    ///   no input is handled, for it would change what is reported
+    /// @param isCancelled  of a dialog that is shown and blocks the rest of the program; without it
+    ///                     no input is handled, for it would change what is reported
     explicit Patience(std::function<bool()> isCancelled = {});
 
     /// Handles what there is to handle; where there is nothing, waits so long for it, ms.
