@@ -1,10 +1,11 @@
 /// Times the pages' frames: from a change of value to the painted page, in one process without a
 /// display. Each page drags its main slider over 500 steps; median and p95 are printed, of wall
 /// time and of the drawing thread's own processor time (which a busy machine disturbs less), and
-/// what share they are of the rival's in the same run: a plain window with three QChartView, seven
+/// what share they are of the rival's just before: a plain window with three QChartView, seven
 /// series of 721 points, antialiased, whose step is `replace()` alone.
 ///
-/// Then the wheel over the largest plot, the cursor in it and the window's size, likewise.
+/// Then the wheel over the largest plot, the cursor in it and the window's size, likewise; the plain
+/// window's size too.
 ///
 /// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--events] [--table]
 /// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page;
@@ -244,24 +245,23 @@ void print(const std::string& name, const Options& options, std::vector<double> 
         return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
     };
     const Times own{at(processor, 0.5), at(processor, 0.95)};
-    if (options.table && rival) {
+    const bool isRival = !rival;
+    rival = rival.value_or(own);
+    if (options.table) {
         const double scale = QGuiApplication::primaryScreen()->devicePixelRatio();
         std::printf("frame p95, %s, %dx%d%s | %.2f ms | %.2f ms | %.2f\n", name.c_str(),
                     options.size.width(), options.size.height(), scale > 1.0 ? ", scale 2" : "",
                     own.p95, rival->p95, own.p95 / rival->p95);
-    } else if (!options.table) {
+    } else {
         std::printf(
             "%-30s wall: median %6.2f p95 %6.2f max %6.2f ms  "
             "processor: median %6.2f p95 %6.2f ms",
             name.c_str(), at(wall, 0.5), at(wall, 0.95), at(wall, 1.0), own.median, own.p95);
-        if (rival) {
+        if (!isRival) {
             std::printf("  share: median %4.2f p95 %4.2f", own.median / rival->median,
                         own.p95 / rival->p95);
         }
         std::printf("\n");
-    }
-    if (!rival) {
-        rival = own;
     }
 }
 
@@ -351,15 +351,13 @@ void run(const std::string& name, const std::function<Drag()>& make, const Optio
         time(
             name, options, [&](int step) { drag.move(step, options.steps); }, rival);
     }
-    if (!isRival) {
-        Options few = options;
-        few.steps = options.only.isEmpty() ? std::min(options.steps, 200) : options.steps;
-        timeGestures(name, few, drag.page, rival);
-    }
+    Options few = options;
+    few.steps = options.only.isEmpty() ? std::min(options.steps, 200) : options.steps;
+    timeGestures(name, few, drag.page, rival);
     delete drag.page;
 }
 
-/// The plain window's, in a process of its own.
+/// The plain window's drag, in a process of its own, which prints what it took.
 Times rivalTimes(QStringList arguments) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -367,13 +365,14 @@ Times rivalTimes(QStringList arguments) {
     process.setProcessEnvironment(environment);
     const QString program = QCoreApplication::applicationFilePath();
     arguments.removeFirst();
-    arguments.removeAll(QStringLiteral("--table"));
     process.start(program, arguments << QStringLiteral("--rival"));
     process.waitForFinished(-1);
-    const QStringList lines =
+    QStringList lines =
         QString::fromUtf8(process.readAllStandardOutput()).trimmed().split(QLatin1Char('\n'));
-    const QStringList numbers = lines.constLast().split(QLatin1Char(' '));
-    std::printf("%s", lines.size() > 1 ? qPrintable(lines.constFirst() + QLatin1Char('\n')) : "");
+    const QStringList numbers = lines.takeLast().split(QLatin1Char(' '));
+    for (const QString& line : lines) {
+        std::printf("%s\n", qPrintable(line));
+    }
     return {numbers.value(0).toDouble(), numbers.value(1).toDouble()};
 }
 
@@ -419,9 +418,10 @@ int main(int argc, char** argv) {
         std::printf("%.6f %.6f\n", rival->median, rival->p95);
         return 0;
     }
-    rival = alone ? Times{1.0, 1.0} : rivalTimes(arguments);
     for (const auto& [name, make] : drags()) {
         if (only.empty() || name.starts_with(only)) {
+            // Anew before each page: a shared machine changes its speed within minutes.
+            rival = alone ? Times{1.0, 1.0} : rivalTimes(arguments);
             run(name, make, options, rival);
         }
     }
