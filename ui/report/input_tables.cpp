@@ -240,46 +240,101 @@ class Inputs {
         }
     }
 
-    void flatten(const Json& json, const std::string& pointer, std::vector<std::string>& keys,
+    void flatten(const Json& json, std::vector<std::string>& keys,
                  const std::string& prefix) const {
         for (const auto& [key, value] : json.items()) {
             const std::string path = prefix + "/" + key;
             if (value.is_object()) {
-                flatten(value, pointer, keys, path);
+                flatten(value, keys, path);
             } else if (std::find(keys.begin(), keys.end(), path) == keys.end()) {
                 keys.push_back(path);
             }
         }
     }
 
-    void list(const Json& rows, const std::string& pointer, const std::string& key) {
-        std::vector<std::string> keys;
+    /// What each row of a list of objects has, by the way to it; a list of objects within a row is
+    /// one of them.
+    std::vector<std::string> pathsOf(const Json& rows) const {
+        std::vector<std::string> paths;
         for (const Json& row : rows) {
-            flatten(row, pointer, keys, {});
+            flatten(row, paths, {});
         }
-        Table table;
-        table.caption = nameOf(pointer, key);
-        table.headings << QStringLiteral("№");
-        table.numbers << false;
-        for (const std::string& path : keys) {
-            const std::string at = pointer + "/0" + path;
-            QString name = nameOf(at, path.substr(path.rfind('/') + 1));
+        return paths;
+    }
+
+    void addColumns(const std::vector<std::string>& paths, const std::string& row, Table& table) {
+        for (const std::string& path : paths) {
+            const std::string at = row + path;
+            const QString name = nameOf(at, path.substr(path.rfind('/') + 1));
             const QString unit = unitOf(at).name;
             table.headings
                 << (unit.isEmpty() ? name : name + QStringLiteral(", ") + unit).toHtmlEscaped();
             table.numbers << true;
         }
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            QStringList cells{QString::number(i + 1)};
-            for (const std::string& path : keys) {
-                const Json::json_pointer at(path);
-                cells << (rows[i].contains(at) ? valueText(pointer + "/0" + path, rows[i].at(at))
-                                               : QString())
-                             .toHtmlEscaped();
-            }
-            table.rows << cells;
+    }
+
+    QStringList cellsOf(const Json& row, const std::vector<std::string>& paths,
+                        const std::string& pointer) const {
+        QStringList cells;
+        for (const std::string& path : paths) {
+            const Json::json_pointer at(path);
+            cells << (row.contains(at) ? valueText(pointer + path, row.at(at)) : QString())
+                         .toHtmlEscaped();
         }
-        table.isSmall = keys.size() > 5;
+        return cells;
+    }
+
+    /// One line a row; where the rows hold lists of objects themselves, one for each object of
+    /// them, and what the row has beside in the first of its lines.
+    void list(const Json& rows, const std::string& pointer, const std::string& key) {
+        const std::string first = pointer + "/0";
+        std::vector<std::string> paths = pathsOf(rows);
+        const auto isList = [&](const std::string& path) {
+            const Json::json_pointer at(path);
+            return std::any_of(rows.begin(), rows.end(), [&](const Json& row) {
+                return row.contains(at) && row.at(at).is_array() && !row.at(at).empty() &&
+                       isRow(row.at(at));
+            });
+        };
+        const auto inner = std::find_if(paths.begin(), paths.end(), isList);
+        const std::string within = inner == paths.end() ? std::string() : *inner;
+        Json parts = Json::array();  // of all rows, for the columns
+        if (!within.empty()) {
+            paths.erase(inner);
+            for (const Json& row : rows) {
+                for (const Json& part : row.value(Json::json_pointer(within), Json::array())) {
+                    parts.push_back(part);
+                }
+            }
+        }
+        const std::string firstPart = first + within + "/0";
+        const std::vector<std::string> partPaths = pathsOf(parts);
+        Table table;
+        table.caption = nameOf(pointer, key);
+        table.headings << QStringLiteral("№");
+        table.numbers << false;
+        addColumns(paths, first, table);
+        if (!within.empty()) {
+            addColumns({within}, first, table);
+            addColumns(partPaths, firstPart, table);
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const QStringList cells =
+                QStringList{QString::number(i + 1)} + cellsOf(rows[i], paths, first);
+            if (within.empty()) {
+                table.rows << cells;
+                continue;
+            }
+            QStringList before = cells;
+            int number = 0;
+            for (const Json& part : rows[i].value(Json::json_pointer(within), Json::array())) {
+                ++number;
+                table.rows << before + QStringList{QString::number(number)} +
+                                  cellsOf(part, partPaths, firstPart);
+                before = QStringList(cells.size());
+            }
+        }
+        table.isSmall = paths.size() + partPaths.size() > 5;
         lists_.push_back(std::move(table));
     }
 

@@ -241,6 +241,43 @@ TEST_F(ReportInWindow, SaysNothingOfAnEmptyFieldBesideAValue) {
     EXPECT_FALSE(text.contains(u">Empty"_s));
 }
 
+TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
+    QFile source(QStringLiteral(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    ASSERT_TRUE(source.open(QIODevice::ReadOnly));
+    Json json = Json::parse(source.readAll().toStdString());
+    Json& correction = json["input"]["correction"];
+    const auto reading = [](double unbalance, double angle) {
+        return Json{{"unbalance_g_mm", unbalance}, {"angle_deg", angle}, {"bobweight_g", 1505.25}};
+    };
+    correction["earlier_runs"] = {{{"readings", {reading(411, 31.5), reading(622, 275)}}},
+                                  {{"readings", {reading(133, 42), reading(144, 0)}}}};
+    correction["earlier_runs"][1]["readings"][1].erase("bobweight_g");
+    const QString path = file(u"runs.case.json"_s);
+    QFile target(path);
+    ASSERT_TRUE(target.open(QIODevice::WriteOnly));
+    target.write(QByteArray::fromStdString(json.dump()));
+    target.close();
+    ASSERT_EQ(window.openCase(path), QString());
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    const QString text = fileText(html);
+    EXPECT_FALSE(text.contains(u"bobweight_g"_s));
+    const auto number = [](const char* shown) {
+        return u"<td class=\"number\">%1</td>"_s.arg(QLatin1String(shown));
+    };
+    const std::vector<std::vector<const char*>> lines{{"1", "1", "411", "31.5", "1505.25"},
+                                                      {"", "2", "622", "275", "1505.25"},
+                                                      {"2", "1", "133", "42", "1505.25"},
+                                                      {"", "2", "144", "0", ""}};
+    for (const auto& line : lines) {
+        QString cells = u"<td>%1</td>"_s.arg(QLatin1String(line[0]));
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            cells += number(line[i]);
+        }
+        EXPECT_TRUE(text.contains(cells)) << cells.toStdString();
+    }
+}
+
 TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
     ASSERT_EQ(window.openCase(example()), QString());
     const QString html = file(u"report.html"_s);
