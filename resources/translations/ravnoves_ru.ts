@@ -16123,6 +16123,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Row %1: %2</source>
         <translation>Строка %1: %2</translation>
     </message>
+    <message>
+        <source>Rows that are wrong besides: %1</source>
+        <translation>Ещё строк с ошибками: %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsModel</name>

@@ -269,6 +269,37 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
     EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
     EXPECT_TRUE(table->trouble().isEmpty());
+    // Every cell that is refused is marked, whichever row it is in, and said up to a few.
+    const auto isMarked = [&](int row, int column) {
+        return table->index(row, column).data(EditableTable::TroubleRole).toBool();
+    };
+    const QString angle = table->index(30, 0).data(Qt::EditRole).toString();
+    table->setData(table->index(25, 1), QStringLiteral("oops"), Qt::EditRole);
+    table->setData(table->index(30, 0), QStringLiteral("?"), Qt::EditRole);
+    EXPECT_TRUE(isMarked(25, 1));
+    EXPECT_FALSE(isMarked(25, 0));
+    EXPECT_TRUE(isMarked(30, 0));
+    EXPECT_FALSE(isMarked(31, 0));
+    EXPECT_TRUE(table->trouble().contains(QStringLiteral("Row 26:")) &&
+                table->trouble().contains(QStringLiteral("Row 31:")))
+        << table->trouble().toStdString();
+    for (int row = 40; row < 45; ++row) {
+        table->setData(table->index(row, 1), QStringLiteral("-"), Qt::EditRole);
+    }
+    EXPECT_TRUE(table->trouble().endsWith(QStringLiteral("Rows that are wrong besides: 4")))
+        << table->trouble().toStdString();
+    for (int row = 40; row < 45; ++row) {
+        table->setData(table->index(row, 1), QString::number(row), Qt::EditRole);
+    }
+    table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
+    // An angle that does not grow is marked too.
+    table->setData(table->index(30, 0), QStringLiteral("0"), Qt::EditRole);
+    EXPECT_FALSE(table->trouble().isEmpty());
+    EXPECT_TRUE(isMarked(30, 0));
+    EXPECT_FALSE(isMarked(29, 0));
+    table->setData(table->index(30, 0), angle, Qt::EditRole);
+    EXPECT_TRUE(table->trouble().isEmpty());
+    EXPECT_FALSE(isMarked(30, 0));
     // The ends are one instant of the cycle.
     table->setData(table->index(0, 1), QStringLiteral("7"), Qt::EditRole);
     EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("7"));

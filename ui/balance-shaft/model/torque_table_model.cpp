@@ -91,31 +91,40 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     }
     valid_ = table;
     trouble_.clear();
-    badRow_ = -1;
     typedOver_.clear();
     endResetModel();
     Q_EMIT troubleChanged(trouble_);
 }
 
-void TorqueTableModel::check() {
-    TorqueTable table;
-    QString trouble;
-    int bad = -1;
+QString TorqueTableModel::readAll(TorqueTable& table) const {
+    constexpr int mostSaid = 3;
+    QStringList troubles;
+    int more = 0;
     table.crank_angle_deg.reserve(rows_.size());
     table.torque.reserve(rows_.size());
-    for (std::size_t i = 0; i < rows_.size() && trouble.isEmpty(); ++i) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
         const auto angle = angleOf(rows_[i]);
         const auto torque = torqueOf(rows_[i]);
-        if (!angle || !torque) {
-            trouble = tr("Row %1: %2")
-                          .arg(i + 1)
-                          .arg(cellTrouble(textOf(rows_[i], angle ? Torque : CrankAngle)));
-            bad = static_cast<int>(i);
-            break;
+        if (angle && torque) {
+            table.crank_angle_deg.push_back(*angle);
+            table.torque.push_back(*torque);
+        } else if (troubles.size() < mostSaid) {
+            troubles << tr("Row %1: %2")
+                            .arg(i + 1)
+                            .arg(cellTrouble(textOf(rows_[i], angle ? Torque : CrankAngle)));
+        } else {
+            ++more;
         }
-        table.crank_angle_deg.push_back(*angle);
-        table.torque.push_back(*torque);
     }
+    if (more > 0) {
+        troubles << tr("Rows that are wrong besides: %1").arg(more);
+    }
+    return troubles.join(QLatin1Char('\n'));
+}
+
+void TorqueTableModel::check() {
+    TorqueTable table;
+    QString trouble = readAll(table);
     if (trouble.isEmpty()) {
         try {
             balance_shaft::check_torque_table(table, "/input/torque");
@@ -123,10 +132,9 @@ void TorqueTableModel::check() {
             trouble = errorText(error);
         }
     }
-    const bool newTrouble = trouble != trouble_;
-    trouble_ = trouble;
-    badRow_ = bad;
-    if (newTrouble) {
+    if (trouble != trouble_) {
+        trouble_ = trouble;
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Torque), {TroubleRole});
         Q_EMIT troubleChanged(trouble_);
     }
     if (trouble_.isEmpty()) {
@@ -136,6 +144,20 @@ void TorqueTableModel::check() {
         valid_ = std::move(table);
         Q_EMIT tableEdited();
     }
+}
+
+bool TorqueTableModel::isRefused(int row, int column) const {
+    if (trouble_.isEmpty()) {
+        return false;
+    }
+    const Row& own = rows_[static_cast<std::size_t>(row)];
+    if (column == Torque) {
+        return !torqueOf(own);
+    }
+    const auto angle = angleOf(own);
+    const auto before =
+        row > 0 ? angleOf(rows_[static_cast<std::size_t>(row) - 1]) : std::optional<double>();
+    return !angle || (before && !(*angle > *before));
 }
 
 SceneModel* TorqueTableModel::scene() const {
@@ -283,7 +305,7 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return int(Qt::AlignRight | Qt::AlignVCenter);
         case TroubleRole:
-            return index.row() == badRow_;
+            return isRefused(index.row(), index.column());
         default:
             return {};
     }

@@ -87,13 +87,16 @@ class TorqueTableModel : public EditableTable {
     static std::optional<double> torqueOf(const Row& row);
     static void type(Row& row, int column, const QString& text);
     void put(const QModelIndex& index, const QString& text);
+    /// Adds the rows whose cells are numbers. @return which are not, by rows; empty where all are
+    QString readAll(balance_shaft::TorqueTable& table) const;
     void check();
+    /// True for a cell that is no number, and for an angle that does not grow.
+    bool isRefused(int row, int column) const;
 
     BalanceShaftModel* model_ = nullptr;
     std::vector<Row> rows_;
     balance_shaft::TorqueTable valid_;
     QString trouble_;
-    int badRow_ = -1;
     /// A cell as it was before it was typed over.
     struct Before {
         int row;
