@@ -16,6 +16,7 @@
 #include "widgets/apart.h"
 #include "widgets/figure.h"
 #include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -90,7 +91,9 @@ Figure figureOf(PlotView* plot) {
 Figure figureOf(QWidget* picture) {
     const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
     const int width = shape < 0.6 ? figureWidth : pictureWidth;
-    const QSize size(width, std::clamp(static_cast<int>(width * shape), 160, 460));
+    // On the page a mechanism is low, for the plots' sake.
+    const int least = qobject_cast<MechanismPicture*>(picture) != nullptr ? 340 : 160;
+    const QSize size(width, std::clamp(static_cast<int>(width * shape), least, 460));
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
