@@ -64,6 +64,10 @@ void ScenePage::setActive(bool active) {
 }
 
 ScenePage::Left ScenePage::giveWay() {
+    Left left{model(), {}, {}};
+    for (const MechanismPicture* picture : findChildren<MechanismPicture*>()) {
+        left.playing.push_back(picture->isPlaying());
+    }
     setActive(false);
     if (QWidget* field = focusWidget()) {
         field->clearFocus();
@@ -71,7 +75,6 @@ ScenePage::Left ScenePage::giveWay() {
     if (model()->isEditing()) {
         model()->endEditing();
     }
-    Left left{model(), {}};
     for (const QTabWidget* tabs : findChildren<QTabWidget*>()) {
         left.tabs.push_back(tabs->currentIndex());
     }
@@ -84,6 +87,11 @@ void ScenePage::resume(const Left& left) {
     const auto count = std::min(tabs.size(), static_cast<qsizetype>(left.tabs.size()));
     for (qsizetype i = 0; i < count; ++i) {
         tabs[i]->setCurrentIndex(left.tabs[static_cast<std::size_t>(i)]);
+    }
+    const auto pictures = findChildren<MechanismPicture*>();
+    const auto shown = std::min(pictures.size(), static_cast<qsizetype>(left.playing.size()));
+    for (qsizetype i = 0; i < shown; ++i) {
+        pictures[i]->setPlaying(left.playing[static_cast<std::size_t>(i)]);
     }
 }
 

@@ -50,6 +50,7 @@ class ScenePage : public QWidget {
     struct Left {
         SceneModel* model;
         std::vector<int> tabs;
+        std::vector<bool> playing;  ///< pictures of mechanisms
     };
     Left giveWay();
     void resume(const Left& left);
