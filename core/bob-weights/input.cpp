@@ -159,6 +159,11 @@ void fit_weigh_in(Input& input) {
     }
 }
 
+Input fitted(Input input) {
+    fit_weigh_in(input);
+    return input;
+}
+
 std::optional<double> service_speed(const Input& input) {
     return input.tolerance && input.tolerance->by_grade ? input.tolerance->service_speed
                                                         : std::nullopt;
@@ -195,9 +200,9 @@ BearingPlaces places_of_bearings(const Input& input) {
 
 std::optional<double> mass_of(const Input& input, const PartField& part) {
     if (input.weigh_in && part.column) {
-        const auto& column = (*input.weigh_in)[*part.column];
-        if (column.is_weighed() &&
-            column.mass.size() == static_cast<std::size_t>(input.engine.cylinders)) {
+        auto column = (*input.weigh_in)[*part.column];
+        column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
+        if (column.is_weighed()) {
             return workshop::statistics(column)->mean;
         }
     }
@@ -218,9 +223,7 @@ void check_input(const Input& input) {
     check_fields(input);
     check_bob_weight(input);
     if (input.weigh_in) {
-        Input fitted = input;
-        fit_weigh_in(fitted);
-        workshop::check_weighed(*fitted.weigh_in);
+        workshop::check_weighed(*fitted(input).weigh_in);
         workshop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
     }
     for (const PartField& each : part_fields()) {

@@ -204,6 +204,8 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// the sheet keeps what was weighed but for the numbers of its sets, and what is written and solved
 /// follows the engine.
 void fit_weigh_in(Input& input);
+/// The input with its sheet so fitted.
+Input fitted(Input input);
 
 /// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
 /// typed.

@@ -78,7 +78,7 @@ struct SetNumberList final : FieldVisitor::Custom {
 }  // namespace
 
 SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders) {
-    return numbers.empty() ? as_weighed(cylinders) : numbers;
+    return numbers.size() == cylinders ? numbers : as_weighed(cylinders);
 }
 
 SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from) {

@@ -68,7 +68,7 @@ enum class CylinderNumbering {
 /// The number of the set in each cylinder: of the cylinder, from 1, that it was weighed in. Empty
 /// where each is where it was weighed.
 using SetNumbers = std::vector<int>;
-/// With their numbers where the list is empty.
+/// With their numbers where the list is empty, or of another number of cylinders.
 SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders);
 /// The numbers after moving: element i of `from` is the cylinder (from 0) whose set goes to i.
 SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from);

@@ -148,17 +148,18 @@ std::optional<Block> matchingBlock(const Words& words, const Input& input, const
     constexpr std::size_t mostCylinders = 16;
     constexpr double nameWidth = 42.0;
     const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
-    if (!input.weigh_in || cylinders > mostCylinders) {
+    const auto sheet = fitted(input).weigh_in;
+    if (!sheet || cylinders > mostCylinders) {
         return std::nullopt;
     }
     ResultRows rows;
     const auto* placing = result.placing ? &*result.placing : nullptr;
-    if (input.weigh_in->is_moved() || (placing != nullptr && placing->moved > 0)) {
-        rows = matching_text::setsOfCylinders(words, input.weigh_in->piston_sets,
-                                              input.weigh_in->rod_sets, cylinders, placing);
+    if (sheet->is_moved() || (placing != nullptr && placing->moved > 0)) {
+        rows = matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
+                                              placing);
     }
     // Of what goes into a cylinder, as the sets above it.
-    auto placed = *input.weigh_in;
+    auto placed = *sheet;
     if (placing != nullptr && placing->moved > 0) {
         move_sets(placed, placing->pistons, placing->rods);
     }

@@ -345,6 +345,28 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_FALSE(model->input().weigh_in->is_moved());
 }
 
+TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
+    typeShopCard();
+    for (int i = 0; i < 8; ++i) {
+        type(("mass_piston_" + std::to_string(i + 1)).c_str(), QString::number(584 + 2 * (i % 5)));
+        type(("mass_rod_big_end_" + std::to_string(i + 1)).c_str(), QString::number(231 - i));
+    }
+    settle();
+    model->moveParts();
+    settle();
+    ASSERT_TRUE(model->input().weigh_in->is_moved());
+    const auto weighed = (*model->input().weigh_in)[workshop::Part::piston].mass;
+    const double mean = *model->solution().bob_weight;
+    for (const char* cylinders : {"4", "6", "12", "8"}) {
+        type("cylinders", QLatin1String(cylinders));
+        settle();
+        EXPECT_EQ(model->matchingShown().has_value(), std::atoi(cylinders) <= 8) << cylinders;
+        EXPECT_FALSE(page.grab().isNull());
+    }
+    EXPECT_EQ((*model->input().weigh_in)[workshop::Part::piston].mass, weighed);
+    EXPECT_NEAR(*model->solution().bob_weight, mean, 1e-12);
+}
+
 TEST_F(BobPageTest, TheWindowDoesNotWaitForThePlacing) {
     typeShopCard();
     for (int i = 1; i <= 8; ++i) {

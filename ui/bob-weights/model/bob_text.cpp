@@ -228,8 +228,8 @@ QStringList doubts(const Words& words, const Input& input, const Result& result)
     for (const auto& [part, mass] : result.in_kilograms) {
         list << kilogramText(words, words.name(part->field), mass);
     }
-    if (input.weigh_in) {
-        list << oddMassTexts(words, *input.weigh_in);
+    if (const auto sheet = fitted(input).weigh_in) {
+        list << oddMassTexts(words, *sheet);
     }
     if (is_share_of_one(input.factor)) {
         list << words
@@ -361,18 +361,16 @@ QString weighIn(const Words& words, const Result& result) {
         .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
 }
 
-std::optional<matching_text::Shown> matchingShown(const Input& input, const Result& result) {
-    if (!input.weigh_in || !result.placing) {
+std::optional<matching_text::Shown> matchingShown(const Input& given, const Result& result) {
+    if (!given.weigh_in || !result.placing) {
         return std::nullopt;
     }
-    matching_text::Shown shown{*result.placing,
-                               crank_of(input),
-                               input.weigh_in->matching.crank_radius,
-                               service_speed(input),
-                               input.weigh_in->piston_sets,
-                               input.weigh_in->rod_sets};
+    const Input input = fitted(given);
+    const WeighIn& sheet = *input.weigh_in;
+    matching_text::Shown shown{*result.placing,      crank_of(input),   sheet.matching.crank_radius,
+                               service_speed(input), sheet.piston_sets, sheet.rod_sets};
     matching_text::takeAsWeighed(
-        shown, matching_task(input, result.factor + input.factor.overbalance), *input.weigh_in);
+        shown, matching_task(input, result.factor + input.factor.overbalance), sheet);
     return shown;
 }
 

@@ -347,9 +347,10 @@ std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
 }
 
 Results BobWeightsModel::takeOffResults() const {
-    return input().weigh_in
+    const auto sheet = fitted(input()).weigh_in;
+    return sheet
                ? matching_text::takeOff(Words(), static_cast<std::size_t>(input().engine.cylinders),
-                                        masses_of(*input().weigh_in))
+                                        masses_of(*sheet))
                : Results();
 }
 
