@@ -104,15 +104,29 @@ QSize InertiaMomentsCharts::minimumSizeHint() const {
 
 void InertiaMomentsCharts::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    foldMoments(height() < heightOfBoth());
+    foldWhereNeeded();
 }
 
 bool InertiaMomentsCharts::event(QEvent* event) {
     const bool done = QWidget::event(event);
+    if (event->type() == QEvent::FontChange) {
+        tooLow_ = QSize();
+    }
     if (event->type() == QEvent::LayoutRequest) {  // legends get lines
-        foldMoments(height() < heightOfBoth());
+        foldWhereNeeded();
     }
     return done;
+}
+
+void InertiaMomentsCharts::foldWhereNeeded() {
+    const bool isFolded = tabs_->indexOf(orders_) >= 0;
+    const int needed = heightOfBoth();
+    if (!isFolded && height() < needed) {
+        tooLow_ = size();
+    }
+    // Legends out of sight may ask for less than those in sight.
+    const bool wasTooLow = width() == tooLow_.width() && height() <= tooLow_.height();
+    foldMoments(height() < needed || (isFolded && wasTooLow));
 }
 
 void InertiaMomentsCharts::foldMoments(bool folded) {
@@ -310,6 +324,7 @@ void InertiaMomentsCharts::showCourse(bool force) {
 }
 
 void InertiaMomentsCharts::nameMoments(bool force) {
+    tooLow_ = QSize();
     isForce_ = force;
     for (int k = 1; k <= 2; ++k) {
         PlotView* plot = moment(k);

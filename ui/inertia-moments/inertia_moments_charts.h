@@ -45,6 +45,7 @@ class InertiaMomentsCharts : public QWidget {
     };
 
     /// Where the window is too low for both, the orders' moments are one more tab.
+    void foldWhereNeeded();
     void foldMoments(bool folded);
     /// What the folded plots show.
     void tellOrders();
@@ -65,6 +66,7 @@ class InertiaMomentsCharts : public QWidget {
     std::array<PlotView*, 2> moments_{};  ///< of forces where there are no moments
     QWidget* orders_;                     ///< both
     bool isForce_ = false;
+    QSize tooLow_;  ///< for both as they are named now
     QTabWidget* tabs_;
     std::array<Hodograph, 2> hodographs_;  ///< forces, moments
     OrderBars* bars_ = nullptr;

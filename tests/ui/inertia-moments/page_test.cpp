@@ -32,6 +32,7 @@
 #include "inertia-moments/shaft_view.h"
 #include "painted.h"
 #include "plot/plot_view.h"
+#include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/form_section.h"
@@ -908,6 +909,30 @@ TEST_F(InertiaMomentsPageTest, ResultsGoToTheClipboardWhole) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part;
     }
     EXPECT_TRUE(page.resultsAsCsv().contains(QLatin1Char(',')));
+}
+
+/// At each size the orders have one place: those who ask for room as they are folded must not ask
+/// for another as they are not.
+TEST(InertiaMomentsLayout, ComesToRestAtEverySize) {
+    for (const char* language : {"en", "ru"}) {
+        installLanguage(QLatin1String(language));
+        InertiaMomentsPage page;
+        page.viewModel()->chooseLayout(QStringLiteral("radial-9"));
+        page.setActive(true);
+        auto* tabs = page.charts()->tabs();
+        for (int height = 560; height < 720; height += 4) {
+            test::showAt(page, {1187, height});
+            for (int turn = 0; turn < 10; ++turn) {
+                QApplication::processEvents();
+            }
+            const int count = tabs->count();
+            for (int turn = 0; turn < 6; ++turn) {
+                QApplication::processEvents();
+                EXPECT_EQ(tabs->count(), count) << language << ' ' << height;
+            }
+        }
+    }
+    installLanguage(QStringLiteral("en"));
 }
 
 }  // namespace
