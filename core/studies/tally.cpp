@@ -461,13 +461,18 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
                                             std::size_t bars) const {
     std::vector<std::uint64_t> counts(bars);
     const CountingPlan& plan = plan_[watched];
+    const Value& value = values_[watched];
+    const double last = static_cast<double>(bars) - 1.0;
     for (std::size_t i = 0; i < bin_count; ++i) {
-        const double middle = plan.low + plan.width * (static_cast<double>(i) + 0.5);
-        const double place = (middle - from) / (to - from) * static_cast<double>(bars);
-        if (place >= 0.0 && place < static_cast<double>(bars)) {
-            counts[static_cast<std::size_t>(place)] += values_[watched].bins[i];
+        double middle = plan.low + plan.width * (static_cast<double>(i) + 0.5);
+        if (plan.period != 0.0) {  // statistics() may speak of another turn
+            middle += plan.period * std::round((0.5 * (from + to) - middle) / plan.period);
         }
+        const double place = (middle - from) / (to - from) * static_cast<double>(bars);
+        counts[static_cast<std::size_t>(std::clamp(place, 0.0, last))] += value.bins[i];
     }
+    counts.front() += value.below;
+    counts.back() += value.above;
     return counts;
 }
 

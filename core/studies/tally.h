@@ -95,7 +95,8 @@ class Tally {
     const Refusals& refusals() const { return refusals_; }
     /// Of at least one solved sample.
     Statistics statistics(std::size_t watched) const;
-    /// So many bars between the 0.1 % and 99.9 % points: for pictures.
+    /// All samples in so many bars between two values, at least one bar; the first and the last
+    /// hold what lies beyond them too.
     std::vector<std::uint64_t> histogram(std::size_t watched, double from, double to,
                                          std::size_t bars) const;
 

@@ -304,7 +304,7 @@ QWidget* ToleranceWindow::makeAnswers() {
     tornado_ = new TornadoView(tabs_);
     tabs_->addTab(tornado_, tr("What matters most"));
     histogram_ = new PlotView({}, tabs_);
-    histogram_->addCurve({.name = {}, .shape = plot::Shape::Bars, .inLegend = false});
+    histogram_->addCurve({.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false});
     histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
     tabs_->addTab(histogram_, tr("Histogram"));
     scatter_ = new ScatterView(model_, tabs_);
@@ -502,7 +502,8 @@ void ToleranceWindow::showChosen() {
         histogram_->setXAxis(
             {named.unit, value.middles.front() - step, value.middles.back() + step});
         histogram_->setCurveStyle(
-            0, {.name = {}, .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
+            0,
+            {.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
     }
     histogram_->setCurve(0, value.middles, heights);
     std::vector<PlotView::Line> lines;

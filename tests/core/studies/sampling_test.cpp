@@ -158,5 +158,28 @@ TEST(Tally, TakesAPairOfAnglesByTheShorterWay) {
     EXPECT_NE(pairs(0.0, 179.0, -179.0), two_degrees);
 }
 
+TEST(Tally, BarsHoldAllSamples) {
+    // A seventh of the samples is one value, the least of all; a thousandth lies far off.
+    const auto bars_of = [](double offset, double period) {
+        Tally tally({{.low = offset - 2.0, .width = 0.0078125, .centre = offset, .period = period}},
+                    1);
+        constexpr int count = 7000;
+        const double u = 0.5;
+        for (int i = 0; i < count; ++i) {
+            const double y = offset + (i % 7 == 0      ? 0.003
+                                       : i % 1000 == 1 ? 1000.0 * (period == 0.0 ? 1.0 : 0.1)
+                                                       : 0.003 + i / 7000.0);
+            tally.add(std::span(&u, 1), std::span(&y, 1));
+        }
+        const auto percentiles = tally.statistics(0).percentiles;
+        return tally.histogram(0, percentiles.front(), percentiles.back(), 48);
+    };
+    for (const auto& bars : {bars_of(0.0, 0.0), bars_of(361.0, 360.0)}) {
+        EXPECT_EQ(std::accumulate(bars.begin(), bars.end(), std::uint64_t{0}), 7000U);
+        EXPECT_GE(bars.front(), 1000U);
+        EXPECT_GE(std::count_if(bars.begin(), bars.end(), [](auto n) { return n > 0; }), 2);
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves::studies

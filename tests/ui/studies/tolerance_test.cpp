@@ -141,7 +141,7 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     for (const double height : tolerances->histogram()->data().curves[0].y) {
         heights += height;
     }
-    EXPECT_NEAR(heights, 100.0, 0.5);  // all but what lies beyond the 0.1 % and 99.9 % points
+    EXPECT_NEAR(heights, 100.0, 1e-9);
     EXPECT_EQ(tolerances->table()->rowCount(), 1);
 }
 
