@@ -15939,6 +15939,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Not up to date, for these tolerances are refused: %1.</source>
         <translation>Не по таблице, отвергнуты допуски: %1.</translation>
     </message>
+    <message>
+        <source>share</source>
+        <translation>доля</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TornadoView</name>
@@ -16093,10 +16097,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Правка таблицы момента</translation>
     </message>
     <message>
-        <source>The last valid table holds until this is mended.</source>
-        <translation>Пока это не исправлено, действует последняя верная таблица.</translation>
-    </message>
-    <message>
         <source>Read %1.</source>
         <translation>Прочитано: %1.</translation>
     </message>
@@ -16107,6 +16107,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a spreadsheet, or type.</source>
         <translation>Крутящий момент за один цикл, 720° (двухтактный — 360°). Вставьте всю таблицу из электронной таблицы или введите.</translation>
+    </message>
+    <message>
+        <source>What stood there before holds until this is mended.</source>
+        <translation>Пока это не исправлено, действует то, что стояло там раньше.</translation>
     </message>
 </context>
 <context>

@@ -39,11 +39,22 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
     addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] { exportWithDialog(); });
 
     table_->setTable(model_->input().torque.table);
-    connect(model_, &SceneModel::changed, this,
-            [this] { table_->setTable(model_->input().torque.table); });
-    connect(model_, &SceneModel::broughtIn, this,
-            [this] { table_->setTable(model_->input().torque.table); });
-    connect(table_, &TorqueTableModel::tableEdited, this, [this] {
+    const auto sayNothing = [this] {  // what was said was of the table before
+        if (table_->trouble().isEmpty()) {
+            say({}, false);
+        }
+    };
+    const auto follow = [this, sayNothing] {
+        if (!(table_->checkedTable() == model_->input().torque.table)) {
+            table_->setTable(model_->input().torque.table);
+            sayNothing();
+        }
+    };
+    connect(model_, &SceneModel::changed, this, follow);
+    connect(model_, &SceneModel::broughtIn, table_, &EditableTable::forgetRefused);
+    connect(model_, &SceneModel::broughtIn, this, follow);
+    connect(table_, &TorqueTableModel::tableEdited, this, [this, sayNothing] {
+        sayNothing();
         model_->edit(tr("Edit torque table"), [this](balance_shaft::Input& input) {
             TorqueTableModel::putInto(input, table_->checkedTable());
         });
@@ -51,7 +62,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
         say(trouble.isEmpty() ? QString()
                               : trouble + QLatin1Char('\n') +
-                                    tr("The last valid table holds until this is mended."),
+                                    tr("What stood there before holds until this is mended."),
             !trouble.isEmpty());
     });
 }

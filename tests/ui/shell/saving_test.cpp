@@ -272,10 +272,12 @@ TEST_F(SavingTest, WhatIsRefusedStaysWhereThePageIsMadeAnew) {
                 1e-3);
     Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Own);
     QApplication::processEvents();
-    // The newest that is refused is undone first, then the other; nothing else has changed.
+    // The newest that is refused is undone first, then the other, then what counted.
     press(Qt::Key_Z);
     press(Qt::Key_Z);
     EXPECT_EQ(radius()->trouble(), QString());
+    EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), QStringLiteral("200"));
+    press(Qt::Key_Z);
     EXPECT_EQ(cell(2, 1).data(Qt::EditRole).toString(), torque);
     EXPECT_NE(cell(5, 1).data(Qt::EditRole).toString(), QStringLiteral("abc"));
     EXPECT_FALSE(window.isWindowModified());

@@ -40,6 +40,16 @@ QString cellTrouble(const QString& text) {
                      : notANumberText(text);
 }
 
+/// Why a table is no cycle; empty where it is one.
+QString cycleTrouble(const TorqueTable& table) {
+    try {
+        balance_shaft::check_torque_table(table, "/input/torque");
+    } catch (const InputError& error) {
+        return errorText(error);
+    }
+    return {};
+}
+
 }  // namespace
 
 QString TorqueTableModel::ownText(const Row& row, int column) {
@@ -80,7 +90,11 @@ void TorqueTableModel::type(Row& row, int column, const QString& text) {
 }
 
 void TorqueTableModel::setTable(const TorqueTable& table) {
-    if (table == valid_ && trouble_.isEmpty() && !rows_.empty()) {
+    if (table == valid_ && !rows_.empty()) {
+        return;
+    }
+    if (!trouble_.isEmpty() && table.size() == rows_.size()) {
+        follow(table);
         return;
     }
     beginResetModel();
@@ -91,27 +105,49 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     }
     valid_ = table;
     trouble_.clear();
-    typedOver_.clear();
     endResetModel();
     Q_EMIT troubleChanged(trouble_);
 }
 
-QString TorqueTableModel::readAll(TorqueTable& table) const {
+/// What is refused stands until the case changes there.
+void TorqueTableModel::follow(const TorqueTable& table) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        Row& row = rows_[i];
+        if (row.typed && row.angle != table.crank_angle_deg[i]) {
+            row.typed->angle.reset();
+        }
+        if (row.typed && row.torque != table.torque[i]) {
+            row.typed->torque.reset();
+        }
+        row.angle = table.crank_angle_deg[i];
+        row.torque = table.torque[i];
+    }
+    valid_ = table;
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Torque));
+    check();
+}
+
+void TorqueTableModel::forgetRefused() {
+    if (!trouble_.isEmpty()) {
+        const TorqueTable table = std::exchange(valid_, {});
+        rows_.clear();
+        setTable(table);
+    }
+}
+
+QString TorqueTableModel::refusedTexts() const {
     constexpr int mostSaid = 3;
     QStringList troubles;
     int more = 0;
-    table.crank_angle_deg.reserve(rows_.size());
-    table.torque.reserve(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const auto angle = angleOf(rows_[i]);
-        const auto torque = torqueOf(rows_[i]);
-        if (angle && torque) {
-            table.crank_angle_deg.push_back(*angle);
-            table.torque.push_back(*torque);
-        } else if (troubles.size() < mostSaid) {
+        const bool isAngle = !angleOf(rows_[i]);
+        if (!isAngle && torqueOf(rows_[i])) {
+            continue;
+        }
+        if (troubles.size() < mostSaid) {
             troubles << tr("Row %1: %2")
                             .arg(i + 1)
-                            .arg(cellTrouble(textOf(rows_[i], angle ? Torque : CrankAngle)));
+                            .arg(cellTrouble(textOf(rows_[i], isAngle ? CrankAngle : Torque)));
         } else {
             ++more;
         }
@@ -122,14 +158,30 @@ QString TorqueTableModel::readAll(TorqueTable& table) const {
     return troubles.join(QLatin1Char('\n'));
 }
 
-void TorqueTableModel::check() {
+TorqueTable TorqueTableModel::tableOf(Angles which) const {
     TorqueTable table;
-    QString trouble = readAll(table);
-    if (trouble.isEmpty()) {
-        try {
-            balance_shaft::check_torque_table(table, "/input/torque");
-        } catch (const InputError& error) {
-            trouble = errorText(error);
+    table.crank_angle_deg.reserve(rows_.size());
+    table.torque.reserve(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
+        const bool isOwn = which == Angles::own || (which == Angles::growing && isOutOfOrder(i));
+        table.crank_angle_deg.push_back(isOwn ? row.angle : angleOf(row).value_or(row.angle));
+        table.torque.push_back(torqueOf(row).value_or(row.torque));
+    }
+    return table;
+}
+
+void TorqueTableModel::check() {
+    QString trouble = refusedTexts();
+    TorqueTable table = tableOf(Angles::typed);
+    QString why = cycleTrouble(table);
+    if (!why.isEmpty()) {
+        trouble += (trouble.isEmpty() ? QString() : QStringLiteral("\n")) + why;
+    }
+    for (const Angles which : {Angles::growing, Angles::own}) {
+        if (!why.isEmpty()) {
+            table = tableOf(which);
+            why = cycleTrouble(table);
         }
     }
     if (trouble != trouble_) {
@@ -137,27 +189,33 @@ void TorqueTableModel::check() {
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Torque), {TroubleRole});
         Q_EMIT troubleChanged(trouble_);
     }
-    if (trouble_.isEmpty()) {
-        typedOver_.clear();
-    }
-    if (trouble_.isEmpty() && !(table == valid_)) {
+    if (why.isEmpty() && !(table == valid_)) {
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            rows_[i].angle = table.crank_angle_deg[i];
+            rows_[i].torque = table.torque[i];
+        }
         valid_ = std::move(table);
         Q_EMIT tableEdited();
     }
+}
+
+bool TorqueTableModel::isOutOfOrder(std::size_t row) const {
+    const auto angle = angleOf(rows_[row]);
+    if (!angle || *angle == rows_[row].angle) {
+        return false;  // the case's own grow
+    }
+    const auto at = [this](std::size_t i) { return angleOf(rows_[i]).value_or(rows_[i].angle); };
+    return (row > 0 && !(*angle > at(row - 1))) ||
+           (row + 1 < rows_.size() && !(*angle < at(row + 1)));
 }
 
 bool TorqueTableModel::isRefused(int row, int column) const {
     if (trouble_.isEmpty()) {
         return false;
     }
-    const Row& own = rows_[static_cast<std::size_t>(row)];
-    if (column == Torque) {
-        return !torqueOf(own);
-    }
-    const auto angle = angleOf(own);
-    const auto before =
-        row > 0 ? angleOf(rows_[static_cast<std::size_t>(row) - 1]) : std::optional<double>();
-    return !angle || (before && !(*angle > *before));
+    const auto place = static_cast<std::size_t>(row);
+    return column == Torque ? !torqueOf(rows_[place])
+                            : !angleOf(rows_[place]) || isOutOfOrder(place);
 }
 
 SceneModel* TorqueTableModel::scene() const {
@@ -176,16 +234,7 @@ void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, Case
     if (!number || rows_.empty()) {
         return;
     }
-    TorqueTable table;
-    for (const Row& row : rows_) {
-        const auto angle = angleOf(row);
-        const auto torque = torqueOf(row);
-        if (!angle || !torque) {
-            return;
-        }
-        table.crank_angle_deg.push_back(*angle);
-        table.torque.push_back(*torque);
-    }
+    TorqueTable table = tableOf(Angles::typed);
     const auto row = static_cast<std::size_t>(at.row());
     if (at.column() == CrankAngle) {
         table.crank_angle_deg[row] = *number;
@@ -195,9 +244,7 @@ void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, Case
             table.torque.front() = table.torque.back() = table.torque[row];
         }
     }
-    try {
-        balance_shaft::check_torque_table(table, "/input/torque");
-    } catch (const InputError&) {
+    if (!cycleTrouble(table).isEmpty()) {
         return;
     }
     Json input = model_->inputAfter([&](balance_shaft::Input& next) { putInto(next, table); });
@@ -214,22 +261,10 @@ void TorqueTableModel::insertRowBelow(int row) {
     // Half way between its neighbours, so that the table stays a cycle and means the same.
     const Row& above = rows_[static_cast<std::size_t>(at) - 1];
     const Row& below = rows_[static_cast<std::size_t>(at)];
-    Row fresh;
-    fresh.typed = std::make_unique<Typed>();
-    const auto put = [](const std::optional<double>& x, const std::optional<double>& y, double& own,
-                        std::optional<QString>& typed) {
-        if (x && y) {
-            own = 0.5 * (*x + *y);
-        } else {
-            typed = QString();
-        }
-    };
-    put(angleOf(above), angleOf(below), fresh.angle, fresh.typed->angle);
-    put(torqueOf(above), torqueOf(below), fresh.torque, fresh.typed->torque);
+    Row fresh{0.5 * (above.angle + below.angle), 0.5 * (above.torque + below.torque)};
     beginInsertRows({}, at, at);
     rows_.insert(rows_.begin() + at, std::move(fresh));
     endInsertRows();
-    typedOver_.clear();
     check();
 }
 
@@ -243,7 +278,6 @@ void TorqueTableModel::removeRowRange(int first, int count) {
     beginRemoveRows({}, first, last - 1);
     rows_.erase(rows_.begin() + first, rows_.begin() + last);
     endRemoveRows();
-    typedOver_.clear();
     check();
 }
 
@@ -269,7 +303,6 @@ QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
 }
 
 QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
-    typedOver_.clear();
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::size_t at = static_cast<std::size_t>(row) + i;
         if (at >= rows_.size()) {
@@ -316,22 +349,14 @@ bool TorqueTableModel::setData(const QModelIndex& index, const QVariant& value, 
         return false;
     }
     const QString text = value.toString().trimmed();
-    const QString before = textOf(rows_[static_cast<std::size_t>(index.row())], index.column());
-    if (before != text) {
-        typedOver_.push_back({index.row(), index.column(), before});
+    if (textOf(rows_[static_cast<std::size_t>(index.row())], index.column()) != text) {
         put(index, text);
     }
     return true;
 }
 
-void TorqueTableModel::takeBackRefused(const QModelIndex& /*at*/) {
-    if (typedOver_.empty()) {
-        setTable(TorqueTable(valid_));
-        return;
-    }
-    const Before last = std::move(typedOver_.back());
-    typedOver_.pop_back();
-    put(index(last.row, last.column), last.text);
+void TorqueTableModel::takeBackRefused(const QModelIndex& at) {
+    put(at, ownText(rows_[static_cast<std::size_t>(at.row())], at.column()));
 }
 
 Json TorqueTableModel::refusedState() const {
@@ -352,7 +377,12 @@ Json TorqueTableModel::refusedState() const {
 void TorqueTableModel::bringRefused(const Json& state) {
     std::vector<Row> rows;
     for (const Json& each : state) {
+        const std::size_t place = rows.size();
         Row& row = rows.emplace_back();
+        if (state.size() == valid_.size()) {  // what holds below a text
+            row.angle = valid_.crank_angle_deg[place];
+            row.torque = valid_.torque[place];
+        }
         const auto put = [&](const Json& cell, double& own, int column) {
             if (cell.is_number()) {
                 own = cell.get<double>();
@@ -368,7 +398,6 @@ void TorqueTableModel::bringRefused(const Json& state) {
     }
     beginResetModel();
     rows_ = std::move(rows);
-    typedOver_.clear();
     endResetModel();
     check();
 }

@@ -17,9 +17,9 @@ class BalanceShaftModel;
 
 /// The torque table while it is being edited.
 ///
-/// Cells hold what was typed, valid or not, so nothing is lost; checkedTable() is the table where
-/// it is a cycle, trouble() says why where it is not. The first and the last row are one instant of
-/// the cycle: a torque typed in one goes to the other.
+/// Cells hold what was typed, valid or not, so nothing is lost. checkedTable() is a cycle: of the
+/// cells that are refused it has what stood there before, and trouble() says why they are. The
+/// first and the last row are one instant of the cycle: a torque typed in one goes to the other.
 class TorqueTableModel : public EditableTable {
     Q_OBJECT
 
@@ -31,10 +31,10 @@ class TorqueTableModel : public EditableTable {
     /// The case that the table is part of.
     void setModel(BalanceShaftModel* model) { model_ = model; }
 
-    /// Takes over a valid table; nothing is emitted but the reset.
+    /// Takes over a valid table. What is refused in a cell stands until the table differs there.
     void setTable(const balance_shaft::TorqueTable& table);
     const balance_shaft::TorqueTable& checkedTable() const { return valid_; }
-    /// Why the cells are not a cycle; empty where they are.
+    /// Why cells are refused; empty where none is.
     QString trouble() const { return trouble_; }
 
     void insertRowBelow(int row) override;
@@ -43,10 +43,8 @@ class TorqueTableModel : public EditableTable {
     /// that the column shows where the text names none.
     /// @return what was read, as a sentence; throws InputError and changes nothing
     QString replaceByText(const std::string& text, bool isShown = false);
-    bool canTakeBackRefused(const QModelIndex& /*at*/) const override {
-        return !trouble_.isEmpty();
-    }
     void takeBackRefused(const QModelIndex& at) override;
+    void forgetRefused() override;
     /// The whole table, whose numbers are in SI units; nothing of one so long that it takes a
     /// while.
     Json refusedState() const override;
@@ -64,7 +62,7 @@ class TorqueTableModel : public EditableTable {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   Q_SIGNALS:
-    /// The cells are a cycle that differs from the one before.
+    /// checkedTable() differs from the one before.
     void tableEdited();
 
   private:
@@ -74,7 +72,8 @@ class TorqueTableModel : public EditableTable {
         std::optional<QString> torque;
         Unit unit = units::N_m;  ///< that the torque was typed in
     };
-    /// Texts are made when they are seen: a table may have a million rows.
+    /// Texts are made when they are seen: a table may have a million rows. The numbers are those of
+    /// the case.
     struct Row {
         double angle = 0.0;              ///< °
         double torque = 0.0;             ///< N·m
@@ -87,8 +86,18 @@ class TorqueTableModel : public EditableTable {
     static std::optional<double> torqueOf(const Row& row);
     static void type(Row& row, int column, const QString& text);
     void put(const QModelIndex& index, const QString& text);
-    /// Adds the rows whose cells are numbers. @return which are not, by rows; empty where all are
-    QString readAll(balance_shaft::TorqueTable& table) const;
+    void follow(const balance_shaft::TorqueTable& table);
+    /// Why cells are no numbers, row by row.
+    QString refusedTexts() const;
+    enum class Angles {
+        typed,
+        growing,  ///< as typed where they are in order, else the case's
+        own       ///< the case's
+    };
+    /// What the cells stand for; those that are no numbers for what the case holds.
+    balance_shaft::TorqueTable tableOf(Angles which) const;
+    /// A typed angle that does not lie between those of its neighbours.
+    bool isOutOfOrder(std::size_t row) const;
     void check();
     /// True for a cell that is no number, and for an angle that does not grow.
     bool isRefused(int row, int column) const;
@@ -97,13 +106,6 @@ class TorqueTableModel : public EditableTable {
     std::vector<Row> rows_;
     balance_shaft::TorqueTable valid_;
     QString trouble_;
-    /// A cell as it was before it was typed over.
-    struct Before {
-        int row;
-        int column;
-        QString text;
-    };
-    std::vector<Before> typedOver_;  ///< since the cells were a cycle, or rows came or went
 };
 
 }  // namespace ravnoves
