@@ -306,6 +306,23 @@ double Motion::speed_at(double seconds) const {
     return state_at(*this, seconds)[1];
 }
 
+std::optional<double> Motion::time_at(double angle) const {
+    const auto beyond = [&](double seconds) { return angle_at(seconds) - angle; };
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (crank_angle[i] == angle) {
+            return time[i];
+        }
+        if (i > 0 && (crank_angle[i - 1] < angle) != (crank_angle[i] < angle)) {
+            std::uintmax_t steps = 100;
+            return boost::math::tools::toms748_solve(
+                       beyond, time[i - 1], time[i], crank_angle[i - 1] - angle,
+                       crank_angle[i] - angle, boost::math::tools::eps_tolerance<double>(50), steps)
+                .first;
+        }
+    }
+    return std::nullopt;
+}
+
 namespace {
 
 /// A motion from its start to its end, cell by cell.

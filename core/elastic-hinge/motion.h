@@ -59,6 +59,8 @@ struct Motion {
     /// order 5 through angle, speed and acceleration of both neighbours.
     double angle_at(double seconds) const;
     double speed_at(double seconds) const;
+    /// The first time (s) at which the crank is at an angle (rad); nothing where it never is.
+    std::optional<double> time_at(double angle) const;
 };
 
 /// Called with the part done, 0…1; false cancels.

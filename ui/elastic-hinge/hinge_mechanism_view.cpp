@@ -69,6 +69,7 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
     connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeModel::motionsChanged, this, qOverload<>(&QWidget::update));
 }
 
 double HingeMechanismView::slowness() const {

@@ -427,7 +427,11 @@ TEST(ElasticHingeMotion, ReadsBetweenItsSamples) {
         const double middle = 0.5 * (motion.time[i - 1] + motion.time[i]);
         EXPECT_GT(motion.angle_at(middle), motion.crank_angle[i - 1]);
         EXPECT_LT(motion.angle_at(middle), motion.crank_angle[i]);
+        EXPECT_NEAR(*motion.time_at(motion.angle_at(middle)), middle, 1e-12 * motion.time.back());
     }
+    EXPECT_EQ(*motion.time_at(motion.crank_angle.back()), motion.time.back());
+    EXPECT_FALSE(motion.time_at(motion.crank_angle.back() + 1e-9));
+    EXPECT_FALSE(motion.time_at(motion.crank_angle.front() - 1e-9));
     EXPECT_EQ(motion.angle_at(-1.0), motion.crank_angle.front());
     EXPECT_EQ(motion.angle_at(1e9), motion.crank_angle.back());
 }

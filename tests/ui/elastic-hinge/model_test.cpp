@@ -214,6 +214,23 @@ TEST(ElasticHingeModel, ThePictureFollowsTheMotion) {
                 0.0, 1e-9);
     EXPECT_NEAR(model.shownSpeed(), motion->speed_at(time), 1e-12);
     EXPECT_GT(std::abs(model.shownSpeed() - 100.0), 1.0);
+    // Where it was left it stays in another motion, and comes back to it from one that stops.
+    const double left = motion->angle_at(time);
+    for (const double speed : {200.0, 1.2, 300.0}) {
+        model.edit(QStringLiteral("speed"),
+                   [speed](elastic_hinge::Input& input) { input.angular_speed = speed; });
+        waitForMotions(model);
+        const auto* now = model.animatedMotion();
+        ASSERT_NE(now, nullptr);
+        EXPECT_NEAR(std::remainder(model.crank()->degrees() - left / degree, 360.0), 0.0, 1e-9);
+        EXPECT_EQ(model.motionTime().has_value(), speed > 2.0) << speed;
+        if (model.motionTime()) {
+            EXPECT_NEAR(now->angle_at(*model.motionTime()), left, 1e-9) << speed;
+            EXPECT_NEAR(model.shownSpeed(), now->speed_at(*now->time_at(left)), 1e-9);
+        }
+    }
+    model.edit(QStringLiteral("speed"), [](auto& input) { input.angular_speed = 100.0; });
+    waitForMotions(model);
     model.setMotionTime(std::nullopt);
     EXPECT_EQ(model.shownSpeed(), 100.0);
 }

@@ -95,6 +95,10 @@ ElasticHingeModel::ElasticHingeModel(QObject* parent)
     connect(&runner_, &MotionRunner::computed, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
+                if (motionAngle_) {  // the crank stays where it was left, in the same turn
+                    const Motion* motion = animatedMotion();
+                    motionTime_ = motion != nullptr ? motion->time_at(*motionAngle_) : std::nullopt;
+                }
                 Q_EMIT motionsChanged();
             });
     taken();
@@ -164,9 +168,11 @@ void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<dou
 
 void ElasticHingeModel::setMotionTime(std::optional<double> seconds) {
     motionTime_ = seconds;
+    motionAngle_.reset();
     const Motion* motion = animatedMotion();
     if (seconds && motion != nullptr) {
-        crank_.turnTo(motion->angle_at(*seconds) / degree);
+        motionAngle_ = motion->angle_at(*seconds);
+        crank_.turnTo(*motionAngle_ / degree);
     }
 }
 
@@ -174,6 +180,7 @@ void ElasticHingeModel::setAnimated(Animated animated) {
     if (animated != animated_) {
         animated_ = animated;
         motionTime_.reset();
+        motionAngle_.reset();
         Q_EMIT viewChanged();
     }
 }

@@ -142,6 +142,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     std::shared_ptr<const HingeMotions> motions_;
     CrankAngle crank_{60.0, 360.0};
     std::optional<double> motionTime_;
+    /// Where the crank was left in the motion, rad; a motion that stops before has no time for it.
+    std::optional<double> motionAngle_;
     Animated animated_ = Animated::CrankHinge;
     elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;
     std::optional<double> exaggeration_;
