@@ -30,6 +30,8 @@ InputComparison::InputComparison(ScenePage* page, QWidget* parent)
     table_->setAccessibleName(tr("Inputs that differ"));
     table_->setColumns({tr("Input"), tr("Present"), tr("Reference"), tr("Unit"),
                         QStringLiteral("Δ"), QStringLiteral("Δ, %")});
+    constexpr int fewest = 6;
+    table_->setShownRows(fewest);  // an engine's table has more than a screen
     column->addWidget(table_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     const auto copy = [&](const QString& text, QString (ResultTable::*what)() const) {

@@ -13,6 +13,8 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "inertia-moments/inertia_moments_page.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "model/case_document.h"
 #include "model/input_differences.h"
 #include "plot/plot_view.h"
@@ -268,6 +270,17 @@ TEST_P(EveryPagesVariants, TheInputsThatDifferAreNamedAsInTheForm) {
     EXPECT_TRUE(dialog.table()->asText().contains(dialog.table()->item(0, 0)->text()));
     model().takeVariant(0);
     EXPECT_EQ(dialog.table()->rowCount(), 0);
+}
+
+TEST(InputsAgainstTheReference, ScrollWhereTheyAreMany) {
+    InertiaMomentsPage page;
+    page.viewModel()->chooseLayout(u"vr6"_s);
+    page.viewModel()->makeTable();
+    page.model()->keepVariant();
+    page.viewModel()->chooseLayout(u"v2-45"_s);
+    const InputComparison dialog(&page, nullptr);
+    ASSERT_GT(dialog.table()->rowCount(), 20);
+    EXPECT_LT(dialog.minimumSizeHint().height(), 420);
 }
 
 TEST_P(EveryPagesVariants, ComeBackFromTheFile) {
