@@ -107,8 +107,12 @@ void EnvelopeView::solve() {
     pareto_->setCurve(efficient_, std::move(area), std::move(range));
     std::vector<PlotView::Mark> marks;
     for (const ShownSizes::Point& point : shown_.marked) {
-        marks.push_back({point.area, point.range,
-                         fixedNumber(point.angle, 0, QLocale()) + QStringLiteral("°"), 3});
+        // A ring: the present α is seen in it.
+        marks.push_back({.x = point.area,
+                         .y = point.range,
+                         .text = fixedNumber(point.angle, 0, QLocale()) + QStringLiteral("°"),
+                         .colour = 3,
+                         .ring = true});
     }
     pareto_->setMarks(marks);
     showPresent();
