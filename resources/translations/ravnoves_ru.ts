@@ -9387,11 +9387,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Дж</translation>
     </message>
     <message>
-        <source>Side force without hinge</source>
+        <source>Side force, no hinge</source>
         <translation>Бок. сила без шарнира</translation>
     </message>
     <message>
-        <source>Side force with rod hinge</source>
+        <source>Side force, rod hinge</source>
         <translation>Бок. сила с шарниром</translation>
     </message>
     <message>
@@ -9495,7 +9495,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Направляющая существует: перепад %1; погрешность профиля %2 меняет её момент на величину до %3.</translation>
     </message>
     <message>
-        <source>Moment error from %1</source>
+        <source>Moment error, %1</source>
         <translation>Погр. момента, %1</translation>
     </message>
     <message>

@@ -428,7 +428,7 @@ Results ElasticHingeModel::quantities() const {
             when(there, {shownValue(guide.largest_spring_force, units::kN),
                          significant(guide.largest_spring_force, units::kN)}),
             units::kN, tr("c |ℓ − ℓ₀|, largest over a turn")),
-        row(tr("Moment error from %1")
+        row(tr("Moment error, %1")
                 .arg(withItsUnit(input().profile_error, units::micrometre, 3)),
             when(there, ResultCell::two(
                             QStringLiteral("%1 (%2)"), shownCell(guide.error.torque, units::N_m, 2),
@@ -446,9 +446,9 @@ Results ElasticHingeModel::quantities() const {
           {result().rod_hinge_integral, number(result().rod_hinge_integral, 3)},
           tr("J")},
          tr("Work of the rod hinge's moment over a turn; 0 where a spring can give it")},
-        shownRow(tr("Side force without hinge"), result().largest_side_force_without, units::newton,
+        shownRow(tr("Side force, no hinge"), result().largest_side_force_without, units::newton,
                  1, tr("Largest force of the slider on its guide")),
-        row(tr("Side force with rod hinge"), sideForce, units::newton,
+        row(tr("Side force, rod hinge"), sideForce, units::newton,
             tr("The same with the hinge in the rod; in brackets how many times less")),
         row(tr("Counterweight P₄"),
             when(result().has_counterweight,
