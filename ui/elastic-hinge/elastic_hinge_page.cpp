@@ -95,12 +95,17 @@ QWidget* ElasticHingePage::buildSliders() {
     sliders[2]->setLogarithmic(50, 3);  // the stiffness
     // One width for labels and boxes, so that the sliders stand in line.
     int labels = 0;
+    int boxes = Theme::withText(boxWidth);
     for (const FieldSlider* slider : sliders) {
         labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
+        constexpr int beside = 30;  // frame and arrows
+        const QDoubleSpinBox* box = slider->box();
+        boxes = std::max(boxes, box->fontMetrics().horizontalAdvance(box->text()) +
+                                    Theme::withText(beside));  // with a long unit
     }
     for (FieldSlider* slider : sliders) {
         slider->setLabelWidth(labels);
-        slider->box()->setFixedWidth(Theme::withText(boxWidth));
+        slider->box()->setFixedWidth(boxes);
         column->addWidget(slider);
     }
     return panel;
