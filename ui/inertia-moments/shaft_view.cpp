@@ -139,20 +139,23 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight, state);
 
     const Unit& unit = moment ? units::N_m : units::newton;
-    // Without a phase there is nothing to cancel but rounding.
-    const double something = design.phase ? 1.0 : 0.0;
-    QStringList lines{tr("mρ %1").arg(short4(something * design.unbalance, units::gram_mm))};
-    if (design.mass) {
-        lines << tr("m %1").arg(short4(something * *design.mass, units::gram));
+    QStringList lines;
+    if (design.phase) {  // without one there is nothing to cancel but rounding
+        lines << tr("mρ %1").arg(short4(design.unbalance, units::gram_mm));
+        if (design.mass) {
+            lines << tr("m %1").arg(short4(*design.mass, units::gram));
+        }
+        lines << shownDigits(design.before, unit, 0) + QStringLiteral(" → ") +
+                     shownNumber(design.remaining, unit, 0);
+    } else {
+        lines << tr("nothing to cancel");
     }
-    lines << shownDigits(design.before, unit, 0) + QStringLiteral(" → ") +
-                 shownNumber(design.remaining, unit, 0);
     for (QString& line : lines) {
         line = fitted(line, room + 4.0);
     }
-    painter.setPen(theme.text());
+    painter.setPen(design.phase ? theme.text() : theme.mutedText());
     const double row = painter.fontMetrics().height();
-    const double text = row * static_cast<double>(lines.size()) + 5.0;
+    const double text = row * (design.mass ? 3.0 : 2.0) + 5.0;
     painter.drawText(area.adjusted(6, area.height() - text, -2, 0), Qt::AlignTop | Qt::AlignLeft,
                      lines.join(QLatin1Char('\n')));
 
@@ -220,9 +223,6 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
             painter, centre,
             centre + QPointF(std::cos(target), -std::sin(target)) * lengthOf(design.target),
             theme.error(), 2.2);
-    } else {
-        painter.setPen(theme.mutedText());
-        painter.drawText(figure, Qt::AlignCenter, tr("nothing to cancel"));
     }
     painter.setPen(QPen(theme.text(), 1.2));
     painter.setBrush(theme.panel());

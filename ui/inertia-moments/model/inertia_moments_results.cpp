@@ -197,12 +197,12 @@ Results InertiaMomentsModel::shaftResults() const {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
         const Unit& unit = design.shaft.balances == Balances::force ? units::newton : units::N_m;
-        rows.push_back({mark + shaftTitle(design.shaft),
-                        figure(std::abs(design.target), design.scale, unit),
-                        design.phase ? figure(design.unbalance, units::gram_mm)
-                                     : ResultCell(0.0, QStringLiteral("0")),
-                        design.phase ? degrees(*design.phase) : ResultCell(dash),
-                        figure(design.remaining, design.scale, unit)});
+        rows.push_back(
+            {mark + shaftTitle(design.shaft), figure(std::abs(design.target), design.scale, unit),
+             design.phase ? figure(design.unbalance, units::gram_mm)
+                          : ResultCell(0.0, QStringLiteral("0")),
+             design.phase ? degrees(*design.phase) : ResultCell(dash),
+             design.phase ? figure(design.remaining, design.scale, unit) : ResultCell(dash)});
     }
     return results;
 }
