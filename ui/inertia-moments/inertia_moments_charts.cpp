@@ -110,7 +110,7 @@ void InertiaMomentsCharts::resizeEvent(QResizeEvent* event) {
 bool InertiaMomentsCharts::event(QEvent* event) {
     const bool done = QWidget::event(event);
     if (event->type() == QEvent::FontChange) {
-        tooLow_ = QSize();
+        foldings_ = 0;
     }
     if (event->type() == QEvent::LayoutRequest) {  // legends get lines
         foldWhereNeeded();
@@ -120,13 +120,17 @@ bool InertiaMomentsCharts::event(QEvent* event) {
 
 void InertiaMomentsCharts::foldWhereNeeded() {
     const bool isFolded = tabs_->indexOf(orders_) >= 0;
-    const int needed = heightOfBoth();
-    if (!isFolded && height() < needed) {
-        tooLow_ = size();
+    const bool isTooLow = height() < heightOfBoth();
+    if (size() != foldedAt_) {
+        foldings_ = 0;
     }
-    // Legends out of sight may ask for less than those in sight.
-    const bool wasTooLow = width() == tooLow_.width() && height() <= tooLow_.height();
-    foldMoments(height() < needed || (isFolded && wasTooLow));
+    if (!isFolded && isTooLow) {
+        foldedAt_ = size();
+        ++foldings_;
+    }
+    // Legends out of sight may ask for less than those in sight, and so there is no end to it.
+    constexpr int most = 3;
+    foldMoments(isTooLow || (isFolded && foldings_ >= most));
 }
 
 void InertiaMomentsCharts::foldMoments(bool folded) {
@@ -324,7 +328,7 @@ void InertiaMomentsCharts::showCourse(bool force) {
 }
 
 void InertiaMomentsCharts::nameMoments(bool force) {
-    tooLow_ = QSize();
+    foldings_ = 0;
     isForce_ = force;
     for (int k = 1; k <= 2; ++k) {
         PlotView* plot = moment(k);

@@ -66,7 +66,8 @@ class InertiaMomentsCharts : public QWidget {
     std::array<PlotView*, 2> moments_{};  ///< of forces where there are no moments
     QWidget* orders_;                     ///< both
     bool isForce_ = false;
-    QSize tooLow_;  ///< for both as they are named now
+    QSize foldedAt_;
+    int foldings_ = 0;  ///< at that size, as the curves are named now
     QTabWidget* tabs_;
     std::array<Hodograph, 2> hodographs_;  ///< forces, moments
     OrderBars* bars_ = nullptr;
