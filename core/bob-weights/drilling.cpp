@@ -19,20 +19,10 @@ bool is_inside(double angle, const std::pair<double, double>& sector) {
     return width < rounding || place <= width + 2.0 * rounding;
 }
 
-/// Σ cos of the angles of n holes with that spacing.
-double sum_of_cosines(int n, double spacing) {
-    double sum = 0.0;
-    for (int i = 0; i < n; ++i) {
-        sum += std::cos((i - 0.5 * (n - 1)) * spacing);
-    }
-    return sum;
-}
-
 struct Pattern {
     int count = 0;
     double diameter = 0.0;
     double depth = 0.0;
-    double spacing = 0.0;
     double left = 0.0;   // of the target
     double metal = 0.0;  // kg
 };
@@ -44,44 +34,44 @@ class Planner {
 
     double deepest(double diameter) const {
         const double room = cut_.radius - cut_.cone(diameter);
-        double depth = std::min(limits_.maximum_depth, room);
-        if (limits_.depth_step > 0.0) {
-            depth = limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9);
-        }
-        return depth;
+        return stepped(std::min(limits_.maximum_depth, room));
     }
 
-    /// Whether n holes of that depth have room; then their spacing.
-    std::optional<double> spacing(int n, double diameter, double depth) const {
-        if (n == 1) {
-            return is_allowed(angle_) ? std::optional(0.0) : std::nullopt;
-        }
-        const auto least = hole_spacing(cut_, diameter, depth, limits_.minimum_wall);
-        if (!least) {
-            return std::nullopt;
-        }
-        const double last = 0.5 * (n - 1) * *least;
-        const bool fits =
-            last <= limits_.maximum_angle && is_allowed(angle_ - last) && is_allowed(angle_ + last);
-        return fits ? least : std::nullopt;
+    /// Whether n holes of that depth have room.
+    bool fits(int n, double diameter, double depth) const {
+        return place(n, diameter, depth, [](double) {});
     }
 
     /// n holes that take off the target, or as much as they can; nothing where they have no room
     /// or one alone would take off too much.
     std::optional<Pattern> pattern(int n, double diameter) const {
         const double most = deepest(diameter);
-        if (most < 0.0 || !spacing(n, diameter, 0.0)) {
+        if (most < 0.0 || !fits(n, diameter, 0.0)) {
             return std::nullopt;
         }
         // What n holes take off grows with the depth: their unbalance does, and where the spacing
-        // grows it costs less than the depth brings as long as the holes are above the axis.
-        double depth = roomy(n, diameter, most);
-        if (taken(n, diameter, depth) > target_) {
-            double low = 0.0;
-            double high = depth;
-            if (taken(n, diameter, low) > target_) {
-                high = low;
+        // grows it costs less than the depth brings as long as the holes are above the axis. It
+        // falls alone where a hole has to leap over one of an earlier run.
+        const double room = roomy(n, diameter, most);
+        constexpr int steps = 32;
+        double depth = 0.0;
+        double low = 0.0;
+        double high = 0.0;
+        double best = taken(n, diameter, 0.0);
+        bool reaches = best > target_;
+        for (int i = 1; i <= steps && !reaches; ++i) {
+            low = high;
+            high = room * i / steps;
+            const double there = taken(n, diameter, high);
+            reaches = there > target_;
+            if (there > best) {
+                best = there;
+                depth = high;
             }
+        }
+        if (!reaches) {
+            depth = depth < room ? stepped(depth) : room;
+        } else {
             for (int i = 0; i < 100 && high - low > 1e-12; ++i) {
                 const double middle = 0.5 * (low + high);
                 (taken(n, diameter, middle) > target_ ? high : low) = middle;
@@ -89,20 +79,18 @@ class Planner {
             depth = rounded(n, diameter, 0.5 * (low + high), most);
         }
         const Removed one = cut_.removed(diameter, depth);
-        return Pattern{n,
-                       diameter,
-                       depth,
-                       *spacing(n, diameter, depth),
-                       target_ - taken(n, diameter, depth),
-                       n * one.mass};
+        return Pattern{n, diameter, depth, target_ - taken(n, diameter, depth), n * one.mass};
     }
 
     std::vector<Hole> holes(const Pattern& pattern) const {
         std::vector<Hole> list;
         const Removed one = cut_.removed(pattern.diameter, pattern.depth);
-        for (int i = 0; i < pattern.count; ++i) {
-            const double place = (i - 0.5 * (pattern.count - 1)) * pattern.spacing;
-            list.push_back({pattern.diameter, pattern.depth, turn_of(angle_ + place), one.mass,
+        std::vector<double> places;
+        place(pattern.count, pattern.diameter, pattern.depth,
+              [&](double offset) { places.push_back(offset); });
+        std::sort(places.begin(), places.end());
+        for (const double offset : places) {
+            list.push_back({pattern.diameter, pattern.depth, turn_of(angle_ + offset), one.mass,
                             one.unbalance});
         }
         return list;
@@ -113,34 +101,96 @@ class Planner {
     }
 
   private:
+    /// Down to a step.
+    double stepped(double depth) const {
+        return limits_.depth_step > 0.0
+                   ? limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9)
+                   : depth;
+    }
+
     double taken(int n, double diameter, double depth) const {
-        const auto apart = spacing(n, diameter, depth);
-        return cut_.removed(diameter, depth).unbalance * sum_of_cosines(n, apart.value_or(0.0));
+        double cosines = 0.0;
+        place(n, diameter, depth, [&](double offset) { cosines += std::cos(offset); });
+        return cut_.removed(diameter, depth).unbalance * cosines;
+    }
+
+    /// Visits the angles from the middle to each of n holes.
+    /// @return whether all have room
+    bool place(int n, double diameter, double depth, auto&& visit) const {
+        const auto half = half_width(cut_, diameter, depth, limits_.minimum_wall);
+        if (!half && (n > 1 || !limits_.taken.empty())) {
+            return false;
+        }
+        double offset = half.value_or(0.0);
+        if (n % 2 == 1) {
+            if (!is_allowed(angle_) || clear_of_taken(0.0, offset) != 0.0) {
+                return false;
+            }
+            visit(0.0);
+            offset *= 2.0;
+        }
+        for (int pair = 0; pair < n / 2; ++pair) {
+            const auto clear = clear_of_taken(offset, *half);
+            if (!clear || *clear > limits_.maximum_angle || !is_allowed(angle_ - *clear) ||
+                !is_allowed(angle_ + *clear)) {
+                return false;
+            }
+            visit(-*clear);
+            visit(*clear);
+            offset = *clear + 2.0 * *half;
+        }
+        return true;
+    }
+
+    /// The least angle from `offset` on at which a hole on either side keeps clear of what is
+    /// taken; nothing where none does.
+    std::optional<double> clear_of_taken(double offset, double half) const {
+        constexpr double rounding = 1e-12;
+        for (bool moves = true; moves;) {
+            moves = false;
+            for (const Taken& taken : limits_.taken) {
+                if (!taken.half_width) {
+                    return std::nullopt;
+                }
+                const double apart = half + *taken.half_width;
+                for (const double side : {1.0, -1.0}) {
+                    // Outwards it grows.
+                    const double beyond =
+                        side * std::remainder(angle_ + side * offset - taken.angle, 2.0 * pi);
+                    if (std::abs(beyond) < apart - rounding) {
+                        offset += apart - beyond;
+                        moves = true;
+                    }
+                }
+                if (offset > pi) {
+                    return std::nullopt;
+                }
+            }
+        }
+        return offset;
     }
 
     /// The deepest that n holes have room for; depth 0 has.
     double roomy(int n, double diameter, double most) const {
-        if (spacing(n, diameter, most)) {
+        if (fits(n, diameter, most)) {
             return most;
         }
         double low = 0.0;
         double high = most;
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
-            (spacing(n, diameter, middle) ? low : high) = middle;
+            (fits(n, diameter, middle) ? low : high) = middle;
         }
-        return limits_.depth_step > 0.0
-                   ? limits_.depth_step * std::floor(low / limits_.depth_step + 1e-9)
-                   : low;
+        return stepped(low);
     }
 
     double rounded(int n, double diameter, double depth, double most) const {
         if (limits_.depth_step <= 0.0) {
             return depth;
         }
-        const double below = limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9);
+        const double below = stepped(depth);
         const double above = below + limits_.depth_step;
-        const bool can = above <= most + 1e-12 && spacing(n, diameter, above);
+        const bool can = above <= most + 1e-12 && fits(n, diameter, above);
         return can && std::abs(taken(n, diameter, above) - target_) <
                            std::abs(taken(n, diameter, below) - target_)
                    ? above
@@ -168,10 +218,9 @@ Removed Cut::removed(double diameter, double depth) const {
             density * (cylinder * (radius - 0.5 * depth) + tip * (radius - depth - 0.25 * point))};
 }
 
-std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
-    // From the plane between two holes: the edge of the bottom at the radius b = R − h, half a
-    // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a; a is
-    // half the angle between the holes.
+std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall) {
+    // From a plane through the axis: the edge of the bottom at the radius b = R − h, half a
+    // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a.
     const double bottom = cut.radius - depth;
     const double tip = bottom - cut.cone(diameter);
     const double reach = std::hypot(bottom, 0.5 * diameter);
@@ -179,7 +228,12 @@ std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth
         return std::nullopt;
     }
     const double edge = std::asin(0.5 * wall / reach) + std::atan2(0.5 * diameter, bottom);
-    return 2.0 * std::max(edge, std::asin(0.5 * wall / tip));
+    return std::max(edge, std::asin(0.5 * wall / tip));
+}
+
+std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
+    const auto half = half_width(cut, diameter, depth, wall);
+    return half ? std::optional(2.0 * *half) : std::nullopt;
 }
 
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
@@ -223,6 +277,9 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
         if (best) {
             return {planner.holes(*best), best->left, Shortfall::none};
         }
+    }
+    if (!nearest && !limits.taken.empty()) {
+        return {{}, target, Shortfall::too_little_room};
     }
     if (!nearest || std::abs(nearest->left) >= target) {
         return {{}, target, Shortfall::nothing_fits};

@@ -37,6 +37,13 @@ struct Cut {
     Removed removed(double diameter, double depth) const;
 };
 
+/// A piece of the rim that has been drilled before.
+struct Taken {
+    double angle;  ///< its middle, rad
+    /// To either side of it, half the wall included, rad; nothing where it leaves no room at all.
+    std::optional<double> half_width;
+};
+
 /// How holes may lie.
 struct HoleLimits {
     double maximum_depth;  ///< m
@@ -46,6 +53,7 @@ struct HoleLimits {
     double maximum_angle;  ///< from the middle to the last hole, rad
     /// The sector that may be drilled, from and to, rad.
     std::optional<std::pair<double, double>> sector;
+    std::vector<Taken> taken{};  ///< of the holes of earlier runs
 };
 
 /// Why the holes do not take off what they should.
@@ -62,6 +70,11 @@ struct HolePlan {
     double left;  ///< target less what the holes take off in its direction, kg·m; signed
     Shortfall shortfall = Shortfall::none;
 };
+
+/// What a hole takes of the rim to either side, rad: from its middle to the plane through the axis
+/// that is half the wall away from its bottom; nothing where it reaches so near to the axis that no
+/// plane is.
+std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall);
 
 /// Angle between two neighbouring holes whose wall at the bottom is still the minimum, rad;
 /// nothing where they meet whatever the angle.

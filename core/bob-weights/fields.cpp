@@ -96,8 +96,23 @@ void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
     visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
 }
 
+void visit_fields(FieldVisitor& visitor, DrilledHole& hole) {
+    visitor.choice(field::drilled_plane, hole.plane);
+    visitor.number(field::drilled_diameter, hole.diameter);
+    visitor.number(field::drilled_depth, hole.depth);
+    visitor.number(field::drilled_angle, hole.angle);
+    visitor.number(field::drilled_mass, hole.mass);
+}
+
 void visit_fields(FieldVisitor& visitor, EarlierRun& run) {
     visitor.list(field::run_readings, run.readings);
+    if (visitor.has(field::drilled.key, run.drilled.has_value())) {
+        if (!run.drilled && (visitor.is_reading() || visitor.creates_objects())) {
+            run.drilled.emplace();
+        }
+        std::vector<DrilledHole> absent;
+        visitor.list(field::drilled, run.drilled ? *run.drilled : absent);
+    }
 }
 
 void visit_fields(FieldVisitor& visitor, Drill& drill) {

@@ -18,6 +18,9 @@ inline constexpr Word balance_words[] = {
     {"internal", CORE_TEXT("bob-weights", "Internal: in the crankshaft alone")},
     {"external", CORE_TEXT("bob-weights", "External: damper and flywheel too")}};
 
+inline constexpr Word plane_words[] = {{"front", CORE_TEXT("bob-weights", "Front")},
+                                       {"rear", CORE_TEXT("bob-weights", "Rear")}};
+
 namespace field {
 
 using namespace workshop::field;
@@ -224,6 +227,39 @@ inline constexpr Field maximum_angle{
     .range = Range::between(0, 85),
     .label = CORE_TEXT("bob-weights", "&Farthest hole"),
     .hint = CORE_TEXT("bob-weights", "From the heavy spot to the last hole on either side.")};
+inline constexpr Field drilled{
+    .key = "drilled",
+    .hint = CORE_TEXT("bob-weights",
+                      "Holes and slugs that were planned after that run, taken as drilled as "
+                      "planned; later holes keep clear of them. Where the list is missing they are "
+                      "planned from its readings with the planes and drills of the case.")};
+inline constexpr Field drilled_plane{.key = "plane",
+                                     .label = CORE_TEXT("bob-weights", "Plane"),
+                                     .hint = CORE_TEXT("bob-weights", "Where it was drilled."),
+                                     .words = plane_words};
+inline constexpr Field drilled_diameter{
+    .key = "diameter_mm",
+    .unit = units::mm,
+    .range = diameters.range,
+    .label = CORE_TEXT("bob-weights", "Hole"),
+    .hint = CORE_TEXT("bob-weights", "Diameter of hole or slug.")};
+inline constexpr Field drilled_depth{.key = "depth_mm",
+                                     .unit = units::mm,
+                                     .range = Range::between(0, 500),
+                                     .label = CORE_TEXT("bob-weights", "Depth"),
+                                     .hint = maximum_depth.hint};
+inline constexpr Field drilled_angle{
+    .key = "angle_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("bob-weights", "Angle"),
+    .hint = CORE_TEXT("bob-weights", "From the machine's zero mark.")};
+inline constexpr Field drilled_mass{
+    .key = "removed_g",
+    .unit = units::gram,
+    .range = Range::between(-1e6, 1e6),
+    .label = CORE_TEXT("bob-weights", "Takes off"),
+    .hint = CORE_TEXT("bob-weights", "Negative: a slug, which adds so much.")};
 inline constexpr Field slug{
     .key = "slug",
     .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};

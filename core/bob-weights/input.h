@@ -116,9 +116,25 @@ bool is_read(const AnyReading& reading) {
     return reading.unbalance && (reading.angle || !has_direction(*reading.unbalance));
 }
 
+enum class PlaneName { front, rear };
+
+/// A hole that was planned after a run, or a slug.
+struct DrilledHole {
+    PlaneName plane = PlaneName::front;
+    double diameter = 0.0;  ///< m
+    double depth = 0.0;     ///< of the full diameter, m
+    double angle = 0.0;     ///< rad
+    double mass = 0.0;      ///< taken off, kg; negative: a slug
+
+    friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
+};
+
 /// A run of the machine whose holes have been drilled since.
 struct EarlierRun {
     std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
+    /// What was planned when the next run began; empty: what the readings ask for, by the planes
+    /// and drills of the case.
+    std::optional<std::vector<DrilledHole>> drilled;
 
     friend bool operator==(const EarlierRun&, const EarlierRun&) = default;
 };
@@ -193,6 +209,7 @@ void visit_fields(FieldVisitor& visitor, Parts& parts);
 void visit_fields(FieldVisitor& visitor, Plane& plane);
 void visit_fields(FieldVisitor& visitor, Reading& reading);
 void visit_fields(FieldVisitor& visitor, EarlierReading& reading);
+void visit_fields(FieldVisitor& visitor, DrilledHole& hole);
 void visit_fields(FieldVisitor& visitor, EarlierRun& run);
 void visit_fields(FieldVisitor& visitor, Drill& drill);
 void visit_fields(FieldVisitor& visitor, Slug& slug);

@@ -28,6 +28,14 @@ struct Matching {
     std::vector<workshop::Weighed> take_off;  ///< kg
 };
 
+/// What is drilled into a plane and pressed in.
+struct Metal {
+    std::vector<Hole> holes;
+    std::vector<Hole> slugs;
+
+    bool empty() const { return holes.empty() && slugs.empty(); }
+};
+
 /// A run of the machine: its readings taken to the correction planes.
 struct RunResult {
     struct InPlane {
@@ -41,6 +49,9 @@ struct RunResult {
     /// crankshaft where it is another: it says nothing of this one then.
     std::optional<double> read_with;
     std::optional<workshop::OtherShaft> read_on;
+
+    /// Of an earlier run: what was planned in each plane, taken as drilled as planned.
+    std::array<Metal, 2> drilled;
 
     bool holds() const { return !read_with && !read_on; }
     /// As measured; nothing without readings or limits.

@@ -56,10 +56,15 @@ Json runs_json(const std::vector<RunResult>& runs) {
     Json list = Json::array();
     for (const RunResult& run : runs) {
         Json planes = Json::array();
-        for (const RunResult::InPlane& plane : run.planes.value()) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const RunResult::InPlane& plane = run.planes.value()[i];
             planes.push_back({{"unbalance_g_mm", plane.unbalance / units::gram_mm},
                               {"angle_deg", plane.angle / units::degree},
                               {"within_tolerance", known(plane.within_tolerance)}});
+            if (&run != &runs.back()) {
+                planes.back()["drilled_holes"] = holes_json(run.drilled[i].holes, false);
+                planes.back()["drilled_slugs"] = holes_json(run.drilled[i].slugs, true);
+            }
         }
         list.push_back({{"planes", std::move(planes)}, {"within_tolerance", known(run.passes())}});
         if (run.read_with) {

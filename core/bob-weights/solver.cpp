@@ -160,13 +160,10 @@ void solve_weigh_in(const Input& input, double factor, const workshop::SetFinder
     }
 }
 
-/// The planes with all that a correction needs; nothing while something is missing or cannot be.
-bool is_complete(const Correction& correction) {
-    const auto has_plane = [](const Plane& plane) { return plane.position && plane.radius; };
-    return correction.planes.size() == 2 && correction.readings.size() == 2 &&
-           std::all_of(correction.planes.begin(), correction.planes.end(), has_plane) &&
-           std::all_of(correction.readings.begin(), correction.readings.end(), is_read<Reading>) &&
-           *correction.planes[0].position != *correction.planes[1].position &&
+/// Planes and drills with all that a plan needs; false while something is missing.
+bool can_drill(const Correction& correction) {
+    return std::all_of(correction.planes.begin(), correction.planes.end(),
+                       [](const Plane& plane) { return plane.radius.has_value(); }) &&
            !correction.drill.diameters_mm.empty() && correction.drill.maximum_depth;
 }
 
@@ -180,8 +177,9 @@ std::optional<bool> both(const std::optional<bool>& first, const std::optional<b
     return first && second ? std::optional(*first && *second) : std::nullopt;
 }
 
-Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
-                 bool has_slugs) {
+/// @param beside  holes of earlier runs are in that plane
+Message describe(Shortfall shortfall, double left, double angle, const Plane& plane, bool has_slugs,
+                 bool beside) {
     const Number grams{std::abs(left) / *plane.radius / units::gram, units::gram, -2};
     const Number at{turn_of(angle) / degree, units::degree, -1};
     switch (shortfall) {
@@ -207,6 +205,18 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                                           "much on there."),
                     grams, at};
         case Shortfall::too_little_room:
+            if (beside) {
+                return {has_slugs ? CORE_TEXT("bob-weights",
+                                              "Beside the holes of earlier runs holes and slugs "
+                                              "have too little room: %1 at the radius remain at "
+                                              "%2. As a last resort weld that much on opposite.")
+                                  : CORE_TEXT("bob-weights",
+                                              "Beside the holes of earlier runs there is too "
+                                              "little room: %1 at the radius remain at %2. Deeper "
+                                              "or wider holes, heavy metal pressed in opposite, "
+                                              "or as a last resort as much welded on there."),
+                        grams, at};
+            }
             return {has_slugs
                         ? CORE_TEXT("bob-weights",
                                     "Holes and slugs have too little room: %1 at the radius remain "
@@ -220,16 +230,27 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
     return {};
 }
 
+/// @param before  what was drilled there and pressed in after earlier runs
 PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& correction,
-                    const std::optional<double>& permissible) {
+                    const std::optional<double>& permissible, const Metal& before) {
     const Drill& drill = correction.drill;
     PlaneResult result{};
     result.unbalance = std::abs(unbalance);
     result.angle = turn_of(std::arg(unbalance));
     result.grams_at_radius = result.unbalance / *plane.radius;
 
+    const Cut cut{*plane.radius, drill.density, drill.point_angle};
     HoleLimits limits{*drill.maximum_depth, drill.depth_step,    drill.minimum_wall,
                       drill.maximum_holes,  drill.maximum_angle, std::nullopt};
+    const auto take = [&](const std::vector<Hole>& holes, double point_angle) {
+        for (const Hole& hole : holes) {
+            limits.taken.push_back(
+                {hole.angle, half_width({cut.radius, cut.density, point_angle}, hole.diameter,
+                                        hole.depth, drill.minimum_wall)});
+        }
+    };
+    take(before.holes, drill.point_angle);
+    take(before.slugs, pi);
     if (plane.from_angle && plane.to_angle) {
         limits.sector = {*plane.from_angle, *plane.to_angle};
     }
@@ -238,9 +259,7 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
         diameters.push_back(diameter * units::mm);
     }
     const double tolerance = permissible.value_or(-1.0);
-    HolePlan plan =
-        plan_holes(result.unbalance, result.angle,
-                   {*plane.radius, drill.density, drill.point_angle}, diameters, limits, tolerance);
+    HolePlan plan = plan_holes(result.unbalance, result.angle, cut, diameters, limits, tolerance);
     result.holes = std::move(plan.holes);
     const auto is_left = [&] {
         return plan.left > std::max(tolerance, 0.0) &&
@@ -272,8 +291,8 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     result.measured_within = is_within(result.unbalance, permissible);
     result.within_tolerance = is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
-        result.reason =
-            describe(plan.shortfall, result.remaining, result.remaining_angle, plane, has_slugs);
+        result.reason = describe(plan.shortfall, result.remaining, result.remaining_angle, plane,
+                                 has_slugs, !before.empty());
     }
     return result;
 }
@@ -307,6 +326,27 @@ std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
         read[i] = std::polar(*readings[i].unbalance, readings[i].angle.value_or(0.0));
     }
     return read;
+}
+
+/// What the case says was drilled and pressed in after a run.
+std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction) {
+    std::array<Metal, 2> drilled;
+    for (const DrilledHole& hole : holes) {
+        const auto plane = static_cast<std::size_t>(hole.plane);
+        const bool is_slug = hole.mass < 0.0;
+        const auto radius = correction.planes.at(plane).radius;
+        double lever = 0.0;
+        if (radius) {
+            const Removed unit =
+                Cut{*radius, 1.0, is_slug ? pi : correction.drill.point_angle}.removed(
+                    hole.diameter, hole.depth);
+            lever = unit.mass > 0.0 ? unit.unbalance / unit.mass : *radius;
+        }
+        const double mass = std::abs(hole.mass);
+        (is_slug ? drilled[plane].slugs : drilled[plane].holes)
+            .push_back({hole.diameter, hole.depth, turn_of(hole.angle), mass, mass * lever});
+    }
+    return drilled;
 }
 
 void solve_correction(const Input& input, Result& result) {
@@ -344,8 +384,32 @@ void solve_correction(const Input& input, Result& result) {
         }
         result.runs.push_back(std::move(run));
     };
-    for (const EarlierRun& run : correction.earlier_runs) {
-        add_run(run.readings);
+    std::array<Metal, 2> before;
+    const auto in_plane = [&](const RunResult& run, std::size_t i) {
+        const RunResult::InPlane& read = (*run.planes)[i];
+        return correct(std::polar(read.unbalance, read.angle), correction.planes[i], correction,
+                       limit(i), before[i]);
+    };
+    for (const EarlierRun& earlier : correction.earlier_runs) {
+        add_run(earlier.readings);
+        RunResult& run = result.runs.back();
+        // Holes of another crankshaft are not in this one; after readings of another bob weight
+        // those alone that were drilled before it changed.
+        if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
+            run.drilled = recorded(*earlier.drilled, correction);
+        } else if (!earlier.drilled && run.planes && run.holds() && can_drill(correction)) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                PlaneResult planned = in_plane(run, i);
+                run.drilled[i] = {std::move(planned.holes), std::move(planned.slugs)};
+            }
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto join = [](std::vector<Hole>& all, const std::vector<Hole>& more) {
+                all.insert(all.end(), more.begin(), more.end());
+            };
+            join(before[i].holes, run.drilled[i].holes);
+            join(before[i].slugs, run.drilled[i].slugs);
+        }
     }
     add_run(correction.readings);
     if (!places) {
@@ -362,15 +426,10 @@ void solve_correction(const Input& input, Result& result) {
         worst = std::max(worst, sum);
     }
     result.amplification = worst;
-    if (!is_complete(correction)) {
-        return;
+    const RunResult& newest = result.runs.back();
+    if (newest.planes && can_drill(correction)) {
+        result.correction = {in_plane(newest, 0), in_plane(newest, 1)};
     }
-    const auto there =
-        carried_over(vectors_of(correction.readings).value(), places->from, places->to);
-    const auto in_plane = [&](std::size_t i) {
-        return correct(there[i], correction.planes[i], correction, limit(i));
-    };
-    result.correction = {in_plane(0), in_plane(1)};
 }
 
 /// Where engine and factor contradict each other there is no bob weight, nor what needs one.
@@ -400,6 +459,26 @@ std::optional<bool> RunResult::passes() const {
 std::optional<bool> Result::passes_after() const {
     return correction ? both((*correction)[0].within_tolerance, (*correction)[1].within_tolerance)
                       : std::nullopt;
+}
+
+std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
+    if (!result.correction) {
+        return std::nullopt;
+    }
+    std::vector<DrilledHole> list;
+    for (const PlaneName plane : {PlaneName::front, PlaneName::rear}) {
+        const PlaneResult& planned = (*result.correction)[static_cast<std::size_t>(plane)];
+        const auto add = [&](const std::vector<Hole>& holes, double sign) {
+            for (const Hole& hole : holes) {
+                list.push_back({plane, hole.diameter, hole.depth, hole.angle, sign * hole.mass});
+            }
+        };
+        if (result.holds()) {
+            add(planned.holes, 1.0);
+            add(planned.slugs, -1.0);
+        }
+    }
+    return list;
 }
 
 std::vector<const Field*> missing_for_bob_weight(const Input& input) {

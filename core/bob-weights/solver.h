@@ -9,6 +9,11 @@ namespace ravnoves::bob_weights {
 /// @param find  which set goes to which cylinder
 Result solve(const Input& given, const workshop::SetFinder& find = workshop::best_placing);
 
+/// What is to be drilled by the run that is corrected, for the record of it: nothing where its
+/// readings do not hold.
+/// @return empty while there is no plan
+std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
+
 /// The limits of the two planes.
 ///
 /// By grade U_per = m G / ω is shared as the centre of mass lies between the planes, each share

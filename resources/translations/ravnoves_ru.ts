@@ -304,6 +304,18 @@
         <source>%1 at %2</source>
         <translation>%1 при %2</translation>
     </message>
+    <message>
+        <source>Already drilled</source>
+        <translation>Уже просверлено</translation>
+    </message>
+    <message>
+        <source>What is already drilled is taken as drilled as planned after these readings: %1. New holes keep clear of it.</source>
+        <translation>Уже просверленное считается сделанным, как рассчитано по показаниям: %1. Новые отверстия его обходят.</translation>
+    </message>
+    <message>
+        <source>Taken off in all, %1</source>
+        <translation>Снято всего, %1</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -992,6 +1004,10 @@
     <message>
         <source>watch</source>
         <translation>наблюдаемое</translation>
+    </message>
+    <message>
+        <source>drilled</source>
+        <translation>просверлено</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4064,62 @@
     <message>
         <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it.</source>
         <translation>Развал %1: при 50&#xa0;% снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Передняя</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Задняя</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>Where it was drilled.</source>
+        <translation>Где просверлено.</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Отверстие</translation>
+    </message>
+    <message>
+        <source>Diameter of hole or slug.</source>
+        <translation>Диаметр отверстия или вставки.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глубина</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Угол</translation>
+    </message>
+    <message>
+        <source>From the machine&apos;s zero mark.</source>
+        <translation>От нулевой метки станка.</translation>
+    </message>
+    <message>
+        <source>Takes off</source>
+        <translation>Снимает</translation>
+    </message>
+    <message>
+        <source>Negative: a slug, which adds so much.</source>
+        <translation>Отрицательно: вставка, которая столько прибавляет.</translation>
+    </message>
+    <message>
+        <source>Beside the holes of earlier runs holes and slugs have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
+        <translation>Рядом с отверстиями прежних пусков отверстиям и вставкам мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>Beside the holes of earlier runs there is too little room: %1 at the radius remain at %2. Deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
+        <translation>Рядом с отверстиями прежних пусков мало места: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
+    </message>
+    <message>
+        <source>Holes and slugs that were planned after that run, taken as drilled as planned; later holes keep clear of them. Where the list is missing they are planned from its readings with the planes and drills of the case.</source>
+        <translation>Отверстия и вставки, рассчитанные после этого пуска; считаются сделанными, как рассчитано, и следующие отверстия их обходят. Если списка нет, они рассчитываются по его показаниям с плоскостями и свёрлами задачи.</translation>
     </message>
 </context>
 <context>
@@ -8665,6 +8737,10 @@ but nothing can be built</source>
         <source>Runs of the machine</source>
         <translation>Пуски станка</translation>
     </message>
+    <message>
+        <source>Already drilled</source>
+        <translation>Уже просверлено</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobDrillsSheet</name>
@@ -12846,16 +12922,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::PlaneView</name>
     <message>
-        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite. 0° is above, angles grow clockwise.</source>
-        <translation>Стрелка — показание, штриховой круг — допуск, точка — остаток; отверстия в ободе, вставки напротив. 0° вверху, углы растут по часовой стрелке.</translation>
-    </message>
-    <message>
         <source>%1 at %2</source>
         <translation>%1 под углом %2</translation>
     </message>
     <message>
         <source>no correction yet</source>
         <translation>коррекции пока нет</translation>
+    </message>
+    <message>
+        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite, paler what is drilled already. 0° is above, angles grow clockwise.</source>
+        <translation>Стрелка — показание, штриховой круг — допуск, точка — остаток; отверстия в ободе, вставки напротив, бледнее — что уже просверлено. 0° вверху, углы растут по часовой стрелке.</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,11 @@ QWidget* BobAnswer::buildCorrection() {
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
     column->addWidget(holeNote_);
+    drilledHeading_ = headingLabel(tr("Already drilled"), panel);
+    column->addWidget(drilledHeading_);
+    drilled_ = table(tr("Already drilled"));
+    drilledNote_ = copyableCaption("drilled_note", panel);
+    column->addWidget(drilledNote_);
     return panel;
 }
 
@@ -123,6 +128,9 @@ void BobAnswer::showAnswer() {
     holes_->setOrHide(model_->holeResults());
     sayOrHide(asReadNote_, bob_text::asReadNote(Words(), model_->input(), model_->solution()));
     sayOrHide(holeNote_, model_->holeNote());
+    drilled_->setOrHide(model_->drilledResults());
+    drilledHeading_->setVisible(drilled_->rowCount() > 0);
+    sayOrHide(drilledNote_, model_->drilledNote());
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
 }
 
@@ -131,15 +139,16 @@ QString BobAnswer::asText() const {
                      factor_->text(),   limits_->text(),  troubles_->text()};
     said.removeAll(QString());
     QString text = said.join(QLatin1Char('\n'));
-    for (const ResultTable* table : {lines_, runs_, planes_, holes_}) {
+    for (const ResultTable* table : {lines_, runs_, planes_, holes_, drilled_}) {
         text += QLatin1Char('\n') + table->asText();
     }
-    return text + holeNote_->text();
+    return text + holeNote_->text() + QLatin1Char('\n') + drilledNote_->text();
 }
 
 QString BobAnswer::asCsv() const {
     return lines_->asCsv() + QLatin1Char('\n') + runs_->asCsv() + QLatin1Char('\n') +
-           planes_->asCsv() + QLatin1Char('\n') + holes_->asCsv();
+           planes_->asCsv() + QLatin1Char('\n') + holes_->asCsv() + QLatin1Char('\n') +
+           drilled_->asCsv();
 }
 
 }  // namespace ravnoves

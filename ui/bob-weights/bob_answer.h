@@ -45,6 +45,9 @@ class BobAnswer : public QWidget {
     ResultTable* holes_ = nullptr;
     QLabel* asReadNote_ = nullptr;
     QLabel* holeNote_ = nullptr;
+    QLabel* drilledHeading_ = nullptr;
+    ResultTable* drilled_ = nullptr;
+    QLabel* drilledNote_ = nullptr;
 };
 
 }  // namespace ravnoves

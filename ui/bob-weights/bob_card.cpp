@@ -226,6 +226,12 @@ void BobCard::draw(CardPage& page) const {
         placed.removeAll(QString());
     }
     blocks.push_back(runBlock(words(), input_.correction, solution_));
+    if (auto drilled = bob_text::drilled(words(), solution_); !drilled.isEmpty()) {
+        blocks.push_back({words().translate("BobWeights", "Already drilled"),
+                          {{28, Qt::AlignLeft}, {38, Qt::AlignLeft}, {22}, {68}, {26}},
+                          bob_text::drilledHead(words()),
+                          std::move(drilled)});
+    }
     if (solution_.correction) {
         blocks.push_back({words().translate("BobWeights", "Correction: measured → after it"),
                           {{38, Qt::AlignLeft}, {32}, {24}, {28}, {30}, {30, Qt::AlignHCenter}},
@@ -252,6 +258,7 @@ void BobCard::draw(CardPage& page) const {
         Note{placed.join(QLatin1Char(' ')), CardPage::ink},
         Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
         Note{bob_text::holeNote(words(), solution_), CardPage::ink},
+        Note{bob_text::drilledNote(words(), solution_), CardPage::ink},
         Note{bob_text::warnings(words(), input_, solution_).join(QLatin1Char(' ')),
              CardPage::amber}};
     // What the tables have room for.

@@ -37,7 +37,8 @@ PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, this, repaint);
     setToolTip(
         tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
-           "in the rim, slugs opposite. 0° is above, angles grow clockwise."));
+           "in the rim, slugs opposite, paler what is drilled already. 0° is above, angles grow "
+           "clockwise."));
     repaint();
 }
 
@@ -71,6 +72,11 @@ QString PlaneView::table(const CsvFormat& format) const {
     const auto holes = bob_text::holes(words, solution, plane_);
     text += holes.isEmpty() ? QString() : format.line(bob_text::holeHead(words));
     for (const ResultRow& hole : holes) {
+        text += format.line(hole.texts());
+    }
+    const auto drilled = bob_text::drilled(words, solution, plane_);
+    text += drilled.isEmpty() ? QString() : format.line(bob_text::drilledHead(words));
+    for (const ResultRow& hole : drilled) {
         text += format.line(hole.texts());
     }
     return text;
@@ -128,30 +134,40 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     }
     painter.setPen(QPen(theme.text(), 1.4));
     painter.drawEllipse(QPointF(0, 0), rim, rim);
+    constexpr float pale = 0.4F;
+    for (const RunResult& run : model_->solution().runs) {
+        drawHoles(painter, rim, run.drilled[plane_], pale);
+    }
     if (!correction) {
         return;
     }
     if (model_->solution().holds()) {
-        drawHoles(painter, rim);
+        drawSector(painter, rim);
+        drawHoles(painter, rim, {result()->holes, result()->slugs}, 1.0F);
     }
     drawVectors(painter, rim);
 }
 
-void PlaneView::drawHoles(QPainter& painter, double rim) const {
-    const Theme& theme = Theme::instance();
-    const Correction& input = *model_->input().correction;
-    const Plane& plane = input.planes.at(plane_);
-    const PlaneResult& result = (*model_->solution().correction)[plane_];
-    const double scale = rim / *plane.radius;
+void PlaneView::drawSector(QPainter& painter, double rim) const {
+    const Plane& plane = model_->input().correction->planes.at(plane_);
     if (plane.from_angle && plane.to_angle) {
         const double span = turn_of(*plane.to_angle - *plane.from_angle);
-        painter.setPen(QPen(theme.mutedText(), 4.0, Qt::SolidLine, Qt::FlatCap));
+        painter.setPen(QPen(Theme::instance().mutedText(), 4.0, Qt::SolidLine, Qt::FlatCap));
         // Qt counts from the right, anticlockwise, in sixteenths of a degree.
         painter.drawArc(QRectF(-rim - 3.0, -rim - 3.0, 2.0 * rim + 6.0, 2.0 * rim + 6.0),
                         static_cast<int>(16.0 * (90.0 - *plane.from_angle / degree)),
                         static_cast<int>(-16.0 * span / degree));
     }
-    const auto draw = [&](const Hole& hole, double cone, const QColor& colour) {
+}
+
+void PlaneView::drawHoles(QPainter& painter, double rim, const Metal& metal, float alpha) const {
+    const Correction& input = *model_->input().correction;
+    const std::optional<double> radius = input.planes.at(plane_).radius;
+    if (!radius) {
+        return;
+    }
+    const double scale = rim / *radius;
+    const auto draw = [&](const Hole& hole, double cone, QColor colour) {
         const double half = 0.5 * hole.diameter * scale;
         const double depth = hole.depth * scale;
         QPainterPath path(QPointF(-half, -rim));
@@ -162,18 +178,19 @@ void PlaneView::drawHoles(QPainter& painter, double rim) const {
         path.closeSubpath();
         painter.save();
         painter.rotate(hole.angle / degree);
+        colour.setAlphaF(alpha);
         painter.setPen(QPen(colour, 1.2));
-        QColor fill = colour;
-        fill.setAlpha(70);
-        painter.setBrush(fill);
+        constexpr float fill = 70.0F / 255.0F;
+        colour.setAlphaF(fill * alpha);
+        painter.setBrush(colour);
         painter.drawPath(path);
         painter.restore();
     };
-    for (const Hole& hole : result.holes) {
-        draw(hole, Cut{*plane.radius, 1.0, input.drill.point_angle}.cone(hole.diameter),
-             theme.warning());
+    const Theme& theme = Theme::instance();
+    for (const Hole& hole : metal.holes) {
+        draw(hole, Cut{*radius, 1.0, input.drill.point_angle}.cone(hole.diameter), theme.warning());
     }
-    for (const Hole& slug : result.slugs) {
+    for (const Hole& slug : metal.slugs) {
         draw(slug, 0.0, theme.curve(4));
     }
 }

@@ -10,8 +10,9 @@ class QPainter;
 namespace ravnoves {
 
 namespace bob_weights {
+struct Metal;
 struct PlaneResult;
-}
+}  // namespace bob_weights
 struct CsvFormat;
 
 class BobWeightsModel;
@@ -40,7 +41,10 @@ class PlaneView : public ComparedFigure {
     std::optional<double> limit() const;
     /// The longest of reading and limit, also of the reference.
     double longest() const;
-    void drawHoles(QPainter& painter, double rim) const;
+    void drawSector(QPainter& painter, double rim) const;
+    /// @param alpha  of their outlines; what was drilled earlier is paler
+    void drawHoles(QPainter& painter, double rim, const bob_weights::Metal& metal,
+                   float alpha) const;
     void drawVectors(QPainter& painter, double rim) const;
 
     BobWeightsModel* model_;

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "case-file/json.h"
@@ -284,10 +285,10 @@ class Inputs {
         return cells;
     }
 
-    /// One line a row; where the rows hold lists of objects themselves, one for each object of
-    /// them, and what the row has beside in the first of its lines.
+    /// One line a row; where the rows hold a list of objects themselves, one for each object of it,
+    /// and what the row has beside in the first of its lines. Each further such list is a table of
+    /// its own.
     void list(const Json& rows, const std::string& pointer, const std::string& key) {
-        const std::string first = pointer + "/0";
         std::vector<std::string> paths = pathsOf(rows);
         const auto isList = [&](const std::string& path) {
             const Json::json_pointer at(path);
@@ -296,11 +297,28 @@ class Inputs {
                        isRow(row.at(at));
             });
         };
-        const auto inner = std::find_if(paths.begin(), paths.end(), isList);
-        const std::string within = inner == paths.end() ? std::string() : *inner;
+        const auto firstList =
+            std::stable_partition(paths.begin(), paths.end(), std::not_fn(isList));
+        const std::vector<std::string> within(firstList, paths.end());
+        paths.erase(firstList, paths.end());
+        const QString caption = nameOf(pointer, key);
+        lists_.push_back(
+            rowTable(rows, pointer, caption, paths, within.empty() ? std::string() : within[0]));
+        for (std::size_t i = 1; i < within.size(); ++i) {
+            const QString name =
+                nameOf(pointer + "/0" + within[i], within[i].substr(within[i].rfind('/') + 1));
+            lists_.push_back(
+                rowTable(rows, pointer, caption + QStringLiteral(": ") + name, {}, within[i]));
+        }
+    }
+
+    /// @param paths   what a row has
+    /// @param within  the list of objects in a row; empty: none
+    Table rowTable(const Json& rows, const std::string& pointer, const QString& caption,
+                   const std::vector<std::string>& paths, const std::string& within) {
+        const std::string first = pointer + "/0";
         Json parts = Json::array();  // of all rows, for the columns
         if (!within.empty()) {
-            paths.erase(inner);
             for (const Json& row : rows) {
                 for (const Json& part : row.value(Json::json_pointer(within), Json::array())) {
                     parts.push_back(part);
@@ -310,7 +328,7 @@ class Inputs {
         const std::string firstPart = first + within + "/0";
         const std::vector<std::string> partPaths = pathsOf(parts);
         Table table;
-        table.caption = nameOf(pointer, key);
+        table.caption = caption;
         table.headings << QStringLiteral("№");
         table.numbers << false;
         addColumns(paths, first, table);
@@ -335,7 +353,7 @@ class Inputs {
             }
         }
         table.isSmall = paths.size() + partPaths.size() > 5;
-        lists_.push_back(std::move(table));
+        return table;
     }
 
     std::map<std::string, FieldEntry> entries_;

@@ -69,10 +69,10 @@ TEST(Vectors, AreCarriedOverWithForceAndMoment) {
     }
 }
 
-/// Least distance between two holes at `angle` from each other, by points on their outlines in the
-/// plane of both axes.
-double wall_between(const Cut& cut, double diameter, double depth, double angle) {
-    const auto outline = [&](double turn, double side) {
+/// Least distance between two holes, by points on their outlines in the plane of both axes.
+double wall_between(const Cut& cut, const Hole& first, const Hole& second) {
+    const auto outline = [&](const Hole& hole, double turn, double side) {
+        const auto& [diameter, depth, at, mass, unbalance] = hole;
         std::vector<std::complex<double>> points;
         const double point = cut.cone(diameter);
         for (int i = 0; i <= 400; ++i) {
@@ -85,8 +85,9 @@ double wall_between(const Cut& cut, double diameter, double depth, double angle)
         return points;
     };
     double least = 1.0;
-    const auto other = outline(angle, -1.0);
-    for (const auto& a : outline(0.0, 1.0)) {
+    const double angle = std::abs(std::remainder(second.angle - first.angle, 2.0 * pi));
+    const auto other = outline(second, angle, -1.0);
+    for (const auto& a : outline(first, 0.0, 1.0)) {
         for (const auto& b : other) {
             least = std::min(least, std::abs(a - b));
         }
@@ -100,7 +101,9 @@ TEST(Spacing, LeavesTheWallAndNoMore) {
         for (const double depth : {0.0, 10 * mm, 30 * mm}) {
             const auto angle = hole_spacing(cut, 12 * mm, depth, 3 * mm);
             ASSERT_TRUE(angle);
-            EXPECT_NEAR(wall_between(cut, 12 * mm, depth, *angle), 3 * mm, 0.05 * mm);
+            EXPECT_NEAR(
+                wall_between(cut, {12 * mm, depth, 0, 0, 0}, {12 * mm, depth, *angle, 0, 0}),
+                3 * mm, 0.05 * mm);
         }
     }
     EXPECT_FALSE(hole_spacing({20 * mm, 7850, pi}, 12 * mm, 19 * mm, 3 * mm));
@@ -147,13 +150,59 @@ TEST(Plan, KeepsItsLimits) {
             EXPECT_NEAR(std::remainder(hole.depth, limits.depth_step), 0.0, 1e-12);
             EXPECT_LE(std::abs(std::remainder(hole.angle + 2.0, 2.0 * pi)), 60 * degree + 1e-12);
             if (i > 0) {
-                EXPECT_GE(wall_between(rim, hole.diameter, hole.depth,
-                                       turn_of(hole.angle - plan.holes[i - 1].angle)),
-                          3 * mm - 1e-9);
+                EXPECT_GE(wall_between(rim, hole, plan.holes[i - 1]), 3 * mm - 1e-9);
             }
         }
         EXPECT_NEAR(plan.left, target * gram_mm - std::abs(sum_of(plan)), 1e-12);
     }
+}
+
+TEST(Plan, KeepsClearOfEarlierHoles) {
+    int planned = 0;
+    int without_room = 0;
+    for (const double earlier : {400.0, 2800.0, 7000.0}) {
+        const HolePlan before = plan_holes(earlier * gram_mm, 1.0, rim, drills, usual, -1.0);
+        HoleLimits limits = usual;
+        for (const Hole& hole : before.holes) {
+            limits.taken.push_back(
+                {hole.angle, half_width(rim, hole.diameter, hole.depth, 3 * mm)});
+        }
+        for (const double angle : {1.0, 1.01, 1.15, 0.8, 1.4, 4.0}) {
+            for (double target = 200.0; target < 8000.0; target *= 1.6) {
+                const HolePlan plan =
+                    plan_holes(target * gram_mm, angle, rim, drills, limits, -1.0);
+                for (const Hole& hole : plan.holes) {
+                    for (const Hole& old : before.holes) {
+                        EXPECT_GE(wall_between(rim, hole, old), 3 * mm - 1e-9)
+                            << earlier << ' ' << angle << ' ' << target;
+                    }
+                    for (const Hole& other : plan.holes) {
+                        EXPECT_TRUE(&hole == &other ||
+                                    wall_between(rim, hole, other) >= 3 * mm - 1e-9);
+                    }
+                }
+                EXPECT_NEAR(plan.left, target * gram_mm - std::abs(sum_of(plan)), 1e-12);
+                if (plan.shortfall == Shortfall::none) {
+                    EXPECT_LT(std::abs(sum_of(plan) - std::polar(target * gram_mm, angle)),
+                              1e-6 * gram_mm);
+                    ++planned;
+                } else {
+                    EXPECT_TRUE(plan.shortfall == Shortfall::too_little_room ||
+                                std::abs(plan.left) >= target * gram_mm);
+                    ++without_room;
+                }
+            }
+        }
+    }
+    EXPECT_GT(planned, 80);
+    EXPECT_GT(without_room, 3);
+    // In a hole that is there one alone has no room: it says so rather than that it is too large.
+    HoleLimits alone = usual;
+    alone.maximum_holes = 1;
+    alone.taken = {{1.0, 0.1}};
+    const HolePlan none = plan_holes(400 * gram_mm, 1.0, rim, drills, alone, -1.0);
+    EXPECT_EQ(none.shortfall, Shortfall::too_little_room);
+    EXPECT_TRUE(none.holes.empty());
 }
 
 TEST(Plan, TheLastHoleMayLieAtTheLargestAngleAndNoFurther) {

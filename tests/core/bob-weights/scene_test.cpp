@@ -380,7 +380,9 @@ TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
     }
     const Json after = solved(input).at("correction");
     ASSERT_EQ(after.at("runs").size(), 2u);
-    EXPECT_EQ(after.at("runs")[0], before.at("runs")[0]);
+    for (const auto& [key, value] : before.at("runs")[0].at("planes")[0].items()) {
+        EXPECT_EQ(after.at("runs")[0].at("planes")[0].at(key), value);
+    }
     EXPECT_TRUE(after.at("runs")[1].at("within_tolerance").get<bool>());
     EXPECT_TRUE(after.at("planes")[0].at("holes").empty());
     EXPECT_EQ(write_input(read_input(input)).at("correction").at("earlier_runs"),
@@ -395,6 +397,122 @@ TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
     input["correction"]["readings"][1]["position_mm"] = 600;
     EXPECT_NEAR(solved(input).at("correction").at("amplification").get<double>(), 980.0 / 420.0,
                 1e-12);
+}
+
+TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
+    Json input = with_correction();
+    input["job"] = {{"engine_number", "2"}};
+    input["tolerance"] = {{"g_mm", 200}};
+    const Json first = solved(input).at("correction").at("planes");
+    Json& correction = input["correction"];
+    correction["earlier_runs"] = Json::array({{{"readings", correction["readings"]}}});
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 900, "angle_deg": 39},
+                                            {"unbalance_g_mm": 100, "angle_deg": 20}])");
+    const auto drilled = [&](std::size_t run, std::size_t plane) {
+        return solved(input)
+            .at("correction")
+            .at("runs")[run]
+            .at("planes")[plane]
+            .at("drilled_holes");
+    };
+    Json after = solved(input).at("correction");
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        EXPECT_EQ(drilled(0, plane), first[plane].at("holes"));
+        EXPECT_FALSE(after.at("runs")[1].at("planes")[plane].contains("drilled_holes"));
+    }
+    const Cut rim{85e-3, 7850, 118 * degree};
+    const auto half = [&](const Json& hole) {
+        return *half_width(rim, hole.at("diameter_mm").get<double>() * 1e-3,
+                           hole.at("depth_mm").get<double>() * 1e-3, 3e-3);
+    };
+    const Json& front = after.at("planes")[0];
+    ASSERT_EQ(front.at("holes").size(), 2u) << "to both sides of the first";
+    for (const Json& hole : front.at("holes")) {
+        const double apart = std::abs(hole.at("angle_deg").get<double>() - 40) * degree;
+        EXPECT_GE(apart, half(hole) + half(first[0].at("holes")[0]) - 1e-12);
+    }
+    EXPECT_NEAR(left_of(front), front.at("remaining_g_mm").get<double>(), 1e-6);
+    EXPECT_TRUE(front.at("within_tolerance").get<bool>());
+    EXPECT_TRUE(after.at("planes")[1].at("holes").empty()) << "within its limit";
+
+    // The record goes before what other drills would be asked for now.
+    Json run = correction["earlier_runs"][0];
+    run["drilled"] = Json::array();
+    for (const PlaneName plane : {PlaneName::front, PlaneName::rear}) {
+        for (const Json& hole : first[static_cast<std::size_t>(plane)].at("holes")) {
+            Json line{{"plane", plane == PlaneName::front ? "front" : "rear"}};
+            line.update(hole);
+            line.erase("removed_g_mm");
+            run["drilled"].push_back(std::move(line));
+        }
+    }
+    correction["drill"]["diameters_mm"] = {8, 20};
+    EXPECT_NE(drilled(0, 0)[0].at("diameter_mm"), first[0].at("holes")[0].at("diameter_mm"));
+    correction["earlier_runs"][0] = run;
+    for (const char* key : {"diameter_mm", "depth_mm", "angle_deg", "removed_g", "removed_g_mm"}) {
+        EXPECT_NEAR(drilled(0, 0)[0].at(key).get<double>(),
+                    first[0].at("holes")[0].at(key).get<double>(), 1e-6)
+            << key;
+    }
+    EXPECT_EQ(write_input(read_input(input)).at("correction").at("earlier_runs")[0].at("drilled"),
+              run.at("drilled"));
+    correction["drill"]["diameters_mm"] = {10, 16};
+
+    // A third run keeps clear of both; one that passed has drilled nothing.
+    correction["earlier_runs"].push_back({{"readings", correction["readings"]}});
+    EXPECT_EQ(drilled(1, 0), front.at("holes"));
+    EXPECT_TRUE(drilled(1, 1).empty());
+    const Json third = solved(input).at("correction").at("planes")[0];
+    ASSERT_FALSE(third.at("holes").empty());
+    for (const Json& hole : third.at("holes")) {
+        for (const Json& old : front.at("holes")) {
+            EXPECT_GE(
+                std::abs(hole.at("angle_deg").get<double>() - old.at("angle_deg").get<double>()) *
+                    degree,
+                half(hole) + half(old) - 1e-12);
+        }
+    }
+    // Without room it says why.
+    correction["drill"]["maximum_holes"] = 1;
+    const Json stuck = solved(input).at("correction").at("planes")[0];
+    EXPECT_TRUE(stuck.at("holes").empty());
+    EXPECT_EQ(stuck.at("reason").get<std::string>().find(
+                  "Beside the holes of earlier runs there is too little room: 10.59 g"),
+              0u)
+        << stuck.at("reason");
+    // Of another crankshaft, or planned by readings of another bob weight, is nothing.
+    correction["earlier_runs"][1]["readings"][0]["bobweight_g"] = 1400;
+    EXPECT_TRUE(drilled(1, 0).empty());
+    EXPECT_FALSE(drilled(0, 0).empty());
+    correction["earlier_runs"][0]["readings"][0]["read_of"] = {{"engine_number", "1"}};
+    EXPECT_TRUE(drilled(0, 0).empty());
+}
+
+TEST(Correction, EarlierSlugsAreTakenToo) {
+    Json input = with_correction();
+    input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
+    input["correction"]["readings"][0]["unbalance_g_mm"] = 20'000;
+    const Json first = solved(input).at("correction").at("planes")[0];
+    ASSERT_FALSE(first.at("slugs").empty());
+    Json& correction = input["correction"];
+    correction["earlier_runs"] = Json::array({{{"readings", correction["readings"]}}});
+    correction["readings"][0] = {{"unbalance_g_mm", 500}, {"angle_deg", 220}};
+    const Json after = solved(input).at("correction");
+    EXPECT_EQ(after.at("runs")[0].at("planes")[0].at("drilled_slugs"), first.at("slugs"));
+    for (const Json& hole : after.at("planes")[0].at("holes")) {
+        for (const Json& slug : first.at("slugs")) {
+            EXPECT_GT(
+                std::abs(hole.at("angle_deg").get<double>() - slug.at("angle_deg").get<double>()),
+                10);
+        }
+    }
+    // Of a slug's record the sign says what it is.
+    correction["earlier_runs"][0]["drilled"] = parse_json(R"([{"plane": "front", "diameter_mm": 25,
+        "depth_mm": 20, "angle_deg": -140, "removed_g": -50}])");
+    const Json slug =
+        solved(input).at("correction").at("runs")[0].at("planes")[0].at("drilled_slugs")[0];
+    EXPECT_NEAR(slug.at("removed_g_mm").get<double>(), -50 * 75, 1e-6);
+    EXPECT_NEAR(slug.at("angle_deg").get<double>(), 220, 1e-9);
 }
 
 TEST(BearingPlaces, AreJudgedOnlyWhereBothPlanesAreKnown) {

@@ -25,6 +25,7 @@
 #include "bob-weights/bob_card.h"
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
+#include "bob-weights/plane_view.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
@@ -880,7 +881,9 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
     EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
     ASSERT_TRUE(model->solution().correction);
-    EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, 80 * degree, 1e-9)
+    const std::vector<Hole>& holes = (*model->solution().correction)[0].holes;
+    ASSERT_EQ(holes.size(), 2u) << "to both sides of what is drilled already";
+    EXPECT_NEAR(0.5 * (holes[0].angle + holes[1].angle), 80 * degree, 1e-9)
         << "the next correction is that of the newest run";
     EXPECT_EQ(rowsOf("Runs of the machine"), 2);
     EXPECT_EQ(model->runResults().rows.at(0).last(), u"fails"_s);
@@ -920,6 +923,70 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
     page.model()->undo();
     EXPECT_EQ(model->newestRun(), 2u);
+}
+
+TEST_F(BobPageTest, WhatIsDrilledStaysInSight) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(3);
+    const auto drilled = [this] {
+        QStringList rows;
+        for (const ResultRow& row : model->drilledResults().rows) {
+            rows << row.texts().join(u" | "_s);
+        }
+        return rows;
+    };
+    EXPECT_TRUE(drilled().isEmpty());
+    QStringList planned;
+    for (const ResultRow& row : model->holeResults().rows) {
+        planned << u"Before | "_s + row.texts().join(u" | "_s);
+    }
+    ASSERT_EQ(planned.size(), 2);
+    type("run_1_unbalance_1", u"900"_s);
+    EXPECT_EQ(drilled(), planned) << "also while the next run is being typed";
+    type("run_1_angle_1", u"73"_s);
+    type("run_1_unbalance_2", u"100"_s);
+    type("run_1_angle_2", u"210"_s);
+    EXPECT_EQ(drilled(), planned);
+    EXPECT_EQ(rowsOf("Already drilled"), 2);
+    EXPECT_EQ(
+        label("drilled_note"),
+        u"What is already drilled is taken as drilled as planned after these readings: before. "
+        "New holes keep clear of it."_s);
+    const QString depth = model->drilledResults().rows.at(0).at(2).text;
+    EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
+    EXPECT_TRUE(card().contains(depth + u'\n'));
+    EXPECT_TRUE(card().contains(label("drilled_note")));
+    // Other drills say nothing of the holes that are there, a reading that is put right does.
+    type("diameters_mm", u"10"_s);
+    EXPECT_EQ(drilled(), planned);
+    page.sheets()->setCurrentIndex(3);
+    type("angle_1", u"90"_s);
+    EXPECT_NE(drilled(), planned);
+    EXPECT_TRUE(drilled().at(0).contains(u"⌀ 10"_s)) << qPrintable(drilled().at(0));
+    page.model()->undo();
+    EXPECT_EQ(drilled(), planned);
+    // The picture has them where nothing is to be drilled, too.
+    const auto picture = [this] {
+        return page.findChild<PlaneView*>(u"plane_1"_s)->grab().toImage();
+    };
+    type("run_1_unbalance_1", u"1"_s);
+    const QImage drawn = picture();
+    model->editCorrection(u"none"_s, [](Correction& it) { it.earlier_runs[0].drilled.emplace(); });
+    EXPECT_TRUE(drilled().isEmpty());
+    EXPECT_NE(picture(), drawn);
+    page.model()->undo();
+    EXPECT_EQ(picture(), drawn);
+    page.model()->undo();
+    // Once all is within its limits they are still there.
+    type("run_2_unbalance_1", u"1"_s);
+    type("run_2_angle_1", u"10"_s);
+    type("run_2_unbalance_2", u"1"_s);
+    type("run_2_angle_2", u"10"_s);
+    ASSERT_TRUE(drilled().size() > 2);
+    EXPECT_EQ(drilled().mid(0, 2), planned);
+    EXPECT_TRUE(drilled().at(2).startsWith(u"Run 1 | Front"_s));
+    EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
 }
 
 TEST_F(BobPageTest, ColumnsArePasted) {

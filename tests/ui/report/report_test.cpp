@@ -252,6 +252,11 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
     correction["earlier_runs"] = {{{"readings", {reading(411, 31.5), reading(622, 275)}}},
                                   {{"readings", {reading(133, 42), reading(144, 0)}}}};
     correction["earlier_runs"][1]["readings"][1].erase("bobweight_g");
+    correction["earlier_runs"][1]["drilled"] = {{{"plane", "rear"},
+                                                 {"diameter_mm", 12.5},
+                                                 {"depth_mm", 11.25},
+                                                 {"angle_deg", 66},
+                                                 {"removed_g", 17.5}}};
     const QString path = file(u"runs.case.json"_s);
     QFile target(path);
     ASSERT_TRUE(target.open(QIODevice::WriteOnly));
@@ -276,6 +281,12 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
         }
         EXPECT_TRUE(text.contains(cells)) << cells.toStdString();
     }
+    EXPECT_FALSE(text.contains(u"diameter_mm"_s));
+    EXPECT_TRUE(text.contains(u"<td>2</td>"_s + number("1") + number("Rear") + number("12.5") +
+                              number("11.25") + number("66") + number("17.5")))
+        << "what was drilled after it is a table of its own";
+    EXPECT_TRUE(text.contains(u"Rear: ⌀ 12.5\u00A0mm"_s)) << "and among the results";
+    EXPECT_TRUE(text.contains(u"taken as drilled as planned after these readings"_s));
 }
 
 TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {

@@ -1,5 +1,6 @@
 #include "bob-weights/model/bob_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -474,35 +475,104 @@ QStringList holeHead(const Words& words) {
             words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram))};
 }
 
+namespace {
+
+/// "Front: ⌀ 16 mm", "Rear: slug ⌀ 25 mm".
+QString holeName(const Words& words, std::size_t plane, bool isSlug, double diameter) {
+    const QString work = plane == 0 ? (isSlug ? words.translate("BobWeights", "Front: slug ⌀ %1")
+                                              : words.translate("BobWeights", "Front: ⌀ %1"))
+                                    : (isSlug ? words.translate("BobWeights", "Rear: slug ⌀ %1")
+                                              : words.translate("BobWeights", "Rear: ⌀ %1"));
+    return work.arg(words.plainWithUnit(diameter, units::mm, 2));
+}
+
+/// Holes that are alike are a row, with the angle of each.
+void addDrilled(ResultRows& rows, const Words& words, const QString& run, std::size_t plane,
+                const std::vector<Hole>& holes, bool isSlug) {
+    const double sign = isSlug ? -1.0 : 1.0;
+    for (auto first = holes.begin(); first != holes.end();) {
+        const auto last = std::find_if(first, holes.end(), [&](const Hole& hole) {
+            return hole.diameter != first->diameter || hole.depth != first->depth;
+        });
+        QStringList angles;
+        double mass = 0.0;
+        for (auto hole = first; hole != last; ++hole) {
+            angles << degreesOf(words, hole->angle);
+            mass += sign * hole->mass;
+        }
+        rows << ResultRow{run, holeName(words, plane, isSlug, first->diameter),
+                          words.cell(first->depth, units::mm, 1),
+                          angles.size() == 1 ? direction(words, first->angle)
+                                             : ResultCell(angles.join(QStringLiteral("; "))),
+                          words.cell(mass, units::gram, 2)};
+        first = last;
+    }
+}
+
+}  // namespace
+
 ResultRows holes(const Words& words, const Result& result, std::size_t plane) {
     ResultRows rows;
     // Nothing is drilled by readings that may not hold.
     if (!result.correction || !result.holds()) {
         return rows;
     }
-    const auto add = [&](const Hole& hole, const QString& work, double sign) {
-        rows << ResultRow{work.arg(words.plainWithUnit(hole.diameter, units::mm, 2)),
+    const auto add = [&](const Hole& hole, bool isSlug) {
+        rows << ResultRow{holeName(words, plane, isSlug, hole.diameter),
                           words.cell(hole.depth, units::mm, 1), direction(words, hole.angle),
-                          words.cell(sign * hole.mass, units::gram, 2)};
+                          words.cell(isSlug ? -hole.mass : hole.mass, units::gram, 2)};
     };
     const PlaneResult& found = result.correction->at(plane);
     for (const Hole& hole : found.holes) {
-        add(hole,
-            plane == 0 ? words.translate("BobWeights", "Front: ⌀ %1")
-                       : words.translate("BobWeights", "Rear: ⌀ %1"),
-            1.0);
+        add(hole, false);
     }
     for (const Hole& slug : found.slugs) {
-        add(slug,
-            plane == 0 ? words.translate("BobWeights", "Front: slug ⌀ %1")
-                       : words.translate("BobWeights", "Rear: slug ⌀ %1"),
-            -1.0);
+        add(slug, true);
     }
     return rows;
 }
 
 ResultRows holes(const Words& words, const Result& result) {
     return holes(words, result, 0) + holes(words, result, 1);
+}
+
+QStringList drilledHead(const Words& words) {
+    QStringList head = QStringList(runHead(words).first()) + holeHead(words);
+    head.last() =
+        words.translate("BobWeights", "Taken off in all, %1").arg(words.unit(units::gram));
+    return head;
+}
+
+ResultRows drilled(const Words& words, const Result& result, std::optional<std::size_t> plane) {
+    ResultRows rows;
+    for (std::size_t run = 0; run < result.runs.size(); ++run) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!plane || *plane == i) {
+                const Metal& metal = result.runs[run].drilled[i];
+                addDrilled(rows, words, runName(words, run), i, metal.holes, false);
+                addDrilled(rows, words, runName(words, run), i, metal.slugs, true);
+            }
+        }
+    }
+    return rows;
+}
+
+QString drilledNote(const Words& words, const Result& result) {
+    QStringList names;
+    for (std::size_t run = 0; run < result.runs.size(); ++run) {
+        const auto& metal = result.runs[run].drilled;
+        if (!metal[0].empty() || !metal[1].empty()) {
+            names << inSentence(runName(words, run));
+        }
+    }
+    return names.isEmpty()
+               ? QString()
+               : words
+                     .translate(
+                         "BobWeights",
+                         "What is already drilled is taken as drilled as planned after these "
+                         "readings: %1. New holes keep clear of it.")
+                     .arg(names.join(QStringLiteral(", ")));
 }
 
 }  // namespace ravnoves::bob_text

@@ -68,5 +68,12 @@ QStringList holeHead(const Words& words);
 ResultRows holes(const Words& words, const bob_weights::Result& result);
 /// Those of one plane.
 ResultRows holes(const Words& words, const bob_weights::Result& result, std::size_t plane);
+QStringList drilledHead(const Words& words);
+/// What was drilled and pressed in after earlier runs, run by run.
+/// @param plane  that one alone; empty: both
+ResultRows drilled(const Words& words, const bob_weights::Result& result,
+                   std::optional<std::size_t> plane = std::nullopt);
+/// How that is known; empty where there is nothing.
+QString drilledNote(const Words& words, const bob_weights::Result& result);
 
 }  // namespace ravnoves::bob_text

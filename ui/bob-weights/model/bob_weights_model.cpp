@@ -253,6 +253,8 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
         };
         if (run < earlier.size()) {
             set(earlier[run].readings[plane]);
+            // A reading that is put right asks for holes of its own.
+            earlier[run].drilled.reset();
             return;
         }
         if (run > earlier.size()) {
@@ -260,6 +262,7 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
                 return;
             }
             EarlierRun& last = earlier.emplace_back();
+            last.drilled = planned_holes(solution());
             for (std::size_t i = 0; i < 2; ++i) {
                 Reading& newest = correction.readings[i];
                 last.readings[i] = {newest.unbalance, newest.angle, newest.bob_weight,

@@ -109,6 +109,9 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     /// A row for each quantity, a column for each plane.
     Results planeResults() const;
     Results holeResults() const;
+    /// What was drilled after earlier runs.
+    Results drilledResults() const;
+    QString drilledNote() const;
 
     // ------------------------------------------------------------------------------- journal
     /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.

@@ -191,14 +191,31 @@ Results BobWeightsModel::planeResults() const {
     return results;
 }
 
+namespace {
+
+/// Of depth, angle and mass of a hole.
+QStringList holeTips() {
+    return {shownText(field::maximum_depth.hint),
+            BobWeightsModel::tr("From the machine's zero mark"),
+            BobWeightsModel::tr(
+                "Mass, the cone of the point included; negative: a slug adds so much more than the "
+                "steel weighed")};
+}
+
+}  // namespace
+
 Results BobWeightsModel::holeResults() const {
-    return {
-        columnsOf(
-            bob_text::holeHead(Words()),
-            {shownText(field::maximum_depth.hint), tr("From the machine's zero mark"),
-             tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
-                "steel weighed")}),
-        bob_text::holes(Words(), solution())};
+    return {columnsOf(bob_text::holeHead(Words()), holeTips()),
+            bob_text::holes(Words(), solution())};
+}
+
+Results BobWeightsModel::drilledResults() const {
+    return {columnsOf(bob_text::drilledHead(Words()), QStringList(QString()) + holeTips()),
+            bob_text::drilled(Words(), solution())};
+}
+
+QString BobWeightsModel::drilledNote() const {
+    return bob_text::drilledNote(Words(), solution());
 }
 
 }  // namespace ravnoves
