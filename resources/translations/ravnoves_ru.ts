@@ -1013,14 +1013,6 @@
 <context>
     <name>Matching</name>
     <message>
-        <source>%1, take off</source>
-        <translation>%1, снять</translation>
-    </message>
-    <message>
-        <source>Matched parts, %1</source>
-        <translation>Подбор деталей, %1</translation>
-    </message>
-    <message>
         <source>The parts stay: the crankpins differ by %1.</source>
         <translation>Детали остаются на местах: разница между шейками %1.</translation>
     </message>
@@ -1151,6 +1143,22 @@
     <message>
         <source>Crankpins differ by %1 as weighed and by %2 after moving %3 sets.</source>
         <translation>Разница между шейками %1, после перестановки комплектов (%3) — %2.</translation>
+    </message>
+    <message>
+        <source>Matched parts</source>
+        <translation>Подобранные детали</translation>
+    </message>
+    <message>
+        <source>To match the lightest, if the parts are to be closer: take off, %1</source>
+        <translation>До самой лёгкой, если детали должны быть ближе: снять, %1</translation>
+    </message>
+    <message>
+        <source>To match the lightest, only if moving is not enough: take off, %1</source>
+        <translation>До самой лёгкой, только если перестановки мало: снять, %1</translation>
+    </message>
+    <message>
+        <source>The bob weight is that of the parts as weighed: where one is made lighter, weigh again.</source>
+        <translation>Балансировочный груз — для деталей, как они взвешены: если какая-то облегчена, взвесьте снова.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "bob-weights/fields.h"
@@ -142,39 +143,46 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
     return block;
 }
 
-/// Which set goes to which cylinder, and what to take off the parts; nothing where nothing is to be
-/// done, or there are more cylinders than columns.
-std::optional<Block> matchingBlock(const Words& words, const Input& input, const Result& result) {
+/// Which set goes to which cylinder, and apart from it what to take off the parts who want them
+/// closer; nothing where nothing is to be done, or there are more cylinders than columns.
+std::vector<Block> matchingBlocks(const Words& words, const Input& input, const Result& result) {
     constexpr std::size_t mostCylinders = 16;
     constexpr double nameWidth = 42.0;
     const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
     const auto sheet = fitted(input).weigh_in;
     if (!sheet || cylinders > mostCylinders) {
-        return std::nullopt;
-    }
-    ResultRows rows;
-    const auto* placing = result.placing ? &*result.placing : nullptr;
-    if (sheet->is_moved() || (placing != nullptr && placing->moved > 0)) {
-        rows = matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
-                                              placing);
-    }
-    // Of what goes into a cylinder, as the sets above it.
-    auto placed = *sheet;
-    if (placing != nullptr && placing->moved > 0) {
-        move_sets(placed, placing->pistons, placing->rods);
-    }
-    for (ResultRow row : matching_text::takeOff(words, cylinders, masses_of(placed)).rows) {
-        row.front() = words.translate("Matching", "%1, take off").arg(row.front());
-        rows << row;
-    }
-    if (rows.isEmpty()) {
-        return std::nullopt;
+        return {};
     }
     std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}};
     columns.insert(columns.end(), cylinders,
                    {(cardWidth - nameWidth) / static_cast<double>(cylinders)});
-    return Block{words.translate("Matching", "Matched parts, %1").arg(words.unit(units::gram)),
-                 std::move(columns), matching_text::cylinderHead(words, cylinders), rows};
+    std::vector<Block> blocks;
+    const auto add = [&](const QString& heading, const ResultRows& rows) {
+        if (!rows.isEmpty()) {
+            blocks.push_back(
+                {heading, columns, matching_text::cylinderHead(words, cylinders), rows});
+        }
+    };
+    const auto* placing = result.placing ? &*result.placing : nullptr;
+    const bool moves = placing != nullptr && placing->moved > 0;
+    if (sheet->is_moved() || moves) {
+        add(words.translate("Matching", "Matched parts"),
+            matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
+                                           placing));
+    }
+    // Of what goes into a cylinder, as the sets above it.
+    auto placed = *sheet;
+    if (moves) {
+        move_sets(placed, placing->pistons, placing->rods);
+    }
+    add((blocks.empty()
+             ? words.translate("Matching",
+                               "To match the lightest, if the parts are to be closer: take off, %1")
+             : words.translate("Matching",
+                               "To match the lightest, only if moving is not enough: take off, %1"))
+            .arg(words.unit(units::gram)),
+        matching_text::takeOff(words, cylinders, masses_of(placed)).rows);
+    return blocks;
 }
 
 }  // namespace
@@ -215,16 +223,20 @@ void BobCard::draw(CardPage& page) const {
         input_.correction->readings.size() == 2) {
         blocks.push_back(planeBlock(words(), *input_.correction, solution_));
     }
-    if (auto matching = matchingBlock(words(), input_, solution_)) {
-        blocks.insert(blocks.begin() + 1, std::move(*matching));
-    }
     const auto matched = bob_text::matchingShown(input_, solution_);
     QStringList placed;
     if (matched) {
         placed << matching_text::summary(words(), *matched)
                << matching_text::felt(words(), *matched);
-        placed.removeAll(QString());
     }
+    if (auto matching = matchingBlocks(words(), input_, solution_); !matching.empty()) {
+        placed << words().translate("Matching",
+                                    "The bob weight is that of the parts as weighed: where one is "
+                                    "made lighter, weigh again.");
+        blocks.insert(blocks.begin() + 1, std::make_move_iterator(matching.begin()),
+                      std::make_move_iterator(matching.end()));
+    }
+    placed.removeAll(QString());
     blocks.push_back(runBlock(words(), input_.correction, solution_));
     if (auto drilled = bob_text::drilled(words(), solution_); !drilled.isEmpty()) {
         blocks.push_back({words().translate("BobWeights", "Already drilled"),

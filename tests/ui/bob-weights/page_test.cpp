@@ -313,7 +313,13 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(model->input().weigh_in->piston_sets.empty());
     const QString printed = card();
     EXPECT_TRUE(printed.contains(u"Rod set from"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"Piston, take off"_s));
+    const qsizetype placed = printed.indexOf(u"Matched parts"_s);
+    const qsizetype takesOff =
+        printed.indexOf(u"To match the lightest, only if moving is not enough: take off, g"_s);
+    EXPECT_TRUE(placed >= 0 && printed.indexOf(u"Rod set from"_s, placed) < takesOff)
+        << "taking off is another thing than moving: " << qPrintable(printed);
+    EXPECT_GT(printed.indexOf(u"Piston\n"_s, takesOff), takesOff);
+    EXPECT_TRUE(printed.contains(u"where one is made lighter, weigh again."_s));
     EXPECT_TRUE(printed.contains(u"Assemble by the numbers"_s));
     // What was weighed is still known, and comes back by a button.
     auto* back = find<QPushButton>("move_back");
