@@ -46,6 +46,7 @@ struct Result {
 
     // weigh-in
     std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
+    std::optional<std::array<double, crankpin_count>> weighed_excess;   ///< before any were moved
     std::optional<workshop::Matched> assignment;
     std::optional<std::array<double, crankpin_count>> assigned_excess;  ///< kg
 

@@ -26,6 +26,9 @@ void solve_weigh_in(const Input& input, const workshop::SetFinder& find, Result&
     }
     if (result.assignment) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, input.process, k);
+        WeighIn weighed = *input.weigh_in;
+        move_back(weighed);
+        result.weighed_excess = crankpin_excess(weighed, input.process, k);
         result.assigned_excess =
             crankpin_excess(reassigned(*input.weigh_in, *result.assignment), input.process, k);
         if (input.changes_from_weigh_in) {
@@ -33,7 +36,8 @@ void solve_weigh_in(const Input& input, const workshop::SetFinder& find, Result&
             const double typed =
                 unbalanced_mass(input.process, result.changes, k) -
                 unbalanced_mass(input.process, mass_changes(*input.weigh_in, input.process), k);
-            for (auto* excess : {&*result.crankpin_excess, &*result.assigned_excess}) {
+            for (auto* excess :
+                 {&*result.crankpin_excess, &*result.weighed_excess, &*result.assigned_excess}) {
                 for (double& mass : *excess) {
                     mass += typed;
                 }

@@ -16459,10 +16459,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Годен, если показание не выше допускаемого</translation>
     </message>
     <message>
-        <source>Excess on each crankpin over the mean, parts where they are</source>
-        <translation>Избыток на каждой шейке над средним, детали на своих местах</translation>
-    </message>
-    <message>
         <source>Excess on each crankpin over the mean, parts moved</source>
         <translation>Избыток на каждой шейке над средним, детали переставлены</translation>
     </message>
@@ -16529,6 +16525,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Excess Δmᵤ: %1, %2, the mean of unequal crankpins</source>
         <translation>Избыток Δmᵤ: %1, %2, среднее неодинаковых шеек</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts where they were weighed</source>
+        <translation>Избыток на каждой шейке над средним, детали там, где взвешены</translation>
     </message>
 </context>
 <context>

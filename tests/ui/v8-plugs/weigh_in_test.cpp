@@ -53,10 +53,21 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     const auto spread = [&] { return model->solution().crankpin_excess; };
     const auto wanted = model->solution().assigned_excess;
     EXPECT_NE(spread(), wanted);
+    const ResultRows excess = model->crankpinResults().rows;
+    const auto spreads = [&] {
+        const ResultRows rows = model->crankpinResults().rows;
+        const ResultRow effects =
+            matching_text::effects(Words(), model->matchingShown().value()).rows.at(0);
+        EXPECT_EQ(effects.at(1).number()->value, rows.at(0).last().number()->value);
+        EXPECT_EQ(effects.at(2).number()->value, rows.at(1).last().number()->value);
+        return rows;
+    };
+    spreads();
     move->setFocus();
     QTest::keyClick(move, Qt::Key_Space);
     settle();
     EXPECT_EQ(spread(), wanted);
+    EXPECT_EQ(spreads(), excess) << "moved, they were weighed as before";
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_FALSE(move->isVisible());
     model->history()->undo();

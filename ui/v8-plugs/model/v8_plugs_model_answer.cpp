@@ -247,7 +247,7 @@ Results V8PlugsModel::takeOffResults() const {
 }
 
 Results V8PlugsModel::crankpinResults() const {
-    if (!solution().crankpin_excess || !solution().assigned_excess) {
+    if (!solution().weighed_excess || !solution().assigned_excess) {
         return {};
     }
     const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess,
@@ -265,8 +265,8 @@ Results V8PlugsModel::crankpinResults() const {
              QStringLiteral("3"),
              QStringLiteral("4"),
              {tr("spread"), tr("Largest less smallest excess of the four crankpins")}},
-            {row(tr("as weighed, g"), *solution().crankpin_excess,
-                 tr("Excess on each crankpin over the mean, parts where they are")),
+            {row(tr("as weighed, g"), *solution().weighed_excess,
+                 tr("Excess on each crankpin over the mean, parts where they were weighed")),
              row(tr("after moving, g"), *solution().assigned_excess,
                  tr("Excess on each crankpin over the mean, parts moved"))}};
 }
