@@ -17032,6 +17032,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The sheet is empty for the next job.</source>
         <translation>Лист пуст для следующей работы.</translation>
     </message>
+    <message>
+        <source>The journal has a job of %1 and this day already, saved on %2.</source>
+        <translation>В журнале уже есть работа %1 за этот день, записанная %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace it</source>
+        <translation>&amp;Заменить её</translation>
+    </message>
+    <message>
+        <source>Save as &amp;another</source>
+        <translation>Записать как &amp;другую</translation>
+    </message>
 </context>
 <context>
     <name>studies</name>

@@ -422,8 +422,24 @@ void WorkshopPage::saveJob(bool isFinished) {
 
 bool WorkshopPage::isJobKnown() {
     const QString here = desk()->engineOnSheet();
+    const auto same = desk()->sameJob();
+    if (same) {
+        QMessageBox box(QMessageBox::Question, tr("Journal"),
+                        tr("The journal has a job of %1 and this day already, saved on %2.")
+                            .arg(here, timeText(same->saved)),
+                        QMessageBox::NoButton, this);
+        const auto* replace = box.addButton(tr("&Replace it"), QMessageBox::DestructiveRole);
+        auto* another = box.addButton(tr("Save as &another"), QMessageBox::AcceptRole);
+        box.addButton(QMessageBox::Cancel);
+        box.setDefaultButton(another);
+        box.exec();
+        if (box.clickedButton() != replace) {
+            return box.clickedButton() == another;
+        }
+        desk()->replaceInJournal(*same);
+    }
     QString text;
-    if (const QString there = desk()->otherEngine(); !there.isEmpty()) {
+    if (const QString there = same ? QString() : desk()->otherEngine(); !there.isEmpty()) {
         text = there == here
                    ? tr("The job of %1 in the journal is for another engine than the sheet.")
                          .arg(there)
@@ -445,10 +461,11 @@ bool WorkshopPage::isJobKnown() {
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().constFirst()));
     box.exec();
-    if (box.clickedButton() == asNew) {
+    const bool isSaved = box.clickedButton() == asNew || box.clickedButton() == change;
+    if (box.clickedButton() == asNew || (same && !isSaved)) {
         desk()->forgetJob();
     }
-    return box.clickedButton() == asNew || box.clickedButton() == change;
+    return isSaved;
 }
 
 void WorkshopPage::newJob() {

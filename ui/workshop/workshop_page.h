@@ -80,8 +80,8 @@ class WorkshopPage : public ScenePage {
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     void saveJob(bool isFinished);
-    /// Where F2 would overwrite the job of another engine, or a verdict by readings that may not
-    /// hold any more: asks. @return false to stay
+    /// Where F2 would make a second job of the same engine and day, or overwrite the job of another
+    /// engine, or a verdict by readings that may not hold any more: asks. @return false to stay
     bool isJobKnown();
     void backUp();
     void restore();

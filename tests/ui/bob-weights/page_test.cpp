@@ -1059,6 +1059,59 @@ TEST_F(BobPageTest, AnotherEngineIsAJobOfItsOwn) {
     EXPECT_EQ(jobs().size(), 2);
 }
 
+TEST_F(BobPageTest, AJobFromAFileIsNotSavedTwiceWithoutAWord) {
+    typeShopCard();
+    type("engine_number", u"E-1"_s);
+    save();
+    const auto reload = [this] { model->loadInput(model->inputJson(), {}); };
+    reload();
+    save();
+    EXPECT_EQ(jobs().size(), 1) << "as the journal has it: nothing to ask";
+    reload();
+    type("piston", u"600"_s);
+    auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->startsWith(u"The journal has a job of E-1 and this day already, saved on"_s))
+        << qPrintable(*asked);
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_NEAR(*jobs().at(0).bobWeight, 1505.2, 1e-9) << "nothing is lost without a word";
+    asked = answer(u"Replace it"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_GT(*jobs().at(0).bobWeight, 1506.0);
+    // From here it is the sheet's job.
+    type("piston", u"610"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 1);
+    reload();
+    type("piston", u"620"_s);
+    asked = answer(u"Save as another"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+    // A crankshaft number that came later is of the same job; another day or number is not.
+    reload();
+    type("crankshaft_number", u"C-1"_s);
+    asked = answer(u"Replace it"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+    reload();
+    type("date", u"2020-01-02"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 3);
+    reload();
+    type("engine_number", u"E-2"_s);
+    type("crankshaft_number", u"C-2"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 4);
+    // Without numbers it may be anybody's.
+    reload();
+    type("engine_number", {});
+    type("crankshaft_number", {});
+    type("customer", u"Somebody"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 5);
+}
+
 TEST_F(BobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
     Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Gram);
     const BobWeightsPage again(QString(), nullptr);

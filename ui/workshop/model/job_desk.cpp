@@ -235,6 +235,37 @@ QString JobDesk::otherEngine() {
                : QString();
 }
 
+std::optional<JournalJob> JobDesk::sameJob() {
+    if (jobId_ != 0 || !openJournal()) {
+        return std::nullopt;
+    }
+    const JournalJob here = scene_.entry();
+    JournalQuery query;
+    query.scene = model_->sceneName();
+    query.from = here.date;
+    query.to = here.date;
+    for (const JournalJob& there : journal_->search(query)) {
+        const auto agree = [](const QString& a, const QString& b) {
+            return a == b || a.isEmpty() || b.isEmpty();
+        };
+        const auto are = [](const QString& a, const QString& b) { return !a.isEmpty() && a == b; };
+        // A number that came later is of the same job; without any it may be anybody's.
+        const bool isSame = there.date == here.date && there.engine == here.engine &&
+                            agree(there.engineNumber, here.engineNumber) &&
+                            agree(there.crankshaftNumber, here.crankshaftNumber) &&
+                            (are(there.engineNumber, here.engineNumber) ||
+                             are(there.crankshaftNumber, here.crankshaftNumber));
+        if (isSame && there.form == formText()) {
+            replaceInJournal(there);
+            return std::nullopt;
+        }
+        if (isSame) {
+            return there;
+        }
+    }
+    return std::nullopt;
+}
+
 QString JobDesk::verdictToLose() {
     if (jobId_ == 0 || !isOpen() || !isOther(scene_.entry().verdict)) {
         return {};

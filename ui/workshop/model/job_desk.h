@@ -62,6 +62,12 @@ class JobDesk : public QObject {
     /// The engine of the job in the journal that saving would overwrite, where the sheet has
     /// another engine's or crankshaft's number or another kind of engine; empty else.
     QString otherEngine();
+    /// The job in the journal that has the numbers and the day of the sheet, where the sheet came
+    /// from elsewhere: from a file, or after a crash. One that is as the sheet is needs no question
+    /// and becomes the sheet's.
+    std::optional<JournalJob> sameJob();
+    /// Saving takes the place of that one.
+    void replaceInJournal(const JournalJob& job) { putJobId(job.id, job.revision); }
     /// The verdict of the job in the journal that saving would put "another bob weight" or
     /// "another crankshaft" in the place of; empty where it would not.
     QString verdictToLose();
