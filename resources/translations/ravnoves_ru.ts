@@ -587,12 +587,12 @@
         <translation>Не по листу, отвергнуты значения: %1</translation>
     </message>
     <message>
-        <source>What to take off does not fit here: see sheet 3.</source>
-        <translation>Сколько снять, здесь не помещается: см. лист 3.</translation>
-    </message>
-    <message>
         <source>cannot be made</source>
         <translation>не сделать</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Страница %1 из %2</translation>
     </message>
 </context>
 <context>

@@ -198,6 +198,15 @@ QString BobCard::title() const {
 void BobCard::draw(CardPage& page) const {
     constexpr double gap = 2.5;
     constexpr double signaturesTop = 273.5;
+    page.setFoot(signaturesTop, [&] {
+        cardSignatures(page, words(),
+                       words()
+                           .translate("BobWeights",
+                                      "Ravnoves %1 · ISO 21940-11 · angles from the machine's zero "
+                                      "mark, in one sense for readings and holes")
+                           .arg(QStringLiteral(RAVNOVES_VERSION)),
+                       signaturesTop);
+    });
     double y = cardHead(
         page, words(),
         {words().translate("BobWeights", "Job card: bob weights and correction"),
@@ -265,17 +274,17 @@ void BobCard::draw(CardPage& page) const {
         QColor colour;
     };
     constexpr double notePoints = 7.5;
-    constexpr int any = 100;
-    const std::array notes{
-        Note{placed.join(QLatin1Char(' ')), CardPage::ink},
-        Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
-        Note{bob_text::holeNote(words(), solution_), CardPage::ink},
-        Note{bob_text::drilledNote(words(), solution_), CardPage::ink},
-        Note{bob_text::warnings(words(), input_, solution_).join(QLatin1Char(' ')),
-             CardPage::amber}};
+    QStringList warnings = bob_text::warnings(words(), input_, solution_);
+    warnings << otherRefusedText();
+    warnings.removeAll(QString());
+    const std::array notes{Note{placed.join(QLatin1Char(' ')), CardPage::ink},
+                           Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
+                           Note{bob_text::holeNote(words(), solution_), CardPage::ink},
+                           Note{bob_text::drilledNote(words(), solution_), CardPage::ink},
+                           Note{warnings.join(QLatin1Char(' ')), CardPage::amber}};
     // What the tables have room for.
     const QString typed = QString::fromStdString(input_.job.notes).simplified();
-    double room = signaturesTop - y - cardNotesHeight(page, typed) - gap;
+    double room = page.end() - y - cardNotesHeight(page, typed) - gap;
     for (const Note& note : notes) {
         room -= page.heightOf(note.text, notePoints, cardWidth);
     }
@@ -284,22 +293,19 @@ void BobCard::draw(CardPage& page) const {
         room -= headingHeight + gap;
         lines += block.lines();
     }
-    const double rowHeight = std::clamp(room / lines, 2.8, 4.8);
+    // Where even low rows do not fit on one sheet they are as high as is read well.
+    constexpr double lowest = 2.8;
+    constexpr double usual = 3.8;
+    const double rowHeight = room / lines < lowest ? usual : std::min(room / lines, 4.8);
     for (const Block& block : blocks) {
-        y = drawBlock(page, block, y + gap, rowHeight);
+        y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
     }
     y += 1.0;
     for (const Note& note : notes) {
-        y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, any, false, note.colour);
+        y = page.flow(y, note.text, notePoints, note.colour);
     }
-    cardNotes(page, words(), typed, y + gap, signaturesTop);
-    cardSignatures(page, words(),
-                   words()
-                       .translate("BobWeights",
-                                  "Ravnoves %1 · ISO 21940-11 · angles from the machine's zero "
-                                  "mark, in one sense for readings and holes")
-                       .arg(QStringLiteral(RAVNOVES_VERSION)),
-                   signaturesTop);
+    cardNotes(page, words(), typed, y + gap);
+    page.finishSheet();
 }
 
 }  // namespace ravnoves

@@ -8,7 +8,7 @@ PlugsCard::PlugsCard(v8_plugs::Input input, v8_plugs::Result solution, Words wor
     : JobCard(std::move(words)), input_(std::move(input)), solution_(std::move(solution)) {}
 
 void PlugsCard::draw(CardPage& page) const {
-    PlugsCardPainter(page, input_, solution_, words(), refusedText()).paint();
+    PlugsCardPainter(page, input_, solution_, words(), refusedText(), otherRefusedText()).paint();
 }
 
 QString PlugsCard::title() const {

@@ -20,24 +20,49 @@ using units::gram;
 const QColor cutColour(0xB0, 0x30, 0x10);
 
 constexpr double inputRow = 3.6;  // mm
+constexpr double signaturesTop = 276.5;
+constexpr double remarkPoints = 7.0;
 
 }  // namespace
 
 void PlugsCardPainter::paint() {
     // A card with a warning has much to say.
     const double gap = v8_text::shiftWarning(words_, input_, solution_).isEmpty() ? 2.2 : 1.0;
-    constexpr double machineTop = 247.5;
-    constexpr double signaturesTop = 276.5;
-    double y = head(CardPage::top);
-    y = answer(y + gap);
-    y = inputs(y + gap);
-    y = options(y + gap);
-    y = bobWeights(y + gap);
+    using Section = double (PlugsCardPainter::*)(double);
+    const auto section = [this](Section paint) {
+        return [this, paint](double y) { return (this->*paint)(y); };
+    };
+    const double machineTop =
+        signaturesTop - 0.3 - sheet_.heightOf(section(&PlugsCardPainter::machine));
+    sheet_.setFoot(machineTop - gap, [this, machineTop] { foot(machineTop); });
+    double y = CardPage::top - gap;
+    for (const Section paint :
+         {&PlugsCardPainter::head, &PlugsCardPainter::answer, &PlugsCardPainter::inputs,
+          &PlugsCardPainter::options, &PlugsCardPainter::bobWeights}) {
+        y = sheet_.place(y + gap, section(paint));
+    }
     const QString notes = QString::fromStdString(input_.job.notes).simplified();
-    const double end = machineTop - gap - cardNotesHeight(sheet_, notes);
-    y = weighIn(y + gap, end - gap);
-    y = remarks(y + gap, end);
-    cardNotes(sheet_, words_, notes, y + gap, machineTop - gap);
+    const auto weights = section(&PlugsCardPainter::weighIn);
+    const double weightsHeight = sheet_.heightOf(weights);
+    const double room = sheet_.end() - y - 3 * gap - weightsHeight - cardNotesHeight(sheet_, notes);
+    // Smaller where that keeps all on one sheet; else what is doubtful stays on the first.
+    double points = remarkPoints;
+    while (points > CardPage::smallestType && heightOfRemarks(points) > room) {
+        points -= 0.25;
+    }
+    const bool isOneSheet = heightOfRemarks(points) <= room;
+    if (isOneSheet) {
+        y = sheet_.place(y + gap, weights);
+    }
+    y = remarks(y + gap, isOneSheet ? points : remarkPoints);
+    y = cardNotes(sheet_, words_, notes, y + gap);
+    if (!isOneSheet) {
+        y = sheet_.place(y + gap, weights);
+    }
+    sheet_.finishSheet();
+}
+
+void PlugsCardPainter::foot(double machineTop) {
     machine(machineTop);
     cardSignatures(sheet_, words_,
                    words_
@@ -205,17 +230,20 @@ double PlugsCardPainter::options(double y) {
              best});
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
-    sheet_.text(
-        left, y + height + 0.4, full,
-        words_
-            .translate("JobCard",
-                       "Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 "
-                       "(slope %2°); needed: lightening of one plug.")
-            .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3) : missing,
-                 solution_.plugs ? v8_text::slopeAngle(words_, solution_.plugs->coefficients().k_y)
-                                 : missing),
-        6.8, Qt::AlignLeft, false, CardPage::grey);
-    return y + height + 3.6;
+    height +=
+        0.4 + sheet_.paragraph(
+                  left, y + height + 0.4, full,
+                  words_
+                      .translate("JobCard",
+                                 "Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 "
+                                 "(slope %2°); needed: lightening of one plug.")
+                      .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3)
+                                           : missing,
+                           solution_.plugs
+                               ? v8_text::slopeAngle(words_, solution_.plugs->coefficients().k_y)
+                               : missing),
+                  6.8, false, CardPage::grey);
+    return y + height;
 }
 
 double PlugsCardPainter::bobWeights(double y) {
@@ -229,7 +257,7 @@ double PlugsCardPainter::bobWeights(double y) {
         height = sheet_.paragraph(left, y + 5.4, tableWidth,
                                   words_.translate("JobCard", "Not known without: %1.")
                                       .arg(v8_names::missingNames(words_, input_, true)),
-                                  8, 4);
+                                  8);
     }
     const double x = left + tableWidth + 4.0;
     const double width = full - tableWidth - 4.0;
@@ -262,19 +290,23 @@ double PlugsCardPainter::bobWeightTable(double y) {
                    weights(std::nullopt),
                true, true});
     double height = table.draw(sheet_, left, y);
-    sheet_.text(left, y + height + 0.8, 112, v8_text::hang(words_, solution_), 10, Qt::AlignLeft,
-                true);
-    sheet_.text(left, y + height + 4.9, 112, v8_text::plugsWhileHung(words_, solution_), 7.2);
-    height += 7.9;
+    const double width = table.tableWidth();
+    const auto say = [&](const QString& text, double points, bool bold, const QColor& colour) {
+        height += sheet_.paragraph(left, y + height, width, text, points, bold, colour);
+    };
+    height += 0.6;
+    say(v8_text::hang(words_, solution_), 10, true, CardPage::ink);
+    say(v8_text::plugsWhileHung(words_, solution_), 6.8, false, CardPage::ink);
     if (solution_.changes.rod_big_end != 0.0) {
-        sheet_.text(left, y + height, 112, v8_text::rodFactor(words_, input_, solution_), 6.8,
-                    Qt::AlignLeft, false, CardPage::grey);
-        height += 2.7;
+        say(v8_text::rodFactor(words_, input_, solution_), 6.8, false, CardPage::grey);
     }
     return height;
 }
 
 void PlugsCardPainter::plug(double x, double y, double w, double h) {
+    if (sheet_.isMeasuring()) {
+        return;
+    }
     const DrawingStyle style{CardPage::ink, CardPage::hair,   CardPage::ink,
                              cutColour,     sheet_.font(7.5), 0.35 * sheet_.unit()};
     const QRectF target = sheet_.rect(x, y, w, h);

@@ -11,12 +11,19 @@
 namespace ravnoves {
 
 /// Paints the sections of the job card one below the other. The lower part (machine, signatures)
-/// has its fixed place; notes and warnings share what the sections above leave.
+/// has its fixed place on the first sheet; what the sections above leave no room for goes on on the
+/// next.
 class PlugsCardPainter {
   public:
     PlugsCardPainter(CardPage& sheet, const v8_plugs::Input& input,
-                     const v8_plugs::Result& solution, const Words& words, const QString& refused)
-        : sheet_(sheet), input_(input), solution_(solution), words_(words), refused_(refused) {}
+                     const v8_plugs::Result& solution, const Words& words, const QString& refused,
+                     const QString& otherRefused)
+        : sheet_(sheet),
+          input_(input),
+          solution_(solution),
+          words_(words),
+          refused_(refused),
+          otherRefused_(otherRefused) {}
 
     void paint();
 
@@ -27,12 +34,13 @@ class PlugsCardPainter {
     double inputs(double y);
     double options(double y);
     double bobWeights(double y);
-    /// @param end  where what is below must begin
-    double weighIn(double y, double end);
-    double remarks(double y, double end);
+    double weighIn(double y);
+    double remarks(double y, double points);
+    double heightOfRemarks(double points) const;
     /// What is doubtful, and all else that is to be said.
     std::array<QString, 2> remarkTexts() const;
-    void machine(double y);
+    double machine(double y);
+    void foot(double machineTop);
 
     double engineTable(double y, double width);
     void changesTable(double x, double y, double width);
@@ -54,7 +62,7 @@ class PlugsCardPainter {
     const v8_plugs::Result& solution_;
     const Words& words_;
     const QString refused_;  ///< that the answer is of values before refused entries; may be empty
-    bool lacksTakeOff_ = false;  ///< there is no room for what to take off
+    const QString otherRefused_;  ///< entries that the answer does not depend on; may be empty
 };
 
 }  // namespace ravnoves

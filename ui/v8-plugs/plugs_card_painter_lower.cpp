@@ -15,7 +15,7 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 /// The weights of the parts, and which set goes to which cylinder, under the same columns.
-double PlugsCardPainter::weighIn(double y, double end) {
+double PlugsCardPainter::weighIn(double y) {
     if (!input_.weigh_in || input_.weigh_in->is_empty()) {
         return y - 2.2;  // no section, no gap
     }
@@ -31,15 +31,6 @@ double PlugsCardPainter::weighIn(double y, double end) {
     columns.insert(columns.end(), 2, {numberWidth});
     constexpr double rowHeight = 3.2;
     CardTable table(columns, 7.2, rowHeight);
-    // What to take off the parts that are too far apart, where there is room for it beside the
-    // columns themselves and what is said of them.
-    const auto weighed = std::count_if(all_parts.begin(), all_parts.end(), [&](Part part) {
-        return !(*input_.weigh_in)[part].is_empty();
-    });
-    double room = end - y - 22.0 - rowHeight * static_cast<double>(weighed);
-    for (const QString& each : remarkTexts()) {
-        room -= sheet_.heightOf(each, 7.0, full);
-    }
     QStringList head{words_.translate("JobCard", "Cylinder"),
                      words_.translate("JobCard", "nominal")};
     for (int i = 1; i <= cylinder_count; ++i) {
@@ -61,10 +52,7 @@ double PlugsCardPainter::weighIn(double y, double end) {
         row << grams(found->mean)
             << grams(found->spread) + (found->within_permitted ? QString() : QStringLiteral(" !"));
         table.add({row});
-        if (!found->within_permitted && room < rowHeight) {
-            lacksTakeOff_ = true;
-        } else if (!found->within_permitted) {
-            room -= rowHeight;
+        if (!found->within_permitted) {
             QStringList less{words_.translate("JobCard", "take off"), QString()};
             less << matching_text::takeOff(words_, column.mass).texts();
             table.add({less, false, true});
@@ -81,8 +69,8 @@ double PlugsCardPainter::weighIn(double y, double end) {
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
     const auto say = [&](const QString& text, const QColor& colour) {
         if (!text.isEmpty()) {
-            sheet_.text(left, y + height + 0.3, full, text, 7.5, Qt::AlignLeft, false, colour);
-            height += 3.8;
+            height +=
+                0.3 + sheet_.paragraph(left, y + height + 0.3, full, text, 7.5, false, colour);
         }
     };
     if (const auto shown = v8_text::matchingShown(input_, solution_)) {
@@ -111,9 +99,6 @@ std::array<QString, 2> PlugsCardPainter::remarkTexts() const {
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
     QStringList doubts = v8_text::massTroubles(words_, input_);
-    if (lacksTakeOff_) {
-        doubts << words_.translate("JobCard", "What to take off does not fit here: see sheet 3.");
-    }
     QStringList troubles = v8_text::troubles(words_, shown, solution_);
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
         troubles.removeAll(each);
@@ -127,28 +112,23 @@ std::array<QString, 2> PlugsCardPainter::remarkTexts() const {
     if (warning.isEmpty()) {
         rest = v8_text::shiftText(words_, input_, solution_);
     }
+    if (!otherRefused_.isEmpty()) {
+        troubles << otherRefused_;
+    }
     return {(doubts + troubles).join(QLatin1Char(' ')), rest};
 }
 
-double PlugsCardPainter::remarks(double y, double end) {
-    // Smaller where there is much to say: nothing of it is cut.
-    const std::array<QString, 2> texts = remarkTexts();
-    const QString& doubts = texts[0];
-    const QString& rest = texts[1];
-    double points = 7.0;
-    const auto height = [&] {
-        return sheet_.heightOf(doubts, points, full) + sheet_.heightOf(rest, points, full);
-    };
-    while (points > CardPage::smallestType && y + height() > end) {
-        points -= 0.25;
-    }
-    constexpr int any = 100;
-    y += sheet_.paragraph(left, y, full, doubts, points, any, false, CardPage::amber);
-    const int lines = static_cast<int>((end - y) / sheet_.lineHeight(points) + 0.01);
-    return lines < 1 ? y : y + sheet_.paragraph(left, y, full, rest, points, lines);
+double PlugsCardPainter::heightOfRemarks(double points) const {
+    const auto [doubts, rest] = remarkTexts();
+    return sheet_.heightOf(doubts, points, full) + sheet_.heightOf(rest, points, full);
 }
 
-void PlugsCardPainter::machine(double y) {
+double PlugsCardPainter::remarks(double y, double points) {
+    const auto [doubts, rest] = remarkTexts();
+    return sheet_.flow(sheet_.flow(y, doubts, points, CardPage::amber), rest, points);
+}
+
+double PlugsCardPainter::machine(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Balancing machine"));
     QString limits;
     if (solution_.balancing && input_.balancing) {
@@ -161,9 +141,10 @@ void PlugsCardPainter::machine(double y) {
     } else {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
-    sheet_.text(left, y + 5.2, full, limits, 8);
-    sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_), 6.5, 2,
-                     false, CardPage::grey);
+    y += 5.0;
+    y += sheet_.paragraph(left, y, full, limits, 7.5);
+    y += sheet_.paragraph(left, y, full, v8_text::machineLimits(words_, input_, solution_), 6.5,
+                          false, CardPage::grey);
     CardTable table({{44, Qt::AlignLeft},
                      {38},
                      {38, Qt::AlignHCenter},
@@ -182,7 +163,7 @@ void PlugsCardPainter::machine(double y) {
     };
     row(words_.translate("JobCard", "Front (pulley)"), solution_.planes[0]);
     row(words_.translate("JobCard", "Rear (flywheel)"), solution_.planes[1]);
-    table.draw(sheet_, left, y + 14.3);
+    return y + table.draw(sheet_, left, y);
 }
 
 }  // namespace ravnoves

@@ -3,7 +3,9 @@
 #include "workshop/model/job_desk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace ravnoves {
 
@@ -12,6 +14,7 @@ namespace {
 constexpr double left = CardPage::left;
 constexpr double full = CardPage::full;
 constexpr double right = CardPage::right;
+constexpr double headingHeight = 5.2;
 
 /// More than a line is set smaller.
 double notesPoints(const CardPage& page, const QString& notes) {
@@ -22,22 +25,35 @@ double notesPoints(const CardPage& page, const QString& notes) {
 
 double cardHead(CardPage& page, const Words& words, const CardHead& head, double y) {
     page.text(left, y, full * 0.7, head.title, 14, Qt::AlignLeft, true);
-    page.text(left + full * 0.7, y + 1.2, full * 0.3, head.engine, 10, Qt::AlignRight, true);
-    y += 7.5;
+    const double x = left + full * 0.7;
+    double end = y + 7.5;
+    if (page.textWidth(head.engine, CardPage::smallestType, true) <= right - x) {
+        page.text(x, y + 1.2, right - x, head.engine, 10, Qt::AlignRight, true);
+    } else {
+        end = std::max(
+            end, y + page.paragraph(x, y, right - x, head.engine, CardPage::smallestType, true));
+    }
+    y = end;
     page.line(left, y, right, y, 0.5, CardPage::ink);
     y += 1.5;
     const double third = full / 3.0;
     const JournalJob job = JobDesk::entryOf(head.job);
-    page.blank(left, y, third, words.translate("JobCard", "Engine number"), job.engineNumber);
-    page.blank(left + third, y, third, words.translate("JobCard", "Crankshaft number"),
-               job.crankshaftNumber);
-    page.blank(left + 2 * third, y, third + 3, words.translate("JobCard", "Date"),
-               words.day(QString::fromStdString(head.job.date)));
-    y += 9.5;
-    page.blank(left, y, third, words.translate("JobCard", "Customer"), job.customer);
-    page.blank(left + third, y, third, words.translate("JobCard", "Technician"), job.technician);
-    page.blank(left + 2 * third, y, third + 3, head.lastCaption, head.last);
-    return y + 8.5;
+    const auto row = [&](const std::array<std::pair<QString, QString>, 3>& blanks) {
+        double height = 0.0;
+        for (std::size_t i = 0; i < blanks.size(); ++i) {
+            const auto& [caption, value] = blanks.at(i);
+            height = std::max(height, page.blank(left + static_cast<double>(i) * third, y,
+                                                 i == 2 ? third + 3 : third, caption, value));
+        }
+        y += height + 1.3;
+    };
+    row({{{words.translate("JobCard", "Engine number"), job.engineNumber},
+          {words.translate("JobCard", "Crankshaft number"), job.crankshaftNumber},
+          {words.translate("JobCard", "Date"), words.day(QString::fromStdString(head.job.date))}}});
+    row({{{words.translate("JobCard", "Customer"), job.customer},
+          {words.translate("JobCard", "Technician"), job.technician},
+          {head.lastCaption, head.last}}});
+    return y - 1.0;
 }
 
 double cardAnswer(CardPage& page, const CardAnswer& answer, double y) {
@@ -47,14 +63,12 @@ double cardAnswer(CardPage& page, const CardAnswer& answer, double y) {
     const double room = full - 6.0;
     const auto content = [&](double from) {
         double at = from;
-        at += page.paragraph(inner, at, room, answer.fact, 9, 1);
-        at += page.paragraph(inner, at + 0.4, room, answer.action, 11.5, 4, true, colour) + 0.4;
-        at += page.paragraph(inner, at + 0.4, room, answer.more, 9, 3, false, colour);
-        return at + page.paragraph(inner, at + 0.4, room, answer.warning, 10, 7, true, colour);
+        at += page.paragraph(inner, at, room, answer.fact, 9);
+        at += page.paragraph(inner, at + 0.4, room, answer.action, 11.5, true, colour) + 0.4;
+        at += page.paragraph(inner, at + 0.4, room, answer.more, 9, false, colour);
+        return at + page.paragraph(inner, at + 0.4, room, answer.warning, 10, true, colour);
     };
-    page.setMeasuring(true);
-    const double height = content(0.0) + 3.6;
-    page.setMeasuring(false);
+    const double height = page.heightOf(content) + 3.6;
     page.box(left, y, full, height, CardPage::shade, colour, doubtful ? 0.8 : 0.3);
     content(y + 1.6);
     return y + height;
@@ -62,24 +76,31 @@ double cardAnswer(CardPage& page, const CardAnswer& answer, double y) {
 
 double cardNotesHeight(const CardPage& page, const QString& notes) {
     const double points = notesPoints(page, notes);
-    const double lines = std::ceil(page.textWidth(notes, points) / full * 1.05);
-    return 5.2 + 2.6 + std::clamp(lines, 1.0, 3.0) * page.lineHeight(points);
+    return headingHeight + 2.6 +
+           std::max(page.heightOf(notes, points, full), page.lineHeight(points));
 }
 
-void cardNotes(CardPage& page, const Words& words, const QString& notes, double y, double end) {
+double cardNotes(CardPage& page, const Words& words, const QString& notes, double y) {
     constexpr double lineStep = 6.5;
-    if (end - y < 9.0) {
-        return;
+    constexpr double leastToWrite = 9.0;
+    const double points = notesPoints(page, notes);
+    if (notes.isEmpty() && page.end() - y < leastToWrite) {
+        return y;
+    }
+    // The heading is not left alone.
+    if (y + headingHeight + page.lineHeight(points) > page.end()) {
+        y = page.nextSheet();
     }
     page.heading(left, y, full, words.translate("JobCard", "Notes"));
-    y += 5.2;
-    const double points = notesPoints(page, notes);
-    const int lines = std::max(1, static_cast<int>((end - y) / page.lineHeight(points)));
-    y += page.paragraph(left, y, full, notes, points, lines);
-    const int ruled = static_cast<int>(std::max(0.0, std::ceil((end - y) / lineStep) - 1.0));
+    y = page.flow(y + headingHeight, notes, points);
+    if (page.number() > 1) {
+        return y;
+    }
+    const int ruled = static_cast<int>(std::max(0.0, std::ceil((page.end() - y) / lineStep) - 1.0));
     for (int line = 1; line <= ruled; ++line) {
         page.line(left, y + line * lineStep, right, y + line * lineStep);
     }
+    return page.end();
 }
 
 void cardSignatures(CardPage& page, const Words& words, const QString& method, double y) {

@@ -32,9 +32,9 @@ double cardAnswer(CardPage& page, const CardAnswer& answer, double y);
 /// What is left to be written by hand.
 inline const QString byHand = QStringLiteral("…………………");
 
-/// What the technician typed, and lines to write on down to `end`; nothing where there is no room.
-void cardNotes(CardPage& page, const Words& words, const QString& notes, double y, double end);
-/// What notes() needs at least, mm.
+/// What the technician typed, all of it; on the first sheet lines to write on fill its room.
+double cardNotes(CardPage& page, const Words& words, const QString& notes, double y);
+/// What they need at least, mm.
 double cardNotesHeight(const CardPage& page, const QString& notes);
 
 /// Lines to sign on, and the method in small print.

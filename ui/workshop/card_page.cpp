@@ -5,6 +5,7 @@
 #include <QTextOption>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/units.h"
 
@@ -50,12 +51,18 @@ double CardPage::textWidth(const QString& text, double points, bool bold) const 
 
 void CardPage::line(double x1, double y1, double x2, double y2, double thickness,
                     const QColor& colour) {
+    if (measuring_) {
+        return;
+    }
     painter_.setPen(QPen(colour, thickness * unit_));
     painter_.drawLine(rect(x1, y1, 0, 0).topLeft(), rect(x2, y2, 0, 0).topLeft());
 }
 
 void CardPage::box(double x, double y, double w, double h, const QColor& fill, const QColor& border,
                    double thickness) {
+    if (measuring_) {
+        return;
+    }
     painter_.setPen(border.isValid() ? QPen(border, thickness * unit_) : QPen(Qt::NoPen));
     painter_.setBrush(fill.isValid() ? QBrush(fill) : QBrush(Qt::NoBrush));
     painter_.drawRect(rect(x, y, w, h));
@@ -64,6 +71,9 @@ void CardPage::box(double x, double y, double w, double h, const QColor& fill, c
 
 void CardPage::text(double x, double y, double w, const QString& text, double points,
                     Qt::Alignment align, bool bold, const QColor& colour) {
+    if (measuring_) {
+        return;
+    }
     double size = points;
     while (size > smallestType && textWidth(text, size, bold) > w) {
         size = std::max(smallestType, size - 0.25);
@@ -76,53 +86,42 @@ void CardPage::text(double x, double y, double w, const QString& text, double po
                       static_cast<int>(align) | Qt::AlignVCenter | Qt::TextSingleLine, shown);
 }
 
-std::vector<QString> CardPage::wrappedRows(const QString& text, const QFont& face, double w,
-                                           int lines) const {
+std::vector<QString> CardPage::wrappedRows(const QString& text, const QFont& face, double width) {
     QTextLayout layout(text, face);
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     layout.setTextOption(option);
     std::vector<QString> rows;
     layout.beginLayout();
-    for (;;) {
-        QTextLine row = layout.createLine();
-        if (!row.isValid()) {
-            break;
-        }
-        row.setLineWidth(w * unit_);
-        if (static_cast<int>(rows.size()) + 1 == lines) {
-            rows.push_back(QFontMetricsF(face).elidedText(text.mid(row.textStart()).simplified(),
-                                                          Qt::ElideRight, w * unit_ + 0.5));
-            break;
-        }
+    for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
+        row.setLineWidth(width);
         rows.push_back(text.mid(row.textStart(), row.textLength()).trimmed());
     }
     layout.endLayout();
     return rows;
 }
 
-double CardPage::heightOf(const QString& text, double points, double w) const {
-    constexpr int any = 100;
+double CardPage::heightOf(const QString& text, double points, double w, bool bold) const {
     return text.isEmpty()
                ? 0.0
-               : static_cast<double>(wrappedRows(text, font(points, false), w, any).size()) *
+               : static_cast<double>(wrappedRows(text, font(points, bold), w * unit_).size()) *
                      lineHeight(points);
 }
 
 double CardPage::paragraph(double x, double y, double w, const QString& text, double points,
-                           int lines, bool bold, const QColor& colour) {
+                           bool bold, const QColor& colour, Qt::Alignment align) {
     if (text.isEmpty()) {
         return 0.0;
     }
     const QFont face = font(points, bold);
-    const std::vector<QString> rows = wrappedRows(text, face, w, lines);
-    painter_.setFont(face);
-    painter_.setPen(colour);
     double at = y;
-    for (const QString& row : rows) {
+    for (const QString& each : wrappedRows(text, face, w * unit_)) {
         if (!measuring_) {
+            painter_.setFont(face);
+            painter_.setPen(colour);
             painter_.drawText(rect(x, at, w, lineHeight(points)),
-                              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, row);
+                              static_cast<int>(align) | Qt::AlignVCenter | Qt::TextSingleLine,
+                              each);
         }
         at += lineHeight(points);
     }
@@ -134,14 +133,58 @@ void CardPage::heading(double x, double y, double w, const QString& title) {
     line(x, y + 4.6, x + w, y + 4.6, 0.3, ink);
 }
 
-void CardPage::blank(double x, double y, double w, const QString& caption, const QString& value) {
+double CardPage::blank(double x, double y, double w, const QString& caption, const QString& value) {
+    constexpr double height = 8.2;
     text(x, y, w - 2, caption, 7, Qt::AlignLeft, false, grey);
+    double end = y + height;
     if (textWidth(value, smallestType, true) <= w - 2) {
         text(x, y + 3.2, w - 2, value, 10, Qt::AlignLeft, true);
     } else {
-        paragraph(x, y + 2.8, w - 2, value, smallestType, 2);
+        end = std::max(end, y + 2.8 + paragraph(x, y + 2.8, w - 2, value, smallestType));
     }
-    line(x, y + 8.2, x + w - 3, y + 8.2, 0.15, hair);
+    line(x, end, x + w - 3, end, 0.15, hair);
+    return end - y;
+}
+
+void CardPage::setFoot(double y, std::function<void()> paint) {
+    end_ = y;
+    foot_ = std::move(paint);
+}
+
+void CardPage::finishSheet() {
+    if (const auto paint = std::exchange(foot_, {})) {
+        paint();
+    }
+}
+
+double CardPage::nextSheet() {
+    finishSheet();
+    ++number_;
+    end_ = bottom;
+    return next_ ? next_() : top;
+}
+
+double CardPage::heightOf(const Section& section) {
+    const bool before = std::exchange(measuring_, true);
+    const double height = section(0.0);
+    measuring_ = before;
+    return height;
+}
+
+double CardPage::place(double y, const Section& section) {
+    return section(y + heightOf(section) > end_ ? nextSheet() : y);
+}
+
+double CardPage::flow(double y, const QString& text, double points, const QColor& colour) {
+    if (text.isEmpty()) {
+        return y;
+    }
+    for (const QString& each : wrappedRows(text, font(points), full * unit_)) {
+        y = place(y, [&](double at) {
+            return at + paragraph(left, at, full, each, points, false, colour);
+        });
+    }
+    return y;
 }
 
 double CardTable::tableWidth() const {
@@ -157,28 +200,50 @@ double CardTable::draw(CardPage& page, double x, double y) const {
     const double width = tableWidth();
     if (!head_.isEmpty()) {
         drawCells(page, x, at, head_, false, true);
-        at += rowHeight_;
+        at += heightOf(page, head_, false);
         page.line(x, at, x + width, at, 0.2, CardPage::ink);
     }
     for (const Row& row : rows_) {
+        const double height = heightOf(page, row.cells, row.bold);
         if (row.shaded) {
-            page.box(x, at, width, rowHeight_, CardPage::shade, QColor());
+            page.box(x, at, width, height, CardPage::shade, QColor());
         }
         drawCells(page, x, at, row.cells, row.bold, false);
-        at += rowHeight_;
+        at += height;
         page.line(x, at, x + width, at, 0.1, CardPage::hair);
     }
     return at - y;
 }
 
-void CardTable::drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
-                          bool caption) const {
-    const double inset = (rowHeight_ - page.lineHeight(points_)) / 2.0;
+double CardTable::heightOf(const CardPage& page, const QStringList& texts, bool bold) const {
+    double height = rowHeight_;
     for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
          ++i) {
-        page.text(x + 0.6, y + inset, columns_[i].width - 1.2, texts.at(static_cast<qsizetype>(i)),
-                  caption ? points_ - 0.7 : points_, columns_[i].align, bold,
-                  caption ? CardPage::grey : CardPage::ink);
+        const QString& text = texts.at(static_cast<qsizetype>(i));
+        const double room = columns_[i].width - 2.0 * inset;
+        if (page.textWidth(text, CardPage::smallestType, bold) > room) {
+            height =
+                std::max(height, page.heightOf(text, CardPage::smallestType, room, bold) + inset);
+        }
+    }
+    return height;
+}
+
+void CardTable::drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
+                          bool caption) const {
+    const double above = (rowHeight_ - page.lineHeight(points_)) / 2.0;
+    const QColor& colour = caption ? CardPage::grey : CardPage::ink;
+    for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
+         ++i) {
+        const QString& text = texts.at(static_cast<qsizetype>(i));
+        const double room = columns_[i].width - 2.0 * inset;
+        if (page.textWidth(text, CardPage::smallestType, bold) > room) {
+            page.paragraph(x + inset, y + 0.5 * inset, room, text, CardPage::smallestType, bold,
+                           colour, columns_[i].align);
+        } else {
+            page.text(x + inset, y + above, room, text, caption ? points_ - 0.7 : points_,
+                      columns_[i].align, bold, colour);
+        }
         x += columns_[i].width;
     }
 }

@@ -4,12 +4,13 @@
 #include <QPainter>
 #include <QRectF>
 #include <QStringList>
+#include <functional>
 #include <vector>
 
 namespace ravnoves {
 
-/// A sheet of paper in millimetres from its upper left corner, with type in points: what the job
-/// card is drawn on.
+/// Sheets of paper in millimetres from their upper left corner, with type in points: what the job
+/// card is drawn on. What a sheet has no room for goes on on the next one.
 class CardPage {
   public:
     static constexpr double width = 210.0;   ///< A4, mm
@@ -18,6 +19,7 @@ class CardPage {
     static constexpr double left = 16.0;  ///< where the print begins, with room to file it, mm
     static constexpr double right = width - 12.0;
     static constexpr double top = 11.0;
+    static constexpr double bottom = 289.0;  ///< where the print ends
     static constexpr double full = right - left;
 
     static const QColor ink;
@@ -40,34 +42,65 @@ class CardPage {
               const QColor& colour = hair);
     void box(double x, double y, double w, double h, const QColor& fill,
              const QColor& border = hair, double thickness = 0.15);
-    /// One line; a text that is too wide is set smaller, as far as it can be read, then elided.
+    /// One line; a text that is too wide is set smaller, as far as it can be read, then elided. For
+    /// labels: sentences and what was typed are paragraphs.
     void text(double x, double y, double w, const QString& text, double points = 8.5,
               Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink);
     static constexpr double smallestType = 6.0;  ///< points; less is not read in a workshop
     /// Height of wrapped text with all its lines, mm.
-    double heightOf(const QString& text, double points, double w) const;
-    /// Wrapped text of at most `lines` lines; the last is elided where there is more.
+    double heightOf(const QString& text, double points, double w, bool bold = false) const;
+    /// Wrapped text with all its lines.
     /// @return its height, mm
-    double paragraph(double x, double y, double w, const QString& text, double points, int lines,
-                     bool bold = false, const QColor& colour = ink);
+    double paragraph(double x, double y, double w, const QString& text, double points,
+                     bool bold = false, const QColor& colour = ink,
+                     Qt::Alignment align = Qt::AlignLeft);
     void heading(double x, double y, double w, const QString& title);
     /// A value with its small caption above and a line below to write on.
-    void blank(double x, double y, double w, const QString& caption, const QString& value);
+    /// @return its height, mm
+    double blank(double x, double y, double w, const QString& caption, const QString& value);
 
-    /// While measuring, paragraphs say their height and paint nothing.
+    // ------------------------------------------------------------------------------- sheets
+
+    int number() const { return number_; }  ///< of the sheet, from 1
+    /// Where what stands on the sheet must end, mm.
+    double end() const { return end_; }
+    /// The lowest part of the first sheet, from `y` down.
+    void setFoot(double y, std::function<void()> paint);
+    /// Called after a sheet is finished, to begin the next; returns where its print begins, mm.
+    void setNextSheet(std::function<double()> next) { next_ = std::move(next); }
+    double nextSheet();
+    /// Paints what stands at the foot.
+    void finishSheet();
+
+    /// What is painted at y (mm); returns where it ends.
+    using Section = std::function<double(double y)>;
+    double heightOf(const Section& section);
+    /// The section at y, or on the next sheet where it has no room there.
+    /// @return where it ends
+    double place(double y, const Section& section);
+    /// A paragraph as wide as the sheet, which goes on on the next sheet.
+    /// @return where it ends
+    double flow(double y, const QString& text, double points, const QColor& colour = ink);
+
+    /// While measuring, nothing is painted.
     void setMeasuring(bool measuring) { measuring_ = measuring; }
+    bool isMeasuring() const { return measuring_; }
 
   private:
-    std::vector<QString> wrappedRows(const QString& text, const QFont& face, double w,
-                                     int lines) const;
+    static std::vector<QString> wrappedRows(const QString& text, const QFont& face, double width);
 
     QPainter& painter_;
     QRectF page_;
     double unit_;
     bool measuring_ = false;
+    int number_ = 1;
+    double end_ = bottom;
+    std::function<void()> foot_;
+    std::function<double()> next_;
 };
 
-/// A table of text on the card: columns with widths and alignment, rows of equal height.
+/// A table of text on the card: columns with widths and alignment, rows of equal height, which grow
+/// where a text does not fit its cell in one line.
 class CardTable {
   public:
     struct Column {
@@ -91,8 +124,11 @@ class CardTable {
     double tableWidth() const;  ///< mm
 
   private:
+    double heightOf(const CardPage& page, const QStringList& texts, bool bold) const;
     void drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
                    bool caption) const;
+
+    static constexpr double inset = 0.6;  ///< of a text in its cell, mm
 
     std::vector<Column> columns_;
     double points_;

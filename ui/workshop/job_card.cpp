@@ -49,18 +49,50 @@ void Shop::keep() const {
     settings.setValue(shopLogo, logo);
 }
 
-void JobCard::paint(QPainter& painter, const QRectF& page) const {
-    painter.save();
-    painter.fillRect(page, Qt::white);
-    CardPage sheet(painter, page);
-    drawShop(sheet, shop_);
-    draw(sheet);
-    // Those that the answer depends on stand beside it.
+QString JobCard::otherRefusedText() const {
     QStringList others = refused_;
     others.removeIf([this](const QString& each) { return refusedOfResult_.contains(each); });
-    constexpr double bottom = 292.5;  // below the line of the method
-    sheet.text(CardPage::left, bottom, CardPage::full, refusedNote(words_, others), 8,
-               Qt::AlignLeft, true, CardPage::amber);
+    return refusedNote(words_, others);
+}
+
+double JobCard::goOn(CardPage& page) const {
+    constexpr double points = 9.0;
+    const double end = CardPage::top + page.paragraph(CardPage::left, CardPage::top, CardPage::full,
+                                                      title(), points, true);
+    page.line(CardPage::left, end + 0.8, CardPage::right, end + 0.8, 0.5, CardPage::ink);
+    return end + 3.0;
+}
+
+void JobCard::paint(QPainter& painter, const QRectF& page,
+                    const std::function<bool()>& next) const {
+    painter.save();
+    CardPage counted(painter, page);
+    counted.setMeasuring(true);
+    counted.setNextSheet([&] { return goOn(counted); });
+    draw(counted);
+    CardPage sheet(painter, page);
+    const auto begin = [&] {
+        if (sheet.isMeasuring()) {
+            return;
+        }
+        painter.fillRect(page, Qt::white);
+        drawShop(sheet, shop_);
+        if (counted.number() > 1) {
+            constexpr double below = 292.5;  // the line of the method
+            sheet.text(CardPage::left, below, CardPage::full,
+                       words_.translate("JobCard", "Page %1 of %2")
+                           .arg(sheet.number())
+                           .arg(counted.number()),
+                       8, Qt::AlignRight, true);
+        }
+    };
+    sheet.setNextSheet([&] {
+        sheet.setMeasuring(!next || !next());
+        begin();
+        return goOn(sheet);
+    });
+    begin();
+    draw(sheet);
     painter.restore();
 }
 
@@ -90,8 +122,12 @@ bool JobCard::print(QPagedPaintDevice& device) const {
         std::min({1.0, paper.width() / CardPage::width, paper.height() / CardPage::height});
     const QRectF card((paper.width() - scale * CardPage::width) / 2.0 - margins.left(),
                       -margins.top(), scale * CardPage::width, scale * CardPage::height);
-    paint(painter, {card.topLeft() * perMillimetre, card.size() * perMillimetre});
-    return painter.end();
+    bool isWhole = true;
+    paint(painter, {card.topLeft() * perMillimetre, card.size() * perMillimetre}, [&] {
+        isWhole = isWhole && device.newPage();
+        return isWhole;
+    });
+    return painter.end() && isWhole;
 }
 
 QString JobCard::writePdf(const QString& path) const {

@@ -3,6 +3,7 @@
 #include <QRectF>
 #include <QString>
 #include <QStringList>
+#include <functional>
 
 #include "workshop/model/verdict.h"
 #include "workshop/model/words.h"
@@ -23,7 +24,8 @@ struct Shop {
     void keep() const;
 };
 
-/// A job card: one sheet of paper, painted in millimetres of A4 by the card of a scene.
+/// A job card: one sheet of paper, or more where there is more to say, painted in millimetres of A4
+/// by the card of a scene.
 class JobCard {
   public:
     explicit JobCard(Words words) : words_(std::move(words)) {}
@@ -33,7 +35,9 @@ class JobCard {
 
     /// Paints the card. `page` is the whole of A4, 210 × 297 mm, in the painter's units; one
     /// millimetre is page.width() / 210 of them.
-    void paint(QPainter& painter, const QRectF& page) const;
+    /// @param next  begins another sheet at the same place, false where there is none; without it
+    ///              the first sheet alone is painted
+    void paint(QPainter& painter, const QRectF& page, const std::function<bool()>& next = {}) const;
     /// Paints onto a printer or PDF writer, as large as its paper allows where that is not A4
     /// upright.
     /// @return false where the device cannot be painted on
@@ -62,8 +66,13 @@ class JobCard {
 
     /// Empty where nothing is refused that the answer depends on.
     QString refusedText() const { return refusedNote(words_, refusedOfResult_); }
+    /// The same of all other entries.
+    QString otherRefusedText() const;
 
   private:
+    /// @return where what goes on begins, mm
+    double goOn(CardPage& page) const;
+
     Words words_;
     Shop shop_;
     QStringList refused_;

@@ -123,7 +123,7 @@ class BobPageTest : public test::WorkshopPageTest<BobWeightsPage> {
         test::Painted painted;
         test::Recorder recorder({2100, 2970}, painted);
         QPainter painter(&recorder);
-        made.paint(painter, {0, 0, 2100, 2970});
+        made.paint(painter, {0, 0, 2100, 2970}, [] { return true; });
         painter.end();
         QStringList texts;
         for (const auto& each : painted.texts) {
@@ -171,6 +171,25 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     type("cylinders", u"5"_s);
     EXPECT_EQ(model->input().engine.cylinders, 5);
     EXPECT_EQ(bob_text::contradiction(Words(), model->input()), QString());
+}
+
+TEST_F(BobPageTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
+    typeShopCard();
+    typeReadings();
+    model->edit(u"runs"_s, [](Input& input) {
+        input.correction->earlier_runs.resize(most_runs - 1);
+        for (int i = 0; i < 900; ++i) {
+            input.job.notes += "note" + std::to_string(i) + ' ';
+        }
+    });
+    const QString printed = card({QString(600, u'r')});
+    for (const QString& text : {u"note0"_s, u"note899"_s, u"Notes"_s, u"Page 2 of 2"_s,
+                                u"Holes and slugs"_s, u"Inspector, signature"_s}) {
+        EXPECT_TRUE(printed.contains(text)) << qPrintable(text);
+    }
+    static const QRegularExpression cut(u"\\w…"_s);
+    EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
+    EXPECT_GE(printed.count(u'r'), 600);
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
