@@ -10321,6 +10321,17 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::Form</name>
+    <message>
+        <source>Must have at most %1 characters, got %2</source>
+        <translation>Должно быть не больше %1 знаков, введено %2</translation>
+    </message>
+    <message>
+        <source>At most %1 characters.</source>
+        <translation>Не больше %1 знаков.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::GuideExportForm</name>
     <message>
         <source>Guide for the machine shop</source>

@@ -74,7 +74,7 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
                    : QString();
     });
     section(tr("Notes on the job card"));
-    text("/job/notes", 200);
+    text("/job/notes", longestNotes);
     finish();
 }
 

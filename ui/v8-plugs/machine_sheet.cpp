@@ -33,7 +33,7 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
         return model_->machineLimitsText();
     })->setObjectName(QStringLiteral("machine_limits"));
     section(tr("Notes on the job card"));
-    text("/job/notes", 200);
+    text("/job/notes", longestNotes);
     finish();
 }
 

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
 
 #include "case-file/whole_number.h"
 #include "text/message_text.h"
@@ -15,19 +16,33 @@ namespace ravnoves {
 
 namespace {
 
-/// A text of the input: every text is allowed.
+/// A text of the input: every text is allowed that is not too long.
 class TextField final : public ValueEntry<QString> {
   public:
-    TextField(std::function<void(const QString&)> passOn, QWidget* parent)
-        : ValueEntry(parent), passOn_(std::move(passOn)) {}
+    /// @param longest  characters; 0: any
+    TextField(std::function<void(const QString&)> passOn, int longest, QWidget* parent)
+        : ValueEntry(parent), passOn_(std::move(passOn)), longest_(longest) {
+        setMaxLength(std::numeric_limits<int>::max());  // nothing typed is cut in silence
+    }
 
   protected:
-    Reading read(const QString& /*typed*/) const override { return {text(), {}}; }
+    Reading read(const QString& /*typed*/) const override {
+        const qsizetype length = text().size();
+        return {
+            text(),
+            longest_ == 0 || length <= longest_
+                ? QString()
+                : Form::tr("Must have at most %1 characters, got %2").arg(longest_).arg(length)};
+    }
+    QString rule() const override {
+        return longest_ == 0 ? QString() : Form::tr("At most %1 characters.").arg(longest_);
+    }
     QString written() const override { return value(); }
     void passOn() override { passOn_(value()); }
 
   private:
     std::function<void(const QString&)> passOn_;
+    int longest_;
 };
 
 FieldValue numberValue(FieldKind kind, std::optional<double> value) {
@@ -226,13 +241,13 @@ QWidget* Form::flag(const char* pointer) {
     return box;
 }
 
-QLineEdit* Form::text(const char* pointer) {
+EntryField* Form::text(const char* pointer, int longest) {
     const FieldEntry entry = model_->describedField(pointer);
     auto* field = new TextField(
         [this, place = entry.pointer, name = fieldName(entry.field)](const QString& typed) {
             model_->editField(place, typed.toStdString(), name);
         },
-        current_);
+        longest, current_);
     field->setObjectName(QString::fromStdString(std::string(entry.field.key)));
     current_->addWidget(shownText(entry.field.label), field, {}, fieldHint(entry.field));
     field->setModel(model_);

@@ -45,7 +45,8 @@ class Form : public QWidget {
     /// A row for yes or no; returns the box to tick.
     QWidget* flag(const char* pointer);
     /// A row for a text.
-    QLineEdit* text(const char* pointer);
+    /// @param longest  characters; a longer one is refused, 0: any
+    EntryField* text(const char* pointer, int longest = 0);
 
     // Rows for what is no field by itself: read from the model, in SI, and written by `write`. What
     // is refused goes back.

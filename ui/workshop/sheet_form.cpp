@@ -57,8 +57,8 @@ QComboBox* SheetForm::choice(const char* pointer) {
 }
 
 void SheetForm::text(const char* pointer, int longest) {
-    QLineEdit* field = ordered(Form::text(pointer));
-    field->setMaxLength(longest);
+    EntryField* field = ordered(Form::text(pointer, longest));
+    field->setIsOfResult(false);
     field->setMinimumWidth(Theme::withText(textWidth));
     enlarge(field);
 }

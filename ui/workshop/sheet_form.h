@@ -39,8 +39,9 @@ class SheetForm : public Form {
         return large(field);
     }
     QComboBox* choice(const char* pointer);
-    /// @param longest  what the job card has room for
+    /// @param longest  what is typed at most, characters
     void text(const char* pointer, int longest = 80);
+    static constexpr int longestNotes = 1000;
     /// A text that must have a form, and what it means to the input.
     struct CheckedText {
         /// The text in the form that is kept; empty where it has none.

@@ -26,6 +26,27 @@ using namespace v8_plugs;
 
 using units::gram;
 
+TEST_F(V8PageTest, NothingTypedIntoTheHeadIsIgnoredInSilence) {
+    const std::pair<const char*, int> texts[] = {{"engine_number", 80},
+                                                 {"crankshaft_number", 80},
+                                                 {"customer", 80},
+                                                 {"technician", 80},
+                                                 {"notes", 1000}};
+    for (const auto& [name, longest] : texts) {
+        auto* field = find<EntryField>(name);
+        type(field, QString(longest, u'n'));
+        EXPECT_EQ(field->trouble(), QString()) << name;
+        type(field, QString(longest + 1, u'm'));
+        EXPECT_EQ(field->trouble(),
+                  u"Must have at most %1 characters, got %2"_s.arg(longest).arg(longest + 1));
+        EXPECT_EQ(field->text().size(), longest + 1) << "what was typed stays to be mended";
+    }
+    EXPECT_EQ(model->input().job.notes, std::string(1000, 'n'));
+    // What a file brings is shown whole.
+    model->edit(u"notes"_s, [](Input& input) { input.job.notes = std::string(1500, 'f'); });
+    EXPECT_EQ(find<EntryField>("notes")->text().size(), 1500);
+}
+
 TEST_F(V8PageTest, EnterGoesDownTheSheetsAndOn) {
     page.sheets()->setCurrentIndex(0);
     page.fieldsOf(0).constFirst()->setFocus();
