@@ -77,16 +77,12 @@ QString PlugsCardPainter::grams(double mass, int decimals) const {
     return words_.digits(mass, gram, decimals);
 }
 
-QString PlugsCardPainter::engineName() const {
-    const QString name = v8_names::engineName(words_, input_.engine.name);
-    return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
-}
-
 double PlugsCardPainter::head(double y) {
     return cardHead(sheet_, words_,
                     {words_.translate("JobCard", "Job card: crankpin plugs and bob weights"),
-                     words_.translate("JobCard", "V-8 engine %1").arg(engineName()), input_.job,
-                     words_.translate("JobCard", "Work · crankshaft"),
+                     words_.translate("JobCard", "V-8 engine: %1")
+                         .arg(v8_names::engineName(words_, input_.engine.name)),
+                     input_.job, words_.translate("JobCard", "Work · crankshaft"),
                      words_.text(process_words[static_cast<int>(input_.process)].label) +
                          QStringLiteral(" · ") +
                          words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label)},

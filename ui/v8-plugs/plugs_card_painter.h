@@ -50,7 +50,6 @@ class PlugsCardPainter {
     QString grams(double mass, int decimals = 2) const;
     QString unitGram() const { return words_.unit(units::gram); }
     QString unitUnbalance() const { return words_.unit(units::gram_mm); }
-    QString engineName() const;
 
     static constexpr double left = CardPage::left;
     static constexpr double full = CardPage::full;

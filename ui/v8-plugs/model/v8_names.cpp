@@ -3,6 +3,7 @@
 #include <QStringList>
 
 #include "text/capital.h"
+#include "v8-plugs/fields.h"
 #include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_names {
@@ -33,6 +34,9 @@ QString named(const Words& words, const char* const (&names)[N], Enum value) {
 }  // namespace
 
 QString engineName(const Words& words, const std::string& name) {
+    if (name.empty()) {
+        return words.text(field::engine.placeholder);
+    }
     QString text = QString::fromStdString(name);
     if (find_preset(name) == nullptr || !text.endsWith(QLatin1String(" l"))) {
         return text;
