@@ -14,7 +14,9 @@ struct EnglishWriter {
     std::string operator()(const std::string& word) const { return word; }
     std::string operator()(const Message& message) const { return message.english(); }
     std::string operator()(const Number& number) const {
-        std::string text = number.digits < 0    ? fixed_decimals(number.value, -number.digits)
+        std::string text = number.trimmed
+                               ? format_number(rounded_to_decimals(number.value, -number.digits))
+                           : number.digits < 0  ? fixed_decimals(number.value, -number.digits)
                            : number.digits == 0 ? format_number(number.value)
                                                 : format_number(number.value, number.digits);
         if (!number.unit.name.empty() && !number.unit_follows) {

@@ -17,6 +17,7 @@ struct Number {
     Unit unit = units::none;
     int digits = 0;  ///< significant; 0: as many as read back to the same number; −2: two decimals
     bool unit_follows = false;  ///< written without its unit: the number after it has the same
+    bool trimmed = false;       ///< of the decimals no zeros at the end
 };
 
 class Message;

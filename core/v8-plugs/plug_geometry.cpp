@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// To hundredths, as one measures.
 Number millimetres(double length) {
-    return {rounded_to_decimals(length / units::mm, 2), units::mm};
+    return {length / units::mm, units::mm, -2, false, true};
 }
 
 }  // namespace

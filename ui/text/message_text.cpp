@@ -37,13 +37,14 @@ QString withPower(const QString& number) {
 QString numberText(const Number& number) {
     const ShownUnit unit = shownUnit(number.unit);
     const QString name = number.unit_follows ? QString() : unit.name;
-    if (number.digits < 0) {
-        return withUnit(fixedNumber(unit.factor * number.value,
-                                    std::max(0, unit.decimals - number.digits), QLocale()),
-                        name);
+    const int decimals = std::max(0, unit.decimals - number.digits);
+    if (number.digits < 0 && !number.trimmed) {
+        return withUnit(fixedNumber(unit.factor * number.value, decimals, QLocale()), name);
     }
     Number own{number.value, units::none, number.digits};
-    if (unit.factor != 1.0) {
+    if (number.trimmed) {
+        own = {rounded_to_decimals(unit.factor * number.value, decimals), units::none, 0};
+    } else if (unit.factor != 1.0) {
         constexpr int converted = 6;
         own = {rounded_to_digits(unit.factor * number.value,
                                  number.digits > 0 ? number.digits : converted),

@@ -63,10 +63,11 @@ class Sketch {
         const v8_plugs::PlugGeometry& plug = drawing.plug;
         // Room for the dimensions around the section.
         const double left = width(labels.height) + 2.4 * em_;
-        const double right =
-            std::max({width(labels.boreDepth), width(labels.cutDepth), width(labels.bottom)}) +
-            (cuts(drawing) ? 4.6 : 2.6) * em_;
         const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
+        const double last = std::max(width(cuts(drawing) ? labels.cutDepth : labels.boreDepth),
+                                     width(labels.bottom));
+        const double right = firstLine * em_ + 0.7 * em_ + last +
+                             (hasBore && cuts(drawing) ? nextLine(labels.boreDepth) : 0.0);
         const double top = ((hasBore ? 1.9 : 0.3) + (cutsAnotherWidth(drawing) ? 1.9 : 0.0)) * em_;
         const double bottom = 2.2 * em_;
         const QRectF room = target.adjusted(left, top, -right, -bottom);
@@ -76,6 +77,10 @@ class Sketch {
         const double h = plug.height * scale_;
         section_ = QRectF(room.center().x() - w / 2.0, room.center().y() - h / 2.0, w, h);
     }
+
+    // Dimension lines right of the section.
+    static constexpr double firstLine = 0.9;  ///< its distance, em
+    double nextLine(const QString& label) const { return std::max(width(label), em_) + 1.1 * em_; }
 
     double x(double radius) const { return section_.center().x() + radius * scale_; }
     double y(double depth) const { return section_.top() + depth * scale_; }
@@ -203,7 +208,7 @@ class Sketch {
                labels.thread, style_.thin);
         along(section_.top(), section_.bottom(), section_.left(), section_.left() - 0.9 * em_,
               labels.height, style_.thin);
-        double beside = section_.right() + 0.9 * em_;
+        double beside = section_.right() + firstLine * em_;
         double deepest = 0.0;
         const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
         // The narrower one stands nearer: no line crosses the other's number.
@@ -226,29 +231,33 @@ class Sketch {
             }
             const double depth = std::min(drawing.cutDepth, plug.height);
             if (deepest > 0.0) {
-                beside += std::max(width(labels.boreDepth), 1.0 * em_) + 1.1 * em_;
+                beside += nextLine(labels.boreDepth);
             }
             along(y(0), y(depth), x(half), beside, labels.cutDepth, style_.cut);
             deepest = std::max(deepest, depth);
         }
-        // The bottom that stays, under the deepest bore; where that has no room for the number it
-        // follows the depth on its line.
-        constexpr double roomForNumber = 2.0;
-        if (deepest > 0.0 && deepest < plug.height && y(deepest) - y(0) < roomForNumber * em_) {
-            along(y(deepest), section_.bottom(), section_.right(), beside, labels.bottom,
-                  style_.thin);
-        } else if (deepest > 0.0 && deepest < plug.height) {
-            const double at = x(0) + std::min(0.22 * section_.width(), 2.0 * em_);
-            painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
-            const double y1 = y(deepest);
-            const double y2 = section_.bottom();
-            painter_.drawLine(QPointF(at, y1 - 0.9 * em_), QPointF(at, y1));
-            arrow(QPointF(at, y1), QPointF(0, 1));
-            painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
-            painter_.drawLine(QPointF(at, y2 + 0.0), QPointF(at, y2 + 0.7 * em_));
-            arrow(QPointF(at, y2), QPointF(0, -1));
-            label(QPointF(at, y1 - 1.4 * em_), labels.bottom, Qt::AlignHCenter, style_.text);
+        if (deepest > 0.0 && deepest < plug.height) {
+            bottomThatStays(y(deepest), beside, labels.bottom);
         }
+    }
+
+    /// In a chain with the depth on its line. A bottom too thin for its number has that at the end
+    /// of a leader below.
+    void bottomThatStays(double top, double at, const QString& text) {
+        const double end = section_.bottom();
+        if (end - top > 1.2 * em_) {
+            along(top, end, section_.right(), at, text, style_.thin);
+            return;
+        }
+        painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
+        for (const double edge : {top, end}) {
+            painter_.drawLine(QPointF(section_.right(), edge), QPointF(at + 0.25 * em_, edge));
+        }
+        const double shoulder = end + 1.1 * em_;
+        painter_.drawLine(QPointF(at, top), QPointF(at, shoulder));
+        painter_.drawLine(QPointF(at, shoulder), QPointF(at + 0.4 * em_, shoulder));
+        arrow(QPointF(at, end), QPointF(0, -1));
+        label(QPointF(at + 0.4 * em_, shoulder), text, Qt::AlignLeft, style_.text);
     }
 
     QPainter& painter_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/shown_units.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
@@ -64,13 +65,11 @@ void PlugsCardPainter::paint() {
 
 void PlugsCardPainter::foot(double machineTop) {
     machine(machineTop);
-    cardSignatures(sheet_, words_,
-                   words_
-                       .translate("JobCard",
-                                  "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · "
-                                  "masses in grams, radii in millimetres")
-                       .arg(QStringLiteral(RAVNOVES_VERSION)),
-                   signaturesTop);
+    cardSignatures(
+        sheet_, words_,
+        words_.translate("JobCard", "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24)")
+            .arg(QStringLiteral(RAVNOVES_VERSION)),
+        signaturesTop);
 }
 
 QString PlugsCardPainter::grams(double mass, int decimals) const {
@@ -148,7 +147,9 @@ double PlugsCardPainter::engineTable(double y, double width) {
         }
         const auto& [field, member, group] = fields[i];
         const auto& value = input_.engine.*member;
-        return {words_.name(field), value ? words_.plain(*value, field.unit, 4) : missing,
+        // As typed; what is converted with digits that mean something.
+        const int decimals = shownAs(field.unit) == field.unit ? 4 : 3;
+        return {words_.name(field), value ? words_.plain(*value, field.unit, decimals) : missing,
                 words_.unit(field.unit)};
     };
     for (std::size_t i = 0; i < half; ++i) {

@@ -8,15 +8,19 @@
 
 #include <QDir>
 #include <QFile>
+#include <QPainter>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <cmath>
 #include <random>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "painted.h"
 #include "scenes/scenes.h"
+#include "text/preferences.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
 
@@ -410,6 +414,62 @@ TEST_F(JobCardTest, NoTextIsDroppedHoweverMuchThereIsToSay) {
             EXPECT_FALSE(cut.match(text).hasMatch());
         }
     }
+}
+
+TEST_F(JobCardTest, IsInTheUnitsChosen) {
+    Json input = workshopInput();
+    input["engine"].erase("name");
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 6, "cutter_diameter_mm": 14})");
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    Preferences::instance().setUnits(Preferences::Length, Preferences::Units::Imperial);
+    const QString text = cardText(input, u"en"_s).join(u' ').simplified();
+    test::Painted painted;
+    test::Recorder recorder({2100, 2970}, painted);
+    QPainter painter(&recorder);
+    card(input, u"en"_s).paint(painter, {0, 0, 2100, 2970});
+    painter.end();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(text.contains(u"V-8 engine: other"_s)) << "as on the page";
+    EXPECT_FALSE(text.contains(u"grams"_s));
+    EXPECT_FALSE(text.contains(u"millimetres"_s));
+    const QString depth = u"0.2959 in"_s;
+    EXPECT_TRUE(text.contains(u"Bore 0.0597 in deeper with a cutter of 0.5512 in, to "_s + depth))
+        << qPrintable(text);
+    EXPECT_EQ(text.count(depth), 2) << "the same on the drawing";
+    // The sizes of the drawing stand within the margin, and apart from its lines and each other.
+    QVector<QRectF> sizes;
+    for (const test::PaintedText& each : painted.texts) {
+        const QString size = QString(each.text).replace(QChar(0x00A0), u' ');
+        static const QRegularExpression inches(u"^⌀?0\\.\\d+ in$"_s);
+        if (inches.match(size).hasMatch()) {
+            EXPECT_LE(each.ink.right(), 1980.0) << qPrintable(size);
+            for (const QRectF& other : sizes) {
+                EXPECT_FALSE(other.intersects(each.ink)) << qPrintable(size);
+            }
+            for (const QPolygonF& line : painted.polygons) {
+                const QRectF stroke = line.boundingRect();
+                const bool isUpright = std::min(stroke.width(), stroke.height()) < 0.01;
+                EXPECT_FALSE(isUpright &&
+                             stroke.adjusted(-0.5, -0.5, 0.5, 0.5).intersects(each.ink))
+                    << qPrintable(size);
+            }
+            sizes << each.ink;
+        }
+    }
+    EXPECT_GE(sizes.size(), 5) << "height, bore, its depth, the new depth, the bottom";
+    // The bottom is no size of the bore: it stands beside the section, under the depths.
+    const auto placeOf = [&](const QString& size) {
+        for (const test::PaintedText& each : painted.texts) {
+            if (QString(each.text).replace(QChar(0x00A0), u' ') == size) {
+                return each.ink;
+            }
+        }
+        return QRectF();
+    };
+    EXPECT_GT(placeOf(u"0.2553 in"_s).left(), placeOf(u"⌀0.5512 in"_s).right());
+    EXPECT_GT(placeOf(u"0.2553 in"_s).top(), placeOf(depth).bottom());
 }
 
 TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {

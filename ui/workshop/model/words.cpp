@@ -42,10 +42,11 @@ QString Words::message(const Message& message) const {
     const auto numberOf = [this](const Number& number) {
         const ShownUnit shown = shownUnit(number.unit);
         const double value = shown.factor * number.value;
+        const int decimals = std::max(0, shown.decimals - number.digits);
         const int digits = number.digits > 0 ? number.digits : shown.factor == 1.0 ? 10 : 6;
-        return withUnit(number.digits < 0
-                            ? this->number(value, std::max(0, shown.decimals - number.digits))
-                            : shownFormNumber(value, locale(), digits),
+        return withUnit(number.trimmed      ? plain(value, decimals)
+                        : number.digits < 0 ? this->number(value, decimals)
+                                            : shownFormNumber(value, locale(), digits),
                         number.unit_follows ? QString() : unit(number.unit));
     };
     return messageText(
