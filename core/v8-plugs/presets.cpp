@@ -92,6 +92,17 @@ PlugSheet printed_plug(std::string_view preset) {
     return sheet;
 }
 
+bool is_printed(const Input& input, std::optional<double> Engine::*plug_mass) {
+    const Engine* preset = find_preset(input.preset);
+    if (preset == nullptr || !input.plug) {
+        return false;
+    }
+    const PlugSheet printed = printed_plug(preset->name);
+    return input.engine.*plug_mass == preset->*plug_mass && input.plug->thread == printed.thread &&
+           input.plug->height == printed.height && !input.plug->bore_diameter &&
+           !input.plug->bore_depth;
+}
+
 std::vector<Preset<Input>> presets() {
     std::vector<Preset<Input>> list;
     for (const Engine& engine : engine_presets()) {

@@ -6,6 +6,7 @@
 #include "text/capital.h"
 #include "text/number_text.h"
 #include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/presets.h"
 #include "workshop/kilograms.h"
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/verdict.h"
@@ -52,8 +53,9 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
     QStringList warnings;
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
     const bool solid = geometry && geometry->bore_depth <= 0.0;
-    const auto warn = [&](const std::optional<PlugMass>& mass, PlugMaterial material) {
-        if (mass && !mass->fits) {
+    const auto warn = [&](const std::optional<PlugMass>& mass, PlugMaterial material,
+                          std::optional<double> Engine::*member) {
+        if (mass && !mass->fits && !is_printed(input, member)) {
             warnings << (solid ? words.translate("V8",
                                                  "%1 plug: solid it weighs %2, but sheet 2 says "
                                                  "%3. Give its bore or weigh it.")
@@ -64,8 +66,8 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
                                  grams(words, mass->geometry, 1), grams(words, mass->typed, 2));
         }
     };
-    warn(solution.steel_plug, PlugMaterial::steel);
-    warn(solution.aluminium_plug, PlugMaterial::aluminium);
+    warn(solution.steel_plug, PlugMaterial::steel, &Engine::steel_plug_mass);
+    warn(solution.aluminium_plug, PlugMaterial::aluminium, &Engine::aluminium_plug_mass);
     return warnings;
 }
 
