@@ -20,7 +20,8 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int besideEachOther = 520;  ///< designed pixels that bob weights and plots need
+constexpr int besideEachOther = 600;  ///< designed pixels that bob weights and plots need
+constexpr int wholeNames = 520;       ///< that the names of the options need beside all columns
 
 }  // namespace
 
@@ -89,17 +90,18 @@ QWidget* PlugsAnswer::buildPlots() {
 /// In a narrow window the names of the options need the room of what one only looks up.
 void PlugsAnswer::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool isNarrow = width() < Theme::withText(besideEachOther);
+    const bool isNarrow = width() < Theme::withText(wholeNames);
     if (isNarrow != isNarrow_) {
         isNarrow_ = isNarrow;
         for (const int column : {1, 2, 5}) {
             options_->setColumnHidden(column, isNarrow);
         }
-        // What scrolls anyway needs not be as low as it can be read.
-        constexpr int easilyRead = 210;
-        shift_->setMinimumHeight(isNarrow ? Theme::withText(easilyRead) : 0);
         showAdvice();
     }
+    // What scrolls anyway needs not be as low as it can be read.
+    constexpr int easilyRead = 210;
+    const bool scrolls = width() < Theme::withText(besideEachOther);
+    shift_->setMinimumHeight(scrolls ? Theme::withText(easilyRead) : 0);
 }
 
 void PlugsAnswer::showAnswer() {

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -17,8 +18,11 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "v8-plugs/page_test.h"
+#include "text/language.h"
 #include "workshop/journal_dialog.h"
 
+#include "v8-plugs/shift_plot.h"
+#include "widgets/result_table.h"
 namespace ravnoves {
 namespace {
 
@@ -243,6 +247,61 @@ TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
 
 /// A button that hides when it is pressed gives the focus to whatever comes next.
 TEST_F(V8PageTest, ItsKeysWorkWhereverTheFocusIs) {
+TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
+    installLanguage(u"ru"_s);
+    Theme::instance().setTextScale(1.5);
+    {
+        const QTemporaryDir folder;
+        V8PlugsPage page(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr);
+        QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
+        ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+        page.viewModel()->loadInput(parse_json(example.readAll().toStdString()).at("input"), {});
+        test::showAt(page, {846, 590});  // beside the scenes in a window of 1024 × 700
+        page.sheets()->setCurrentIndex(page.sheets()->count() - 1);
+        int tables = 0;
+        for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+            if (table->isVisible()) {
+                ++tables;
+                const QScrollBar* bar = table->horizontalScrollBar();
+                EXPECT_TRUE(QTest::qWaitFor([&] { return bar->maximum() == 0; }, 1000))
+                    << table->accessibleName().toStdString();
+            }
+        }
+        EXPECT_GE(tables, 2) << "the options and the bob weights";
+    }
+    Theme::instance().setTextScale(1.0);
+    installLanguage(u"en"_s);
+}
+
+TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
+    int shown = 0;
+    for (int height = 100; height <= 400; height += 20) {
+        ShiftPlot plot(nullptr);
+        test::showAt(plot, {420, height});
+        plot.showRadius(0.04);
+        for (const test::PaintedText& each : test::painted(plot).texts) {
+            if (each.text != u"neglected"_s) {
+                continue;
+            }
+            ++shown;
+            int crossed = 0;
+            for (int curve = 0; curve < static_cast<int>(shift_curves.size()); ++curve) {
+                bool crosses = false;
+                for (double x = 0.8; x <= 1.2; x += 0.01) {
+                    crosses =
+                        crosses || each.ink.contains(plot.toPixel(x, *plot.valueAt(curve, x)));
+                }
+                crossed += crosses ? 1 : 0;
+            }
+            EXPECT_LE(crossed, 1) << height;
+            for (const double shift : {0.8, 1.2}) {
+                EXPECT_FALSE(each.ink.contains(plot.toPixel(shift, shift / 40.0))) << height;
+            }
+        }
+    }
+    EXPECT_GT(shown, 5) << "where there is room";
+}
+
     QWidget window;
     QVBoxLayout column(&window);
     QPushButton other(u"Other"_s, &window);
