@@ -297,12 +297,14 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     for (int i = 0; i <= heights; ++i) {
         const double free = std::max(0.0, room.height() - used.height());
         const QRectF candidate = used.translated(0.0, free * i / heights);
-        if (!places.meetsLabel(candidate)) {
+        // Across one curve, not over several.
+        if (!places.meetsLabel(candidate) &&
+            places.covered(candidate) <= LabelPlaces::coveredBy(candidate.width())) {
             candidates.push_back(candidate);
         }
     }
     if (candidates.empty()) {
-        return;  // the values in it say more
+        return;  // the curves and values in it say more
     }
     const QRectF box = places.place(candidates);
     // The line of the present value may pass wherever it is.

@@ -48,7 +48,7 @@ ShiftPlot::ShiftPlot(QWidget* parent) : PlotView(tr("Shift of the plug's centre 
     own_ = addCurve(own);
     QColor shade = Theme::instance().accent();
     shade.setAlphaF(0.12F);
-    setYRange(Side::Left, 0.0, 0.036);
+    setYRange(Side::Left, 0.0, 0.04);  // with room for the word over the lines
     setBands({{smallest_shift / mm, largest_shift / mm, shade, tr("neglected")}});
 }
 

@@ -11,18 +11,20 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QVBoxLayout>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "painted.h"
 #include "plot/plot_view.h"
+#include "text/language.h"
 #include "theme/theme.h"
 #include "v8-plugs/page_test.h"
-#include "text/language.h"
-#include "workshop/journal_dialog.h"
-
 #include "v8-plugs/shift_plot.h"
 #include "widgets/result_table.h"
+#include "workshop/journal_dialog.h"
+
 namespace ravnoves {
 namespace {
 
@@ -245,8 +247,6 @@ TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     }
 }
 
-/// A button that hides when it is pressed gives the focus to whatever comes next.
-TEST_F(V8PageTest, ItsKeysWorkWhereverTheFocusIs) {
 TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
     installLanguage(u"ru"_s);
     Theme::instance().setTextScale(1.5);
@@ -302,6 +302,8 @@ TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
     EXPECT_GT(shown, 5) << "where there is room";
 }
 
+/// A button that hides when it is pressed gives the focus to whatever comes next.
+TEST_F(V8PageTest, ItsKeysWorkWhereverTheFocusIs) {
     QWidget window;
     QVBoxLayout column(&window);
     QPushButton other(u"Other"_s, &window);

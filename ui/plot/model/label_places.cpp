@@ -94,6 +94,10 @@ void LabelPlaces::addLabel(const QRectF& label) {
     }
 }
 
+double LabelPlaces::coveredBy(double length) {
+    return std::ceil(length / cell) + 1.0;
+}
+
 double LabelPlaces::covered(const QRectF& label) const {
     const auto index = [](double pixels, int most) {
         return std::clamp(static_cast<int>(std::floor(pixels / cell)), 0, most - 1);

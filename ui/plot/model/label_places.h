@@ -21,6 +21,8 @@ class LabelPlaces {
     void addLabel(const QRectF& label);
     /// How much a label here would cover; 0 where nothing is.
     double covered(const QRectF& label) const;
+    /// That of a line of so many pixels.
+    static double coveredBy(double length);
     /// True where another label stands.
     bool meetsLabel(const QRectF& label) const;
     /// Of places for one label, the most wanted first, that which covers least; moved into the
