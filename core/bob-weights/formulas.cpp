@@ -11,9 +11,12 @@ std::vector<Formula> formulas(const Input& input) {
     const bool pair = is_pair(input.engine);
     std::vector<Formula> list;
     list.push_back({CORE_TEXT("bob-weights", "Masses of one cylinder"),
-                    "m<sub>j</sub> = rings + piston + pin + locks + small end, "
-                    "m<sub>r</sub> = big end + shells",
-                    "", "", CORE_TEXT("bob-weights", "mⱼ reciprocating, mᵣ rotating mass")});
+                    "m<sub>j</sub> = m<sub>1</sub> + m<sub>2</sub> + m<sub>3</sub> + "
+                    "m<sub>4</sub> + m<sub>5</sub>, m<sub>r</sub> = m<sub>6</sub> + m<sub>7</sub>",
+                    "", "",
+                    CORE_TEXT("bob-weights",
+                              "mⱼ reciprocating, mᵣ rotating mass; m₁ rings, m₂ piston, m₃ pin, m₄ "
+                              "locks, m₅ small end, m₆ big end, m₇ shells")});
     list.push_back({CORE_TEXT("bob-weights", "First-order force of a piston"),
                     "m<sub>j</sub> r ω<sup>2</sup> cos(ψ − β) e<sup>iβ</sup> = ½ m<sub>j</sub> r "
                     "ω<sup>2</sup> (e<sup>iψ</sup> + e<sup>2iβ</sup> e<sup>−iψ</sup>)",
@@ -37,8 +40,8 @@ std::vector<Formula> formulas(const Input& input) {
          "",
          {}});
     list.push_back({CORE_TEXT("bob-weights", "Bob weight"),
-                    "B = oil + n [m<sub>r</sub> + F m<sub>j</sub>]", "", "",
-                    CORE_TEXT("bob-weights", "n rods on it")});
+                    "B = m<sub>m</sub> + n [m<sub>r</sub> + F m<sub>j</sub>]", "", "",
+                    CORE_TEXT("bob-weights", "n rods on it, mₘ oil in the crankpin")});
     if (input.correction) {
         list.push_back({CORE_TEXT("bob-weights", "Readings taken to the planes"),
                         "U<sub>1</sub> + U<sub>2</sub> = A + B, z<sub>1</sub>U<sub>1</sub> + "

@@ -18,7 +18,8 @@ inline constexpr Word crankshaft_words[] = {
     {"new-plugs", CORE_TEXT("V8", "Made for plugs of the new design")}};
 inline constexpr Word numbering_words[] = {{"bank-by-bank", CORE_TEXT("V8", "1+5, 2+6, 3+7, 4+8")},
                                            {"alternating", CORE_TEXT("V8", "1+2, 3+4, 5+6, 7+8")}};
-inline constexpr Word source_words[] = {{"typed"}, {"weigh-in"}};
+inline constexpr Word source_words[] = {{"typed", CORE_TEXT("V8", "Typed")},
+                                        {"weigh-in", CORE_TEXT("V8", "Weights of the parts")}};
 
 namespace field {
 
@@ -47,7 +48,8 @@ inline constexpr Field mass_changes{
 inline constexpr Field changes_source{
     .key = "mass_changes_from",
     .label = CORE_TEXT("V8", "Source of the mass changes"),
-    .hint = CORE_TEXT("V8", "Off: the changes typed on the sheet “Job” count."),
+    .hint =
+        CORE_TEXT("V8", "The weights of the parts count, or the changes typed on the sheet “Job”."),
     .words = source_words};
 inline constexpr Field tolerance{
     .key = "tolerance_g_mm",

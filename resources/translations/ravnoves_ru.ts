@@ -347,16 +347,8 @@
 <context>
     <name>JobCard</name>
     <message>
-        <source>custom</source>
-        <translation>свой</translation>
-    </message>
-    <message>
         <source>Job card: crankpin plugs and bob weights</source>
         <translation>Карта: пробки и балансировочные грузы</translation>
-    </message>
-    <message>
-        <source>V-8 engine %1</source>
-        <translation>Двигатель V-8, %1</translation>
     </message>
     <message>
         <source>Engine number</source>
@@ -535,10 +527,6 @@
         <translation>Контролёр, подпись</translation>
     </message>
     <message>
-        <source>Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses in grams, radii in millimetres</source>
-        <translation>Ravnoves %1 · метод: А. Д. Назаров, формулы (3)–(24) · массы в граммах, радиусы в миллиметрах</translation>
-    </message>
-    <message>
         <source>Weights of the parts by cylinder, %1</source>
         <translation>Массы деталей по цилиндрам, %1</translation>
     </message>
@@ -593,6 +581,14 @@
     <message>
         <source>Page %1 of %2</source>
         <translation>Страница %1 из %2</translation>
+    </message>
+    <message>
+        <source>Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24)</source>
+        <translation>Ravnoves %1 · метод: А. Д. Назаров, формулы (3)–(24)</translation>
+    </message>
+    <message>
+        <source>V-8 engine: %1</source>
+        <translation>Двигатель V-8, %1</translation>
     </message>
 </context>
 <context>
@@ -1517,10 +1513,6 @@
         <translation>Источник изменений масс</translation>
     </message>
     <message>
-        <source>Off: the changes typed on the sheet “Job” count.</source>
-        <translation>Выключено: действуют изменения, введённые на листе «Работа».</translation>
-    </message>
-    <message>
         <source>Residual unbalance &amp;allowed</source>
         <translation>Допустимый дис&amp;баланс</translation>
     </message>
@@ -2067,6 +2059,18 @@
     <message>
         <source>Between the bore and the inner face.</source>
         <translation>Между полостью и внутренним торцом.</translation>
+    </message>
+    <message>
+        <source>Typed</source>
+        <translation>Введено</translation>
+    </message>
+    <message>
+        <source>Weights of the parts</source>
+        <translation>Массы деталей</translation>
+    </message>
+    <message>
+        <source>The weights of the parts count, or the changes typed on the sheet “Job”.</source>
+        <translation>Учитываются взвешенные массы деталей или изменения, введённые на листе «Работа».</translation>
     </message>
 </context>
 <context>
@@ -3870,10 +3874,6 @@
         <translation>Массы одного цилиндра</translation>
     </message>
     <message>
-        <source>mⱼ reciprocating, mᵣ rotating mass</source>
-        <translation>mⱼ — возвратно-поступательная, mᵣ — вращающаяся масса</translation>
-    </message>
-    <message>
         <source>First-order force of a piston</source>
         <translation>Сила поршня первого порядка</translation>
     </message>
@@ -3896,10 +3896,6 @@
     <message>
         <source>Bob weight</source>
         <translation>Балансировочный груз</translation>
-    </message>
-    <message>
-        <source>n rods on it</source>
-        <translation>n — шатунов на нём</translation>
     </message>
     <message>
         <source>Readings taken to the planes</source>
@@ -4128,6 +4124,14 @@
     <message>
         <source>Holes and slugs that were planned after that run, taken as drilled as planned; later holes keep clear of them. Where the list is missing they are planned from its readings with the planes and drills of the case.</source>
         <translation>Отверстия и вставки, рассчитанные после этого пуска; считаются сделанными, как рассчитано, и следующие отверстия их обходят. Если списка нет, они рассчитываются по его показаниям с плоскостями и свёрлами задачи.</translation>
+    </message>
+    <message>
+        <source>mⱼ reciprocating, mᵣ rotating mass; m₁ rings, m₂ piston, m₃ pin, m₄ locks, m₅ small end, m₆ big end, m₇ shells</source>
+        <translation>mⱼ — возвратно-поступательная, mᵣ — вращающаяся масса; m₁ — кольца, m₂ — поршень, m₃ — палец, m₄ — стопорные кольца, m₅ — верхняя головка, m₆ — нижняя головка, m₇ — вкладыши</translation>
+    </message>
+    <message>
+        <source>n rods on it, mₘ oil in the crankpin</source>
+        <translation>n — шатунов на нём, mₘ — масло в шейке</translation>
     </message>
 </context>
 <context>
@@ -13654,6 +13658,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>A section: the plot is zoomed.</source>
         <translation>Часть графика: он увеличен.</translation>
+    </message>
+    <message>
+        <source>Not used: weights count in its place</source>
+        <translation>Не учитывается: вместо этого — массы деталей</translation>
     </message>
 </context>
 <context>

@@ -61,10 +61,12 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
             }
         });
     }
-    line(Theme::smallSize, [this] {
-        return model_->input().weigh_in ? tr("Those in grey are the means of the weigh-in sheet.")
-                                        : QString();
+    QLabel* grey = line(Theme::smallSize, [this] {
+        return model_->replacedInputs().empty()
+                   ? QString()
+                   : tr("Those in grey are the means of the weigh-in sheet.");
     });
+    grey->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
     section(tr("Crankshaft"));
     wide(choice("/balance"));
     line(Theme::smallSize, [this] {

@@ -53,7 +53,7 @@ bool isRow(const Json& value) {
 
 class Inputs {
   public:
-    explicit Inputs(const SceneModel& model) {
+    explicit Inputs(const SceneModel& model) : replaced_(model.replacedInputs()) {
         for (const auto& entries : {model.describedFields(), model.fields()}) {
             for (const FieldEntry& entry : entries) {
                 entries_.insert_or_assign(entry.pointer, entry);
@@ -112,6 +112,9 @@ class Inputs {
 
     QString meaningOf(const std::string& pointer) const {
         const FieldEntry* entry = entryAt(pointer);
+        if (std::find(replaced_.begin(), replaced_.end(), pointer) != replaced_.end()) {
+            return ReportWords::tr("Not used: weights count in its place");
+        }
         // What the field would stand for while it is empty explains no value.
         return entry == nullptr ? QString() : firstSentence(shownText(entry->field.hint));
     }
@@ -357,6 +360,7 @@ class Inputs {
     }
 
     std::map<std::string, FieldEntry> entries_;
+    std::vector<std::string> replaced_;
     Table main_;
     std::vector<Table> lists_;
 };

@@ -88,11 +88,12 @@ void JobSheet::buildChanges() {
     current()->addWide(keep);
     connect(keep, &QPushButton::clicked, model_, &V8PlugsModel::keepTolerance);
     follow([this, keep] { keep->setVisible(!model_->isShopsTolerance()); });
-    line(Theme::smallSize, [this] {
-        return model_->input().changes_from_weigh_in
-                   ? tr("Those in grey are taken from the weigh-in sheet.")
-                   : QString();
+    QLabel* grey = line(Theme::smallSize, [this] {
+        return model_->replacedInputs().empty()
+                   ? QString()
+                   : tr("Those in grey are taken from the weigh-in sheet.");
     });
+    grey->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
     line(Theme::smallSize, [this] {
         return model_->carriedOver();
     })->setObjectName(QStringLiteral("carried_over"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -72,6 +73,12 @@ TEST(Formulas, AreWellFormed) {
                 EXPECT_EQ(count("<" + tag + ">"), count("</" + tag + ">")) << path << html;
             }
             EXPECT_EQ(html.find('&'), std::string::npos) << html;
+            // Words stand where they are translated.
+            std::smatch word;
+            static const std::regex words("[a-z]{4,}");
+            const std::string plain =
+                std::regex_replace(html, std::regex("<[^>]*>|arcsin|const"), " ");
+            EXPECT_FALSE(std::regex_search(plain, word, words)) << word.str();
         }
     });
 }

@@ -15,6 +15,7 @@
 #include <map>
 
 #include "case-file/json.h"
+#include "report/input_tables.h"
 #include "theme/theme.h"
 #include "v8-plugs/page_test.h"
 
@@ -25,6 +26,33 @@ using namespace Qt::StringLiterals;
 using namespace v8_plugs;
 
 using units::gram;
+
+TEST_F(V8PageTest, AReportSaysWhichTypedChangesDoNotCount) {
+    type("rod_big_end", u"0.5"_s);
+    type("repair_piston_and_rings", u"2"_s);
+    EXPECT_EQ(model->replacedInputs(), std::vector<std::string>());
+    type("nominal_piston", u"600"_s);
+    for (int cylinder = 1; cylinder <= 8; ++cylinder) {
+        type(("mass_piston_" + std::to_string(cylinder)).c_str(), u"601"_s);
+    }
+    QStringList rows;
+    for (const report::Table& table : inputTables(*model)) {
+        for (const QStringList& row : table.rows) {
+            rows << row.join(u'|');
+        }
+    }
+    const QString unused = u"Not used: weights count in its place"_s;
+    EXPECT_TRUE(rows.contains(u"Repair piston and rings Δmᵣₚ|2|g|"_s + unused))
+        << qPrintable(rows.join(u'\n'));
+    EXPECT_EQ(rows.filter(u"big end"_s).filter(unused).size(), 0);
+    EXPECT_EQ(rows.filter(u"Source of the mass changes|Weights of the parts"_s).size(), 1);
+    EXPECT_EQ(rows.filter(u"weigh-in"_s).size(), 0);
+    // What is grey on the page is not so on paper.
+    for (const QLabel* said : page.findChildren<QLabel*>()) {
+        EXPECT_FALSE(said->text().contains(u"in grey"_s) &&
+                     said->textInteractionFlags().testFlag(Qt::TextSelectableByMouse));
+    }
+}
 
 TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     page.sheets()->setCurrentIndex(2);

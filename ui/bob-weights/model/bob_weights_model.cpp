@@ -382,6 +382,16 @@ void BobWeightsModel::newJob() {
 
 // ------------------------------------------------------------------------------------- journal
 
+std::vector<std::string> BobWeightsModel::replacedInputs() const {
+    std::vector<std::string> replaced;
+    for (const PartField& part : part_fields()) {
+        if (mass_of(input(), part) != input().parts.*part.member) {
+            replaced.push_back("/parts_g/" + std::string(part.field.key));
+        }
+    }
+    return replaced;
+}
+
 bool BobWeightsModel::hasNumbers() const {
     const auto parts = part_fields();
     const bool isTyped = std::any_of(parts.begin(), parts.end(), [&](const PartField& part) {

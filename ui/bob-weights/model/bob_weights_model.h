@@ -43,6 +43,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     explicit BobWeightsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("bob-weights"); }
+    std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
 
     QString edit(const QString& name, const std::function<void(bob_weights::Input&)>& mutate,

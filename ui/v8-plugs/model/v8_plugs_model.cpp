@@ -360,6 +360,16 @@ void V8PlugsModel::setPlugs(const QString& name, EngineGroup group, bool present
     });
 }
 
+std::vector<std::string> V8PlugsModel::replacedInputs() const {
+    std::vector<std::string> replaced;
+    for (const MassChangeField& each : mass_change_fields()) {
+        if (!input().takes_typed(each.member)) {
+            replaced.push_back("/mass_changes_g/" + std::string(each.field.key));
+        }
+    }
+    return replaced;
+}
+
 QStringList V8PlugsModel::engineNames() const {
     QStringList names;
     for (const Engine& preset : engine_presets()) {

@@ -46,6 +46,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
+    std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
 
     QString editField(const std::string& pointer, const FieldValue& value,
