@@ -236,7 +236,7 @@ class Sketch {
             along(y(0), y(depth), x(half), beside, labels.cutDepth, style_.cut);
             deepest = std::max(deepest, depth);
         }
-        if (deepest > 0.0 && deepest < plug.height) {
+        if (deepest > 0.0 && deepest < plug.height && !labels.bottom.isEmpty()) {
             bottomThatStays(y(deepest), beside, labels.bottom);
         }
     }
