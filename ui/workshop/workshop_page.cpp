@@ -524,6 +524,7 @@ void WorkshopPage::printCard() {
     QPrinter printer(QPrinter::HighResolution);
     JobCard::setPage(printer);
     QPrintDialog dialog(&printer, this);
+    dialog.setOption(QPrintDialog::PrintPageRange, false);  // the card is printed whole
     if (dialog.exec() == QDialog::Accepted) {
         paintCard(&printer);
     }
