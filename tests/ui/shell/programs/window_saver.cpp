@@ -66,7 +66,8 @@ int main(int argc, char** argv) {
         said("case", i);
         window.showScene(u"v8-plugs"_s);
         auto* desk = window.findChild<JobDesk*>();
-        type("engine_number", u"53-11"_s);  // without a name nothing is kept
+        // Without a name nothing is kept, and of one that the journal has it would ask.
+        type("engine_number", u"53-%1"_s.arg(QString::fromLocal8Bit(argv[2])));
         type("technician", QString::number(i));
         QTest::keyClick(&window, Qt::Key_F2);
         if (!QTest::qWaitFor([&] { return desk->jobId() != 0 && !desk->isWaiting(); }, 20'000)) {
