@@ -16234,6 +16234,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Rows that are wrong besides: %1</source>
         <translation>Ещё строк с ошибками: %1</translation>
     </message>
+    <message>
+        <source>%1° is not below the angle of the next row, %2°.</source>
+        <translation>%1° не меньше угла следующей строки, %2°.</translation>
+    </message>
+    <message>
+        <source>%1° is not above the angle of the row before, %2°.</source>
+        <translation>%1° не больше угла предыдущей строки, %2°.</translation>
+    </message>
+    <message>
+        <source>%1° does not lie between the angles of its neighbours, %2° and %3°.</source>
+        <translation>%1° не лежит между углами соседних строк, %2° и %3°.</translation>
+    </message>
+    <message>
+        <source>with %1° the angles do not span 720°, or 360° of a two-stroke engine.</source>
+        <translation>с %1° углы не охватывают 720° (у двухтактного 360°).</translation>
+    </message>
+    <message>
+        <source>the first and the last torque are one instant of the cycle and must be equal.</source>
+        <translation>первый и последний моменты — одно мгновение цикла и должны быть равны.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsModel</name>

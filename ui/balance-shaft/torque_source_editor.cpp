@@ -59,7 +59,6 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     trouble_ = new TroubleLine(this);
     trouble_->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
     column->addWidget(trouble_);
-    column->addWidget(buildCheck());
     column->addWidget(buildNoTable());
     noTrace_ = new TroubleLine(this);
     noTrace_->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
@@ -71,6 +70,8 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     forms_->addWidget(buildPressure());
     forms_->addWidget(buildCycle());
     column->addWidget(forms_, 1);
+    // Below: what it says changes with each cell, and the rows must not move under the pointer.
+    column->addWidget(buildCheck());
 
     connect(choice_, &QComboBox::activated, this, [this](int page) {
         const TorqueSource& torque = model_->input().torque;

@@ -1,6 +1,7 @@
 #include "balance-shaft/model/torque_table_model.h"
 
 #include <QLocale>
+#include <cmath>
 #include <utility>
 
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -8,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/run_beside.h"
+#include "numerics/constants.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -93,7 +95,7 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     if (table == valid_ && !rows_.empty()) {
         return;
     }
-    if (!trouble_.isEmpty() && table.size() == rows_.size()) {
+    if (table.size() == rows_.size()) {
         follow(table);
         return;
     }
@@ -135,19 +137,45 @@ void TorqueTableModel::forgetRefused() {
     }
 }
 
+QString TorqueTableModel::refusedText(std::size_t row) const {
+    for (const int column : {int(CrankAngle), int(Torque)}) {
+        if (!numberOf(rows_[row], column)) {
+            return cellTrouble(textOf(rows_[row], column));
+        }
+    }
+    const auto angle = [this](std::size_t i) {
+        return formNumber(numberOf(rows_[i], CrankAngle).value_or(rows_[i].angle), QLocale());
+    };
+    if (isOutOfOrder(row)) {
+        return row == 0 ? tr("%1° is not below the angle of the next row, %2°.")
+                              .arg(angle(row), angle(row + 1))
+               : row + 1 == rows_.size()
+                   ? tr("%1° is not above the angle of the row before, %2°.")
+                         .arg(angle(row), angle(row - 1))
+                   : tr("%1° does not lie between the angles of its neighbours, %2° and %3°.")
+                         .arg(angle(row), angle(row - 1), angle(row + 1));
+    }
+    if (isBeyondCycle(row)) {
+        return tr("with %1° the angles do not span 720°, or 360° of a two-stroke engine.")
+            .arg(angle(row));
+    }
+    if (isOpenEnd(row)) {
+        return tr("the first and the last torque are one instant of the cycle and must be equal.");
+    }
+    return {};
+}
+
 QString TorqueTableModel::refusedTexts() const {
     constexpr int mostSaid = 3;
     QStringList troubles;
     int more = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const bool isAngle = !angleOf(rows_[i]);
-        if (!isAngle && torqueOf(rows_[i])) {
+        const QString why = refusedText(i);
+        if (why.isEmpty()) {
             continue;
         }
         if (troubles.size() < mostSaid) {
-            troubles << tr("Row %1: %2")
-                            .arg(i + 1)
-                            .arg(cellTrouble(textOf(rows_[i], isAngle ? CrankAngle : Torque)));
+            troubles << tr("Row %1: %2").arg(i + 1).arg(why);
         } else {
             ++more;
         }
@@ -158,31 +186,35 @@ QString TorqueTableModel::refusedTexts() const {
     return troubles.join(QLatin1Char('\n'));
 }
 
-TorqueTable TorqueTableModel::tableOf(Angles which) const {
+std::optional<double> TorqueTableModel::numberOf(const Row& row, int column) {
+    return column == CrankAngle ? angleOf(row) : torqueOf(row);
+}
+
+TorqueTable TorqueTableModel::tableOf(Cells which) const {
     TorqueTable table;
     table.crank_angle_deg.reserve(rows_.size());
     table.torque.reserve(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[i];
-        const bool isOwn = which == Angles::own || (which == Angles::growing && isOutOfOrder(i));
-        table.crank_angle_deg.push_back(isOwn ? row.angle : angleOf(row).value_or(row.angle));
-        table.torque.push_back(torqueOf(row).value_or(row.torque));
+        const bool isOwnAngle = which == Cells::taken && (isOutOfOrder(i) || isBeyondCycle(i));
+        const bool isOwnTorque = which == Cells::taken && isOpenEnd(i);
+        table.crank_angle_deg.push_back(isOwnAngle ? row.angle : angleOf(row).value_or(row.angle));
+        table.torque.push_back(isOwnTorque ? row.torque : torqueOf(row).value_or(row.torque));
     }
     return table;
 }
 
 void TorqueTableModel::check() {
+    TorqueTable table = tableOf(Cells::typed);
     QString trouble = refusedTexts();
-    TorqueTable table = tableOf(Angles::typed);
     QString why = cycleTrouble(table);
     if (!why.isEmpty()) {
-        trouble += (trouble.isEmpty() ? QString() : QStringLiteral("\n")) + why;
-    }
-    for (const Angles which : {Angles::growing, Angles::own}) {
-        if (!why.isEmpty()) {
-            table = tableOf(which);
-            why = cycleTrouble(table);
+        table = tableOf(Cells::taken);
+        const QString still = cycleTrouble(table);
+        if (!still.isEmpty() || trouble.isEmpty()) {
+            trouble += (trouble.isEmpty() ? QString() : QStringLiteral("\n")) + why;
         }
+        why = still;
     }
     if (trouble != trouble_) {
         trouble_ = trouble;
@@ -199,14 +231,38 @@ void TorqueTableModel::check() {
     }
 }
 
+bool TorqueTableModel::isPending(std::size_t row, int column) const {
+    const auto number = numberOf(rows_[row], column);
+    return number && *number != (column == CrankAngle ? rows_[row].angle : rows_[row].torque);
+}
+
+double TorqueTableModel::shownAngle(std::size_t row) const {
+    return angleOf(rows_[row]).value_or(rows_[row].angle);
+}
+
 bool TorqueTableModel::isOutOfOrder(std::size_t row) const {
-    const auto angle = angleOf(rows_[row]);
-    if (!angle || *angle == rows_[row].angle) {
+    if (!isPending(row, CrankAngle)) {
         return false;  // the case's own grow
     }
-    const auto at = [this](std::size_t i) { return angleOf(rows_[i]).value_or(rows_[i].angle); };
-    return (row > 0 && !(*angle > at(row - 1))) ||
-           (row + 1 < rows_.size() && !(*angle < at(row + 1)));
+    const double angle = shownAngle(row);
+    return (row > 0 && !(angle > shownAngle(row - 1))) ||
+           (row + 1 < rows_.size() && !(angle < shownAngle(row + 1)));
+}
+
+bool TorqueTableModel::isBeyondCycle(std::size_t row) const {
+    if ((row != 0 && row + 1 != rows_.size()) || !isPending(row, CrankAngle)) {
+        return false;
+    }
+    const double span = shownAngle(rows_.size() - 1) - shownAngle(0);
+    const auto is = [&](double cycle) { return std::abs(span - cycle) <= 1e-9 * cycle; };
+    return !is(2.0 * turn_deg) && !is(turn_deg);
+}
+
+bool TorqueTableModel::isOpenEnd(std::size_t row) const {
+    const auto first = torqueOf(rows_.front());
+    const auto last = torqueOf(rows_.back());
+    return (row == 0 || row + 1 == rows_.size()) && first && last && *first != *last &&
+           (isPending(0, Torque) || isPending(rows_.size() - 1, Torque));
 }
 
 bool TorqueTableModel::isRefused(int row, int column) const {
@@ -214,8 +270,8 @@ bool TorqueTableModel::isRefused(int row, int column) const {
         return false;
     }
     const auto place = static_cast<std::size_t>(row);
-    return column == Torque ? !torqueOf(rows_[place])
-                            : !angleOf(rows_[place]) || isOutOfOrder(place);
+    return !numberOf(rows_[place], column) ||
+           (column == Torque ? isOpenEnd(place) : isOutOfOrder(place) || isBeyondCycle(place));
 }
 
 SceneModel* TorqueTableModel::scene() const {
@@ -234,7 +290,7 @@ void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, Case
     if (!number || rows_.empty()) {
         return;
     }
-    TorqueTable table = tableOf(Angles::typed);
+    TorqueTable table = tableOf(Cells::typed);
     const auto row = static_cast<std::size_t>(at.row());
     if (at.column() == CrankAngle) {
         table.crank_angle_deg[row] = *number;
@@ -312,6 +368,14 @@ QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStr
             type(rows_[at], column + j, cells[i][j]);
         }
     }
+    // The ends are one instant; a block with both has its own.
+    const bool hasTorque = !cells.empty() && column <= Torque && column + cells[0].size() > Torque;
+    const bool hasFirst = hasTorque && row == 0;
+    const bool hasLast = hasTorque && static_cast<std::size_t>(row) + cells.size() >= rows_.size();
+    if (hasFirst != hasLast) {
+        const Row& from = hasFirst ? rows_.front() : rows_.back();
+        type(hasFirst ? rows_.back() : rows_.front(), Torque, textOf(from, Torque));
+    }
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 1));
     check();  // says itself what is wrong
     return {};
@@ -379,15 +443,20 @@ void TorqueTableModel::bringRefused(const Json& state) {
     for (const Json& each : state) {
         const std::size_t place = rows.size();
         Row& row = rows.emplace_back();
-        if (state.size() == valid_.size()) {  // what holds below a text
+        if (state.size() == valid_.size()) {  // what holds below what was typed
             row.angle = valid_.crank_angle_deg[place];
             row.torque = valid_.torque[place];
         }
+        const bool isHeld = state.size() == valid_.size();
         const auto put = [&](const Json& cell, double& own, int column) {
-            if (cell.is_number()) {
-                own = cell.get<double>();
-            } else {
+            if (!cell.is_number()) {
                 type(row, column, QString::fromStdString(cell.get<std::string>()));
+            } else if (const double number = cell.get<double>(); !isHeld) {
+                own = number;
+            } else if (number != own) {
+                Row other;
+                (column == CrankAngle ? other.angle : other.torque) = number;
+                type(row, column, ownText(other, column));
             }
         };
         put(each.at(0), row.angle, CrankAngle);

@@ -87,19 +87,25 @@ class TorqueTableModel : public EditableTable {
     static void type(Row& row, int column, const QString& text);
     void put(const QModelIndex& index, const QString& text);
     void follow(const balance_shaft::TorqueTable& table);
-    /// Why cells are no numbers, row by row.
+    /// Why a row is refused; empty where it is not.
+    QString refusedText(std::size_t row) const;
+    /// The same of all rows, up to a few.
     QString refusedTexts() const;
-    enum class Angles {
-        typed,
-        growing,  ///< as typed where they are in order, else the case's
-        own       ///< the case's
+    enum class Cells {
+        typed,  ///< those that are numbers; else what the case holds
+        taken   ///< those that are not refused; else what the case holds
     };
-    /// What the cells stand for; those that are no numbers for what the case holds.
-    balance_shaft::TorqueTable tableOf(Angles which) const;
-    /// A typed angle that does not lie between those of its neighbours.
-    bool isOutOfOrder(std::size_t row) const;
+    balance_shaft::TorqueTable tableOf(Cells which) const;
     void check();
-    /// True for a cell that is no number, and for an angle that does not grow.
+    static std::optional<double> numberOf(const Row& row, int column);
+    /// A number that the case does not hold.
+    bool isPending(std::size_t row, int column) const;
+    double shownAngle(std::size_t row) const;
+    // Pending cells:
+    bool isOutOfOrder(std::size_t row) const;   ///< an angle not between its neighbours'
+    bool isBeyondCycle(std::size_t row) const;  ///< the first or last angle: no cycle lies between
+    bool isOpenEnd(std::size_t row) const;      ///< the first and last torque differ
+    /// True for a cell that is no number or that is refused beside the others.
     bool isRefused(int row, int column) const;
 
     BalanceShaftModel* model_ = nullptr;
