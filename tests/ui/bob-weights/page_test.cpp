@@ -1178,5 +1178,12 @@ TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {
     EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
 }
 
+TEST(AlreadyDrilled, HasAsManyAnglesInARowAsItHasRoomFor) {
+    Result result;
+    result.runs.resize(1);
+    result.runs[0].drilled[0].holes.assign(10, Hole{});
+    EXPECT_EQ(bob_text::drilled(Words(), result, std::nullopt).size(), 3);
+}
+
 }  // namespace
 }  // namespace ravnoves

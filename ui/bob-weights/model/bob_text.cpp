@@ -486,12 +486,14 @@ QString holeName(const Words& words, std::size_t plane, bool isSlug, double diam
     return work.arg(words.plainWithUnit(diameter, units::mm, 2));
 }
 
-/// Holes that are alike are a row, with the angle of each.
+/// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, std::size_t plane,
                 const std::vector<Hole>& holes, bool isSlug) {
     const double sign = isSlug ? -1.0 : 1.0;
     for (auto first = holes.begin(); first != holes.end();) {
-        const auto last = std::find_if(first, holes.end(), [&](const Hole& hole) {
+        constexpr std::ptrdiff_t most = 4;
+        const auto end = first + std::min(most, holes.end() - first);
+        const auto last = std::find_if(first, end, [&](const Hole& hole) {
             return hole.diameter != first->diameter || hole.depth != first->depth;
         });
         QStringList angles;
