@@ -2076,10 +2076,6 @@
 <context>
     <name>Workshop</name>
     <message>
-        <source>%1: %2 looks like kilograms; masses are in grams.</source>
-        <translation>%1: %2 похоже на килограммы; массы вводятся в граммах.</translation>
-    </message>
-    <message>
         <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
         <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
     </message>
@@ -2114,6 +2110,10 @@
     <message>
         <source>%1: no engine runs at %2 in service; look at the decimal sign.</source>
         <translation>%1: при %2 двигатели не работают; проверьте десятичный знак.</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like kilograms; masses are in %3.</source>
+        <translation>%1: %2 похоже на килограммы; массы вводятся в %3.</translation>
     </message>
 </context>
 <context>

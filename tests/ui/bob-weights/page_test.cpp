@@ -749,7 +749,12 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
                       "one rod, oil of one crankpin."_s))
         << qPrintable(said);
     EXPECT_TRUE(isAmber("headline"));
-    EXPECT_TRUE(card().contains(u"looks like kilograms"_s));
+    EXPECT_TRUE(card().contains(u"looks like kilograms; masses are in g."_s));
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    const QString inOunces = model->doubts().join(u' ');
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(inOunces.contains(u"looks like kilograms; masses are in oz."_s));
     typeShopCard();
     EXPECT_EQ(label("troubles"), QString());
     EXPECT_FALSE(isAmber("headline"));

@@ -6,8 +6,8 @@
 namespace ravnoves {
 
 QString kilogramText(const Words& words, const QString& name, double mass) {
-    return words.translate("Workshop", "%1: %2 looks like kilograms; masses are in grams.")
-        .arg(name, words.number(mass, units::gram, 3));
+    return words.translate("Workshop", "%1: %2 looks like kilograms; masses are in %3.")
+        .arg(name, words.number(mass, units::gram, 3), words.unit(units::gram));
 }
 
 QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,

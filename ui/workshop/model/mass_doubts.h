@@ -8,7 +8,7 @@
 
 namespace ravnoves {
 
-/// "Piston: 0.584 g looks like kilograms; masses are in grams."
+/// "Piston: 0.584 g looks like kilograms; masses are in g."
 QString kilogramText(const Words& words, const QString& name, double mass);
 /// "Piston: cylinder 3 weighs 5840 g, the others about 584 g; look at the decimal sign."
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd);
