@@ -1156,6 +1156,10 @@
         <source>The bob weight is that of the parts as weighed: where one is made lighter, weigh again.</source>
         <translation>Балансировочный груз — для деталей, как они взвешены: если какая-то облегчена, взвесьте снова.</translation>
     </message>
+    <message>
+        <source>as they are now</source>
+        <translation>как сейчас</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>

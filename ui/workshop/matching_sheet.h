@@ -36,10 +36,7 @@ class MatchingSheet : public SheetForm {
           edit_([model](const QString& name, const std::function<void(Rules&)>& change) {
               model->editWeights(name, [&](auto& sheet) { change(sheet.matching); });
           }),
-          isMoved_([model] {
-              const auto& sheet = model->input().weigh_in;
-              return sheet && sheet->is_moved();
-          }),
+          isMoved_([model] { return model->canMoveBack(); }),
           move_([model] { model->moveParts(); }),
           moveBack_([model] { model->moveBack(); }),
           find_([model] { return findingsOf(*model); }) {}
@@ -93,7 +90,7 @@ class MatchingSheet : public SheetForm {
 
     std::function<Rules()> rules_;
     std::function<void(const QString&, const std::function<void(Rules&)>&)> edit_;
-    std::function<bool()> isMoved_;  ///< parts are elsewhere than they were weighed
+    std::function<bool()> isMoved_;  ///< parts can go back to where they were weighed
     std::function<void()> move_;
     std::function<void()> moveBack_;
     std::function<Findings()> find_;

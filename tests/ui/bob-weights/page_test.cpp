@@ -387,6 +387,16 @@ TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
         type("cylinders", QLatin1String(cylinders));
         settle();
         EXPECT_EQ(model->matchingShown().has_value(), std::atoi(cylinders) <= 8) << cylinders;
+        // The numbers of the sets are those of eight.
+        const bool isWhole = std::atoi(cylinders) == 8;
+        EXPECT_NE(find<QPushButton>("move_back")->isHidden(), isWhole) << cylinders;
+        if (!isWhole) {
+            model->moveBack();
+            for (const ResultColumn& column : model->effectResults().columns) {
+                EXPECT_NE(column.heading, u"as weighed"_s) << cylinders;
+            }
+            EXPECT_FALSE(model->assignmentText().contains(u"as weighed"_s)) << cylinders;
+        }
         EXPECT_FALSE(page.grab().isNull());
     }
     EXPECT_EQ((*model->input().weigh_in)[workshop::Part::piston].mass, weighed);

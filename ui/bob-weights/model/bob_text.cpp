@@ -370,6 +370,7 @@ std::optional<matching_text::Shown> matchingShown(const Input& given, const Resu
     const WeighIn& sheet = *input.weigh_in;
     matching_text::Shown shown{*result.placing,      crank_of(input),   sheet.matching.crank_radius,
                                service_speed(input), sheet.piston_sets, sheet.rod_sets};
+    shown.is_origin_unknown = given.weigh_in->is_moved() && !sheet.is_moved();
     matching_text::takeAsWeighed(
         shown, matching_task(input, result.factor + input.factor.overbalance), sheet);
     return shown;

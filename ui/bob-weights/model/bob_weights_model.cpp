@@ -358,7 +358,15 @@ Results BobWeightsModel::takeOffResults() const {
 }
 
 void BobWeightsModel::moveBack() {
-    editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
+    if (canMoveBack()) {
+        editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
+    }
+}
+
+bool BobWeightsModel::canMoveBack() const {
+    // By the numbers of a sheet of another number of cylinders they cannot.
+    const auto sheet = fitted(input()).weigh_in;
+    return sheet && sheet->is_moved();
 }
 
 void BobWeightsModel::moveParts() {

@@ -89,6 +89,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     void moveParts();
     /// The weights go back to where they were weighed.
     void moveBack();
+    bool canMoveBack() const override;
 
     // -------------------------------------------------------------------- what the page shows
     QString headline() const;  ///< the bob weight; why where it is not known

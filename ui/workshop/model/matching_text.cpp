@@ -62,7 +62,7 @@ QString summary(const Words& words, const Shown& shown) {
         return words.translate("Matching", "The parts stay: the crankpins differ by %1.")
             .arg(before);
     }
-    if (isMoved) {
+    if (isMoved || shown.is_origin_unknown) {
         return words
             .translate(
                 "Matching",
@@ -129,7 +129,9 @@ QString felt(const Words& words, const Shown& shown) {
 Results effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
     Results results{
-        {words.translate("Matching", "What differs"), words.translate("Matching", "as weighed"),
+        {words.translate("Matching", "What differs"),
+         shown.is_origin_unknown ? words.translate("Matching", "as they are now")
+                                 : words.translate("Matching", "as weighed"),
          words.translate("Matching", "placed so")},
         {{{words.translate("Matching", "Crankpins, spread"),
            gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),

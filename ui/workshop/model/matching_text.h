@@ -17,6 +17,8 @@ struct Shown {
     std::optional<double> speed;         ///< rad/s
     workshop::SetNumbers piston_sets;    ///< as they are on the sheet
     workshop::SetNumbers rod_sets;
+    /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
+    bool is_origin_unknown = false;
     /// Of the parts where they were weighed, once they have been moved.
     std::optional<double> spread_as_weighed = {};  ///< kg
     std::optional<workshop::Shaking> shaking_as_weighed = {};

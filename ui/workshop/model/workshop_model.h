@@ -49,6 +49,11 @@ class WorkshopModel : public CaseModel<Scene> {
     }
 
     // What is to be done with the weighed parts.
+    /// Parts are elsewhere than they were weighed, and it is known where that was.
+    virtual bool canMoveBack() const {
+        const auto& sheet = this->input().weigh_in;
+        return sheet && sheet->is_moved();
+    }
     /// Which sets to move; nothing where no column counts.
     virtual std::optional<matching_text::Shown> matchingShown() const = 0;
     QString assignmentText() const { return ofMatching(matching_text::summary); }
