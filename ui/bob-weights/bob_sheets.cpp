@@ -109,7 +109,8 @@ BobMachineSheet::BobMachineSheet(BobWeightsModel* model, QWidget* parent)
     : BobSheet(model, parent) {
     buildPlanes();
     buildRuns();
-    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); });
+    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); },
+            readings_);
     buildTolerance();
     finish();
 }
@@ -223,6 +224,7 @@ void BobMachineSheet::buildRuns() {
                         .arg(plane + 1);
                 NumberField* made = ordered(
                     cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                readings_ << made;
                 made->setMinimumWidth(Theme::withText(60));
                 if (run > 0) {
                     made->setPlaceholderText({});

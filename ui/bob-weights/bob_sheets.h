@@ -61,6 +61,7 @@ class BobMachineSheet : public BobSheet {
     void buildRuns();
     void buildTolerance();
 
+    QList<NumberField*> readings_;  ///< run by run
     QComboBox* grades_ = nullptr;
 };
 

@@ -19,15 +19,18 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     });
     number("/balancing/front_share");
     section(tr("What the machine reads"));
+    QList<NumberField*> readings;
     for (const char* reading : {"/balancing/front_reading_g_mm", "/balancing/rear_reading_g_mm"}) {
         NumberField* field = number(reading);
+        readings << field;
         doubt(field, [this, field] { return !model_->solution().holds() && field->value(); });
     }
     planes_ = new ResultTable(tr("Correction planes"), this);
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setResults(model_->planeResults()); });
-    addHold([this] { return model_->otherReadingsText(); }, [this] { model_->confirmReadings(); });
+    addHold([this] { return model_->otherReadingsText(); }, [this] { model_->confirmReadings(); },
+            readings);
     line(Theme::baseSize, [this] { return model_->isoText(); });
     line(Theme::smallSize, [this] {
         return model_->machineLimitsText();

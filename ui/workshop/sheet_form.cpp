@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "case-file/input_error.h"
 #include "text/capital.h"
@@ -145,7 +146,8 @@ QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
     return label;
 }
 
-void SheetForm::addHold(std::function<QString()> why, std::function<void()> hold) {
+void SheetForm::addHold(std::function<QString()> why, std::function<void()> hold,
+                        const QList<NumberField*>& readings) {
     QLabel* said = line(Theme::baseSize, why);
     said->setObjectName(QStringLiteral("other_bob_weight"));
     colourText(said, &Theme::warning);
@@ -154,19 +156,16 @@ void SheetForm::addHold(std::function<QString()> why, std::function<void()> hold
     button->setToolTip(tr("They are of this crankshaft, with the bob weight that there is now."));
     button->setMinimumHeight(Theme::withText(fieldHeight));
     current()->addWide(button);
-    connect(button, &QPushButton::clicked, this, [this, button, hold = std::move(hold)] {
-        // The button goes with what it says: the keys stay with the field before it.
-        const auto takesKeys = [this](const QWidget* near) {
-            return isAncestorOf(near) && near->isVisible() && near->isEnabled() &&
-                   (near->focusPolicy() & Qt::TabFocus) != 0;
-        };
-        QWidget* near = button->previousInFocusChain();
-        while (near != button && !takesKeys(near)) {
-            near = near->previousInFocusChain();
-        }
+    connect(button, &QPushButton::clicked, this, [button, readings, hold = std::move(hold)] {
+        // The button goes with what it says: under the focus it would hand it on to what follows,
+        // and the sheet would scroll there.
+        const auto next = std::find_if(
+            readings.begin(), readings.end(),
+            [](const NumberField* reading) { return reading->isVisible() && !reading->value(); });
+        (next == readings.end() ? readings.first() : *next)->setFocus(Qt::OtherFocusReason);
         hold();
-        if (!button->isVisible() && near != button) {
-            near->setFocus(Qt::OtherFocusReason);
+        if (button->isVisible()) {
+            button->setFocus(Qt::OtherFocusReason);  // there are others that do not hold
         }
     });
     isDoubted_ = [why = std::move(why)] { return !why().isEmpty(); };

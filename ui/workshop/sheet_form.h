@@ -67,7 +67,9 @@ class SheetForm : public Form {
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// What is wrong with readings, and a button that says that they hold for the crankshaft and
     /// the bob weight of now; neither where `why` is empty.
-    void addHold(std::function<QString()> why, std::function<void()> hold);
+    /// @param readings  the first of them that is empty has the keys next, else the first
+    void addHold(std::function<QString()> why, std::function<void()> hold,
+                 const QList<NumberField*>& readings);
     /// A field is amber while it holds a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
     /// Takes a field into the order.
