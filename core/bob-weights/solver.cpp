@@ -461,24 +461,34 @@ std::optional<bool> Result::passes_after() const {
                       : std::nullopt;
 }
 
-std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
-    if (!result.correction) {
-        return std::nullopt;
-    }
+namespace {
+
+/// @param planes  two of Metal or PlaneResult
+std::vector<DrilledHole> record_of(const auto& planes) {
     std::vector<DrilledHole> list;
     for (const PlaneName plane : {PlaneName::front, PlaneName::rear}) {
-        const PlaneResult& planned = (*result.correction)[static_cast<std::size_t>(plane)];
+        const auto& metal = planes[static_cast<std::size_t>(plane)];
         const auto add = [&](const std::vector<Hole>& holes, double sign) {
             for (const Hole& hole : holes) {
                 list.push_back({plane, hole.diameter, hole.depth, hole.angle, sign * hole.mass});
             }
         };
-        if (result.holds()) {
-            add(planned.holes, 1.0);
-            add(planned.slugs, -1.0);
-        }
+        add(metal.holes, 1.0);
+        add(metal.slugs, -1.0);
     }
     return list;
+}
+
+}  // namespace
+
+std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
+    return result.correction && result.holds() ? std::optional(record_of(*result.correction))
+                                               : std::nullopt;
+}
+
+std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run) {
+    return run.drilled[0].empty() && run.drilled[1].empty() ? std::nullopt
+                                                            : std::optional(record_of(run.drilled));
 }
 
 std::vector<const Field*> missing_for_bob_weight(const Input& input) {

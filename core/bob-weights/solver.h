@@ -13,6 +13,9 @@ Result solve(const Input& given, const workshop::SetFinder& find = workshop::bes
 /// readings do not hold.
 /// @return empty while there is no plan
 std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
+/// The same of an earlier run.
+/// @return empty where it is not known of any hole
+std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run);
 
 /// The limits of the two planes.
 ///

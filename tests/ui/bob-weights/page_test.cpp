@@ -1037,6 +1037,35 @@ TEST_F(BobPageTest, WhatIsDrilledStaysInSight) {
     EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
 }
 
+TEST_F(BobPageTest, ReadingsMayBeSaidToHoldAfterTheNextRun) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(3);
+    type("overbalance_percent", u"2"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    const auto run = [&](bool isHeldBefore) {
+        page.sheets()->setCurrentIndex(3);
+        if (isHeldBefore) {
+            hold->click();
+        }
+        type("run_1_unbalance_1", u"900"_s);
+        type("run_1_angle_1", u"73"_s);
+        type("run_1_unbalance_2", u"100"_s);
+        type("run_1_angle_2", u"210"_s);
+        if (!isHeldBefore) {
+            EXPECT_TRUE(model->drilledResults().rows.isEmpty());
+            hold->click();
+        }
+    };
+    const Json start = model->inputJson();
+    run(true);
+    const Correction before = *model->input().correction;
+    EXPECT_EQ(model->drilledResults().rows.size(), 2);
+    model->loadInput(start, {});
+    run(false);
+    EXPECT_EQ(*model->input().correction, before);
+}
+
 TEST_F(BobPageTest, ColumnsArePasted) {
     typeShopCard();
     type("cylinders", u"4"_s);

@@ -319,6 +319,14 @@ void BobWeightsModel::confirmReadings() {
         if (isLast) {
             hold(correction.readings);
         }
+        // What was drilled by them is kept as if they had held when the next run began.
+        Input held = input();
+        held.correction = correction;
+        const Result now = bob_weights::solve(held, [](const auto&) { return std::nullopt; });
+        for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
+            auto& drilled = correction.earlier_runs[run].drilled;
+            drilled = drilled ? drilled : drilled_holes(now.runs[run]);
+        }
     });
 }
 
