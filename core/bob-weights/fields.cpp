@@ -104,15 +104,27 @@ void visit_fields(FieldVisitor& visitor, DrilledHole& hole) {
     visitor.number(field::drilled_mass, hole.mass);
 }
 
-void visit_fields(FieldVisitor& visitor, EarlierRun& run) {
-    visitor.list(field::run_readings, run.readings);
-    if (visitor.has(field::drilled.key, run.drilled.has_value())) {
-        if (!run.drilled && (visitor.is_reading() || visitor.creates_objects())) {
-            run.drilled.emplace();
+namespace {
+
+/// @param drilled  describes the list of holes
+void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& record) {
+    if (visitor.has(drilled.key, record.drilled.has_value())) {
+        if (!record.drilled && (visitor.is_reading() || visitor.creates_objects())) {
+            record.drilled.emplace();
         }
         std::vector<DrilledHole> absent;
-        visitor.list(field::drilled, run.drilled ? *run.drilled : absent);
+        visitor.list(drilled, record.drilled ? *record.drilled : absent);
     }
+    if (visitor.has(field::drilled_by.key, !record.drilled_by.empty())) {
+        visitor.list(field::drilled_by, record.drilled_by);
+    }
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, EarlierRun& run) {
+    visitor.list(field::run_readings, run.readings);
+    visit_record(visitor, field::drilled, run);
 }
 
 void visit_fields(FieldVisitor& visitor, Drill& drill) {
@@ -137,6 +149,7 @@ void visit_fields(FieldVisitor& visitor, Slug& slug) {
 void visit_fields(FieldVisitor& visitor, Correction& correction) {
     visitor.list(field::planes, correction.planes);
     visitor.list(field::readings, correction.readings);
+    visit_record(visitor, field::drilled_after_newest, correction.record);
     if (visitor.has(field::earlier_runs.key, !correction.earlier_runs.empty())) {
         visitor.list(field::earlier_runs, correction.earlier_runs);
     }

@@ -233,6 +233,16 @@ inline constexpr Field drilled{
                       "Holes and slugs that were planned after that run, taken as drilled as "
                       "planned; later holes keep clear of them. Where the list is missing they are "
                       "planned from its readings with the planes and drills of the case.")};
+inline constexpr Field drilled_after_newest{
+    .key = drilled.key,
+    .hint = CORE_TEXT("bob-weights",
+                      "The same of the newest run, where a further one was begun and emptied "
+                      "again: for when it is typed anew.")};
+inline constexpr Field drilled_by{
+    .key = "drilled_by",
+    .hint = CORE_TEXT("bob-weights",
+                      "The readings from which the holes of drilled were planned, where those of "
+                      "the run have been put right since.")};
 inline constexpr Field drilled_plane{.key = "plane",
                                      .label = CORE_TEXT("bob-weights", "Plane"),
                                      .hint = CORE_TEXT("bob-weights", "Where it was drilled."),

@@ -129,12 +129,20 @@ struct DrilledHole {
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };
 
-/// A run of the machine whose holes have been drilled since.
-struct EarlierRun {
-    std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
+/// What was drilled after a run.
+struct DrillingRecord {
     /// What was planned when the next run began; empty: what the readings ask for, by the planes
     /// and drills of the case.
     std::optional<std::vector<DrilledHole>> drilled;
+    /// What it was planned from, where the readings have been put right since.
+    std::vector<EarlierReading> drilled_by;
+
+    friend bool operator==(const DrillingRecord&, const DrillingRecord&) = default;
+};
+
+/// A run of the machine whose holes have been drilled since.
+struct EarlierRun : DrillingRecord {
+    std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
 
     friend bool operator==(const EarlierRun&, const EarlierRun&) = default;
 };
@@ -164,7 +172,9 @@ struct Slug {
 struct Correction {
     std::vector<Plane> planes = std::vector<Plane>(2);
     std::vector<Reading> readings = std::vector<Reading>(2);  ///< of the newest run: corrected
-    std::vector<EarlierRun> earlier_runs;                     ///< from the first, before drilling
+    /// Of the newest run, where a further one was begun and emptied again.
+    DrillingRecord record;
+    std::vector<EarlierRun> earlier_runs;  ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;
 

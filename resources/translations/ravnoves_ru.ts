@@ -316,6 +316,10 @@
         <source>Taken off in all, %1</source>
         <translation>Снято всего, %1</translation>
     </message>
+    <message>
+        <source>%1: what was drilled was planned from another reading.</source>
+        <translation>%1: просверленное рассчитано по другому показанию.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1004,6 +1008,10 @@
     <message>
         <source>drilled</source>
         <translation>просверлено</translation>
+    </message>
+    <message>
+        <source>drilled by</source>
+        <translation>просверлено по показаниям</translation>
     </message>
 </context>
 <context>
@@ -4136,6 +4144,14 @@
     <message>
         <source>n rods on it, mₘ oil in the crankpin</source>
         <translation>n — шатунов на нём, mₘ — масло в шейке</translation>
+    </message>
+    <message>
+        <source>The same of the newest run, where a further one was begun and emptied again: for when it is typed anew.</source>
+        <translation>То же для последнего пуска, если следующий был начат и снова стёрт: на случай, если его впишут заново.</translation>
+    </message>
+    <message>
+        <source>The readings from which the holes of drilled were planned, where those of the run have been put right since.</source>
+        <translation>Показания, по которым рассчитаны отверстия drilled, если показания пуска с тех пор исправлены.</translation>
     </message>
 </context>
 <context>

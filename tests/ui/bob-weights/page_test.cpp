@@ -1005,14 +1005,34 @@ TEST_F(BobPageTest, WhatIsDrilledStaysInSight) {
     EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
     EXPECT_TRUE(card().contains(depth + u'\n'));
     EXPECT_TRUE(card().contains(label("drilled_note")));
-    // Other drills say nothing of the holes that are there, a reading that is put right does.
+    // Other drills say nothing of the holes that are there, nor does a reading that is put right.
     type("diameters_mm", u"10"_s);
     EXPECT_EQ(drilled(), planned);
     page.sheets()->setCurrentIndex(3);
-    type("angle_1", u"90"_s);
-    EXPECT_NE(drilled(), planned);
-    EXPECT_TRUE(drilled().at(0).contains(u"⌀ 10"_s)) << qPrintable(drilled().at(0));
-    page.model()->undo();
+    const QString corrected = u"Before: what was drilled was planned from another reading."_s;
+    type("angle_1", u"60"_s);
+    EXPECT_EQ(drilled(), planned);
+    EXPECT_TRUE(label("troubles").contains(corrected)) << qPrintable(label("troubles"));
+    EXPECT_TRUE(card().contains(corrected));
+    model->loadInput(model->inputJson(), {});
+    EXPECT_EQ(drilled(), planned);
+    EXPECT_TRUE(label("troubles").contains(corrected));
+    type("angle_1", u"75"_s);
+    EXPECT_FALSE(label("troubles").contains(corrected));
+    // Nor do they where the next run is emptied and typed anew.
+    const std::pair<const char*, QString> next[] = {{"run_1_unbalance_1", u"900"_s},
+                                                    {"run_1_angle_1", u"73"_s},
+                                                    {"run_1_unbalance_2", u"100"_s},
+                                                    {"run_1_angle_2", u"210"_s}};
+    for (const auto& cell : next) {
+        type(cell.first, QString());
+    }
+    EXPECT_EQ(model->newestRun(), 0u);
+    model->loadInput(model->inputJson(), {});
+    page.sheets()->setCurrentIndex(3);
+    for (const auto& [key, value] : next) {
+        type(key, value);
+    }
     EXPECT_EQ(drilled(), planned);
     // The picture has them where nothing is to be drilled, too.
     const auto picture = [this] {

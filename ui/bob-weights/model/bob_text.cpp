@@ -259,6 +259,18 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
                     .arg(words.plainWithUnit(0.0, units::gram, 0),
                          names.join(QStringLiteral(", ")));
     }
+    for (std::size_t run = 0; input.correction && run < input.correction->earlier_runs.size();
+         ++run) {
+        const Metal& front = result.runs[run].drilled[0];
+        const Metal& rear = result.runs[run].drilled[1];
+        if (!input.correction->earlier_runs[run].drilled_by.empty() &&
+            !(front.empty() && rear.empty())) {
+            list << words
+                        .translate("BobWeights",
+                                   "%1: what was drilled was planned from another reading.")
+                        .arg(runName(words, run));
+        }
+    }
     if (result.amplification && *result.amplification > most_amplification) {
         const auto place = [&](std::size_t i) {
             const auto& reading = input.correction->readings.at(i).position;

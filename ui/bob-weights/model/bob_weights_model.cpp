@@ -2,6 +2,7 @@
 
 #include <QDate>
 #include <algorithm>
+#include <utility>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/model/bob_text.h"
@@ -32,6 +33,34 @@ std::optional<WeighIn> rulesAlone(const Input& input) {
         next.weigh_in->matching = input.weigh_in->matching;
     }
     return next.weigh_in == blank ? std::nullopt : next.weigh_in;
+}
+
+/// As those of a run before.
+std::vector<EarlierReading> earlierOf(const std::vector<Reading>& readings) {
+    std::vector<EarlierReading> list;
+    for (const Reading& it : readings) {
+        list.push_back({it.unbalance, it.angle, it.bob_weight, it.shaft});
+    }
+    return list;
+}
+
+/// Notes what the holes were planned from once the readings are others: what is put right
+/// afterwards drills nothing and fills no hole.
+void noteCorrected(DrillingRecord& record, const std::vector<EarlierReading>& before,
+                   const std::vector<EarlierReading>& now) {
+    if (!record.drilled) {
+        return;
+    }
+    if (record.drilled_by.empty()) {
+        record.drilled_by = before;
+    }
+    const auto isSame = [](const EarlierReading& a, const EarlierReading& b) {
+        return a.unbalance == b.unbalance && a.angle == b.angle;
+    };
+    if (std::equal(now.begin(), now.end(), record.drilled_by.begin(), record.drilled_by.end(),
+                   isSame)) {
+        record.drilled_by.clear();
+    }
 }
 
 }  // namespace
@@ -113,6 +142,7 @@ void BobWeightsModel::forgetReadings(Input& input) const {
             reading.shaft = {};
         }
         input.correction->earlier_runs.clear();
+        input.correction->record = {};
     }
 }
 
@@ -251,10 +281,18 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
                 reading.unbalance || reading.angle ? solution().bob_weight : std::nullopt;
             reading.shaft = {};
         };
+        const auto& runs = solution().runs;
+        const bool isOfOther = run < runs.size() && runs[run].read_on;
+        const auto note = [isOfOther](DrillingRecord& record, const auto& before, const auto& now) {
+            if (isOfOther) {
+                record = {};  // the holes of another crankshaft are not in this one
+            }
+            noteCorrected(record, before, now);
+        };
         if (run < earlier.size()) {
+            const auto before = earlier[run].readings;
             set(earlier[run].readings[plane]);
-            // A reading that is put right asks for holes of its own.
-            earlier[run].drilled.reset();
+            note(earlier[run], before, earlier[run].readings);
             return;
         }
         if (run > earlier.size()) {
@@ -262,19 +300,28 @@ QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::
                 return;
             }
             EarlierRun& last = earlier.emplace_back();
-            last.drilled = planned_holes(solution());
-            for (std::size_t i = 0; i < 2; ++i) {
-                Reading& newest = correction.readings[i];
-                last.readings[i] = {newest.unbalance, newest.angle, newest.bob_weight,
-                                    newest.shaft};
+            static_cast<DrillingRecord&>(last) = std::exchange(correction.record, {});
+            if (!last.drilled) {
+                last.drilled = planned_holes(solution());
+            }
+            last.readings = earlierOf(correction.readings);
+            for (Reading& newest : correction.readings) {
                 newest = {newest.position, {}, {}, {}, {}};
             }
         }
+        const auto before = earlierOf(correction.readings);
         set(correction.readings[plane]);
         const bool isEmpty =
             std::none_of(correction.readings.begin(), correction.readings.end(),
                          [](const Reading& reading) { return reading.unbalance || reading.angle; });
+        if (isEmpty) {
+            correction.record = {};
+        } else {
+            note(correction.record, before, earlierOf(correction.readings));
+        }
         if (isEmpty && !earlier.empty()) {
+            // It may be typed anew: what was drilled before it is there.
+            correction.record = earlier.back();
             for (std::size_t i = 0; i < 2; ++i) {
                 const EarlierReading& before = earlier.back().readings[i];
                 correction.readings[i] = {correction.readings[i].position, before.unbalance,
