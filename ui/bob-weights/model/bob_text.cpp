@@ -259,8 +259,10 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
                     .arg(words.plainWithUnit(0.0, units::gram, 0),
                          names.join(QStringLiteral(", ")));
     }
-    for (std::size_t run = 0; input.correction && run < input.correction->earlier_runs.size();
-         ++run) {
+    // Without planes or readings nothing was planned.
+    const std::size_t runs =
+        input.correction ? std::min(input.correction->earlier_runs.size(), result.runs.size()) : 0;
+    for (std::size_t run = 0; run < runs; ++run) {
         const Metal& front = result.runs[run].drilled[0];
         const Metal& rear = result.runs[run].drilled[1];
         if (!input.correction->earlier_runs[run].drilled_by.empty() &&
