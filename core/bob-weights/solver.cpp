@@ -207,14 +207,16 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
         case Shortfall::too_little_room:
             if (beside) {
                 return {has_slugs ? CORE_TEXT("bob-weights",
-                                              "Beside the holes of earlier runs holes and slugs "
-                                              "have too little room: %1 at the radius remain at "
-                                              "%2. As a last resort weld that much on opposite.")
+                                              "Beside those of earlier runs equal holes or slugs "
+                                              "to both sides have too little room: %1 at the "
+                                              "radius remain at %2. As a last resort weld that "
+                                              "much on opposite.")
                                   : CORE_TEXT("bob-weights",
-                                              "Beside the holes of earlier runs there is too "
-                                              "little room: %1 at the radius remain at %2. Deeper "
-                                              "or wider holes, heavy metal pressed in opposite, "
-                                              "or as a last resort as much welded on there."),
+                                              "Beside the holes of earlier runs equal holes to "
+                                              "both sides have too little room: %1 at the radius "
+                                              "remain at %2. Unequal ones by hand, deeper or "
+                                              "wider holes, heavy metal pressed in opposite, or "
+                                              "as a last resort as much welded on there."),
                         grams, at};
             }
             return {has_slugs

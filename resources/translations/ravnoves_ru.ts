@@ -4126,12 +4126,12 @@
         <translation>Отрицательно: вставка, которая столько прибавляет.</translation>
     </message>
     <message>
-        <source>Beside the holes of earlier runs holes and slugs have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
-        <translation>Рядом с отверстиями прежних пусков отверстиям и вставкам мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+        <source>Beside those of earlier runs equal holes or slugs to both sides have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
+        <translation>Рядом с прежними равным отверстиям или вставкам по обе стороны мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
     </message>
     <message>
-        <source>Beside the holes of earlier runs there is too little room: %1 at the radius remain at %2. Deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
-        <translation>Рядом с отверстиями прежних пусков мало места: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
+        <source>Beside the holes of earlier runs equal holes to both sides have too little room: %1 at the radius remain at %2. Unequal ones by hand, deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
+        <translation>Рядом с отверстиями прежних пусков равным отверстиям по обе стороны мало места: остаётся %1 на радиусе под углом %2. Неравные — вручную, глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
     </message>
     <message>
         <source>Holes and slugs that were planned after that run, taken as drilled as planned; later holes keep clear of them. Where the list is missing they are planned from its readings with the planes and drills of the case.</source>

@@ -477,7 +477,8 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     const Json stuck = solved(input).at("correction").at("planes")[0];
     EXPECT_TRUE(stuck.at("holes").empty());
     EXPECT_EQ(stuck.at("reason").get<std::string>().find(
-                  "Beside the holes of earlier runs there is too little room: 10.59 g"),
+                  "Beside the holes of earlier runs equal holes to both sides have too little "
+                  "room: 10.59 g"),
               0u)
         << stuck.at("reason");
     // Of another crankshaft, or planned by readings of another bob weight, is nothing.
