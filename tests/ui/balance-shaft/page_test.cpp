@@ -331,6 +331,8 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->takeBackRefused(table->index(0, 0));
     table->takeBackRefused(table->index(30, 0));
     EXPECT_TRUE(table->trouble().isEmpty()) << table->trouble().toStdString();
+    EXPECT_EQ(TorqueTableModel().paste(5, 0, {{QStringLiteral("1"), QStringLiteral("2")}}),
+              QString());
     // The ends are one instant of the cycle, in a pasted cell too.
     EXPECT_EQ(table->paste(0, 1, {{QStringLiteral("-90")}}), QString());
     EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("-90"));

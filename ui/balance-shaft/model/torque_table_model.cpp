@@ -372,7 +372,7 @@ QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStr
     const bool hasTorque = !cells.empty() && column <= Torque && column + cells[0].size() > Torque;
     const bool hasFirst = hasTorque && row == 0;
     const bool hasLast = hasTorque && static_cast<std::size_t>(row) + cells.size() >= rows_.size();
-    if (hasFirst != hasLast) {
+    if (hasFirst != hasLast && !rows_.empty()) {
         const Row& from = hasFirst ? rows_.front() : rows_.back();
         type(hasFirst ? rows_.back() : rows_.front(), Torque, textOf(from, Torque));
     }
