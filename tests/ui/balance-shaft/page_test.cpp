@@ -331,6 +331,9 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->takeBackRefused(table->index(0, 0));
     table->takeBackRefused(table->index(30, 0));
     EXPECT_TRUE(table->trouble().isEmpty()) << table->trouble().toStdString();
+    TorqueTableModel none;  // of a case whose torque is computed
+    none.setTable({});
+    EXPECT_EQ(none.trouble(), QString());
     EXPECT_EQ(TorqueTableModel().paste(5, 0, {{QStringLiteral("1"), QStringLiteral("2")}}),
               QString());
     // The ends are one instant of the cycle, in a pasted cell too.

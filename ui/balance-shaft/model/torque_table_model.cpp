@@ -95,10 +95,14 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     if (table == valid_ && !rows_.empty()) {
         return;
     }
-    if (table.size() == rows_.size()) {
+    if (table.size() == rows_.size() && !rows_.empty()) {
         follow(table);
-        return;
+    } else {
+        showAnew(table);
     }
+}
+
+void TorqueTableModel::showAnew(const TorqueTable& table) {
     beginResetModel();
     rows_.clear();
     rows_.reserve(table.size());
@@ -131,9 +135,7 @@ void TorqueTableModel::follow(const TorqueTable& table) {
 
 void TorqueTableModel::forgetRefused() {
     if (!trouble_.isEmpty()) {
-        const TorqueTable table = std::exchange(valid_, {});
-        rows_.clear();
-        setTable(table);
+        showAnew(TorqueTable(valid_));
     }
 }
 
@@ -143,9 +145,7 @@ QString TorqueTableModel::refusedText(std::size_t row) const {
             return cellTrouble(textOf(rows_[row], column));
         }
     }
-    const auto angle = [this](std::size_t i) {
-        return formNumber(numberOf(rows_[i], CrankAngle).value_or(rows_[i].angle), QLocale());
-    };
+    const auto angle = [this](std::size_t i) { return formNumber(shownAngle(i), QLocale()); };
     if (isOutOfOrder(row)) {
         return row == 0 ? tr("%1° is not below the angle of the next row, %2°.")
                               .arg(angle(row), angle(row + 1))
@@ -198,7 +198,7 @@ TorqueTable TorqueTableModel::tableOf(Cells which) const {
         const Row& row = rows_[i];
         const bool isOwnAngle = which == Cells::taken && (isOutOfOrder(i) || isBeyondCycle(i));
         const bool isOwnTorque = which == Cells::taken && isOpenEnd(i);
-        table.crank_angle_deg.push_back(isOwnAngle ? row.angle : angleOf(row).value_or(row.angle));
+        table.crank_angle_deg.push_back(isOwnAngle ? row.angle : shownAngle(i));
         table.torque.push_back(isOwnTorque ? row.torque : torqueOf(row).value_or(row.torque));
     }
     return table;
@@ -232,6 +232,9 @@ void TorqueTableModel::check() {
 }
 
 bool TorqueTableModel::isPending(std::size_t row, int column) const {
+    if (!rows_[row].typed) {
+        return false;  // as most are of a long table
+    }
     const auto number = numberOf(rows_[row], column);
     return number && *number != (column == CrankAngle ? rows_[row].angle : rows_[row].torque);
 }
@@ -259,9 +262,12 @@ bool TorqueTableModel::isBeyondCycle(std::size_t row) const {
 }
 
 bool TorqueTableModel::isOpenEnd(std::size_t row) const {
+    if (row != 0 && row + 1 != rows_.size()) {
+        return false;
+    }
     const auto first = torqueOf(rows_.front());
     const auto last = torqueOf(rows_.back());
-    return (row == 0 || row + 1 == rows_.size()) && first && last && *first != *last &&
+    return first && last && *first != *last &&
            (isPending(0, Torque) || isPending(rows_.size() - 1, Torque));
 }
 

@@ -86,6 +86,7 @@ class TorqueTableModel : public EditableTable {
     static std::optional<double> torqueOf(const Row& row);
     static void type(Row& row, int column, const QString& text);
     void put(const QModelIndex& index, const QString& text);
+    void showAnew(const balance_shaft::TorqueTable& table);
     void follow(const balance_shaft::TorqueTable& table);
     /// Why a row is refused; empty where it is not.
     QString refusedText(std::size_t row) const;
