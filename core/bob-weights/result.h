@@ -53,6 +53,7 @@ struct RunResult {
     /// Of an earlier run: what was planned in each plane, taken as drilled as planned.
     std::array<Metal, 2> drilled;
 
+    bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }
     bool holds() const { return !read_with && !read_on; }
     /// As measured; nothing without readings or limits.
     std::optional<bool> passes() const;

@@ -181,9 +181,7 @@ Input read_input(const Json& json, Completeness completeness) {
 }
 
 Json write_input(const Input& input) {
-    Input written = input;
-    fit_weigh_in(written);
-    return write_fields(written);
+    return write_fields(fitted(input));
 }
 
 Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {

@@ -489,8 +489,7 @@ std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
 }
 
 std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run) {
-    return run.drilled[0].empty() && run.drilled[1].empty() ? std::nullopt
-                                                            : std::optional(record_of(run.drilled));
+    return run.is_drilled() ? std::optional(record_of(run.drilled)) : std::nullopt;
 }
 
 std::vector<const Field*> missing_for_bob_weight(const Input& input) {
@@ -546,8 +545,7 @@ std::optional<std::array<double, 2>> plane_limits(
 }
 
 Result solve(const Input& given, const workshop::SetFinder& find) {
-    Input input = given;
-    fit_weigh_in(input);
+    const Input input = fitted(given);
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);

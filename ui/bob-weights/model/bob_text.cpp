@@ -263,10 +263,8 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
     const std::size_t runs =
         input.correction ? std::min(input.correction->earlier_runs.size(), result.runs.size()) : 0;
     for (std::size_t run = 0; run < runs; ++run) {
-        const Metal& front = result.runs[run].drilled[0];
-        const Metal& rear = result.runs[run].drilled[1];
         if (!input.correction->earlier_runs[run].drilled_by.empty() &&
-            !(front.empty() && rear.empty())) {
+            result.runs[run].is_drilled()) {
             list << words
                         .translate("BobWeights",
                                    "%1: what was drilled was planned from another reading.")
@@ -577,8 +575,7 @@ ResultRows drilled(const Words& words, const Result& result, std::optional<std::
 QString drilledNote(const Words& words, const Result& result) {
     QStringList names;
     for (std::size_t run = 0; run < result.runs.size(); ++run) {
-        const auto& metal = result.runs[run].drilled;
-        if (!metal[0].empty() || !metal[1].empty()) {
+        if (result.runs[run].is_drilled()) {
             names << inSentence(runName(words, run));
         }
     }
