@@ -48,6 +48,7 @@
 #include "plot/plot_view.h"
 #include "text/language.h"
 #include "theme/one_painter.h"
+#include "theme/picture_memory.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 
@@ -386,6 +387,7 @@ int main(int argc, char** argv) {
     const bool isRival = argc > 1 && std::string_view(argv[argc - 1]) == "--rival";
     if (!isRival) {
         paintInOneThread();
+        keepPictureMemory();
     }
     WatchedApplication app(argc, argv);
     installLanguage(QStringLiteral("en"));
