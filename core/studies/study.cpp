@@ -6,6 +6,7 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/key_units.h"
 #include "case-file/object_reader.h"
 
 namespace ravnoves::studies {
@@ -135,8 +136,16 @@ auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::siz
 Watched read_watched(const std::string& pointer, ObjectReader reader) {
     Watched watched{.pointer = pointer};
     watched.min = reader.optional_number("min", Range{});
-    watched.max =
-        reader.optional_number("max", watched.min ? Range::at_least(*watched.min) : Range{});
+    watched.max = reader.optional_number("max", Range{});
+    if (const auto across = upper_across_zero(watched)) {
+        throw InputError(reader.pointer_to("max"),
+                         {CORE_TEXT("studies", "must be at least %1; across 0° write %2"),
+                          Number{*watched.min}, Number{*across}},
+                         Number{*watched.max});
+    }
+    if (watched.min) {
+        reader.optional_number("max", Range::at_least(*watched.min));
+    }
     reader.finish();
     return watched;
 }
@@ -197,6 +206,15 @@ std::string vary_place(const std::string& pointer) {
 
 std::string watch_place(const std::string& pointer) {
     return "/study/watch/" + printable(escape_segment(pointer));
+}
+
+std::optional<double> upper_across_zero(const Watched& watched) {
+    if (!watched.min || !watched.max || *watched.max >= *watched.min ||
+        unit_at(watched.pointer) != units::degree) {
+        return std::nullopt;
+    }
+    constexpr double turn = 360.0;
+    return *watched.max + turn * std::ceil((*watched.min - *watched.max) / turn);
 }
 
 Study read_study(const Json& json, bool half_filled) {

@@ -40,6 +40,10 @@ struct Watched {
     friend bool operator==(const Watched&, const Watched&) = default;
 };
 
+/// The upper limit of an angle that is meant across 0°, from 355 to 3: so many turns on that it
+/// lies above the lower one, 363; nothing where it does so already, or of what is no angle.
+std::optional<double> upper_across_zero(const Watched& watched);
+
 enum class Method {
     linear,           ///< derivatives at the nominal
     second_order,     ///< second derivatives as well

@@ -7,6 +7,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/key_units.h"
 #include "case-file/object_reader.h"
 #include "studies/study_run.h"
 
@@ -264,16 +265,18 @@ Number shown(double value, double size, int digits, double rounding = 1e-10) {
 }
 
 Message reason_of(const Departure& departure, const Part& part, double deviation) {
-    return departure_text(departure, part.basis.laws[departure.input],
-                          part.study.vary[departure.input].pointer, deviation);
+    const std::string& input = part.study.vary[departure.input].pointer;
+    return departure_text(departure, part.basis.laws[departure.input], input, unit_at(input),
+                          deviation);
 }
 
 }  // namespace
 
 Message departure_text(const Departure& departure, const Law& law, const std::string& input,
-                       double deviation) {
+                       const Unit& unit, double deviation) {
     constexpr double halved_to = 1e-6;  // the place was halved to about that of the deviation
-    const Number at = shown(departure.at, law.deviation, 6, halved_to);
+    Number at = shown(departure.at, law.deviation, 6, halved_to);
+    at.unit = unit;
     if (departure.size < 0.05 * deviation) {
         return CORE_TEXT("studies", "the inputs act on it together");
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case-file/response.h"
+#include "numerics/units.h"
 #include "studies/law.h"
 #include "studies/response.h"
 
@@ -78,9 +79,10 @@ struct Departure {
 
 /// Why an expansion fails, as the end of a sentence.
 /// @param input  its name or pointer
+/// @param unit  of the input
 /// @param deviation  of the value; what is much less is not the reason
 Message departure_text(const Departure& departure, const Law& law, const std::string& input,
-                       double deviation);
+                       const Unit& unit, double deviation);
 /// That samples lie so far from the linear answer, and why.
 Message distance_text(const std::string& name, double distance, double deviation,
                       const Message& why);

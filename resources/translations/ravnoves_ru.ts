@@ -15754,6 +15754,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>“%1”</source>
         <translation>«%1»</translation>
     </message>
+    <message>
+        <source>The lower limit is above the upper one: across 0° write %1 for %2.</source>
+        <translation>Нижний предел выше верхнего: через 0° пишите %1 вместо %2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SweepView</name>
@@ -17277,6 +17281,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>No angle is better than another.</source>
         <translation>Ни один угол не лучше другого.</translation>
+    </message>
+    <message>
+        <source>must be at least %1; across 0° write %2</source>
+        <translation>должно быть не меньше %1; через 0° пишите %2</translation>
     </message>
 </context>
 <context>

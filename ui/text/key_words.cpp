@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "case-file/key_units.h"
+
 namespace ravnoves {
 
 namespace {
@@ -114,35 +116,12 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "weights"),
 };
 
-struct Suffix {
-    const char* text;
-    const Unit& unit;
-};
-/// The longer ones first.
-constexpr Suffix suffixes[]{
-    {"_N_m", units::N_per_m},   {"_Nm", units::N_m},          {"_g_mm", units::gram_mm},
-    {"_kg_m2", units::kg_m2},   {"_kg_m3", units::kg_m3},     {"_kg_m", units::kg_m},
-    {"_mm_s", units::mm_per_s}, {"_rad_s", units::rad_per_s}, {"_kg", units::kg},
-    {"_mm", units::mm},         {"_deg", units::degree},      {"_rad", units::radian},
-    {"_rpm", units::rpm},       {"_bar", units::bar},         {"_MPa", units::MPa},
-    {"_GPa", units::GPa},       {"_cm2", units::cm2},         {"_um", units::micrometre},
-    {"_kW", units::kW},         {"_g", units::gram},          {"_N", units::newton},
-    {"_J", units::joule},       {"_percent", units::percent}, {"_m", units::metre},
-    {"_s", units::second}};
-
 }  // namespace
 
 Unit takeUnit(QString& key) {
-    for (const auto& [suffix, unit] : suffixes) {
-        const QLatin1String end(suffix);
-        const qsizetype rest = key.size() - end.size();
-        const bool isSymbol = rest == 1 && unit == units::second;  // M_s
-        if (rest > 0 && !isSymbol && key.endsWith(end)) {
-            key.chop(end.size());
-            return unit;
-        }
-    }
-    return units::none;
+    const KeyUnit found = unit_of_key(key.toStdString());
+    key.chop(static_cast<qsizetype>(found.length));
+    return found.unit;
 }
 
 QString keyInWords(const std::string& key) {

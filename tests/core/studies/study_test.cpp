@@ -56,7 +56,10 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
     EXPECT_EQ(with("/vary/~1a", {{"values", {1, 2}}}).substr(0, 20), "/study/vary/~1b~1c: ");
     EXPECT_EQ(with("/vary/a", {{"normal_sd", 1}}).substr(0, 13), "/study/vary/a");
     EXPECT_EQ(with("/vary", Json::object()).substr(0, 12), "/study/vary:");
-    EXPECT_EQ(with("/watch/~1y/min", 4).substr(0, 21), "/study/watch/~1y/max:");
+    EXPECT_EQ(with("/watch/~1y/min", 4), "/study/watch/~1y/max: must be at least 4, got 3");
+    EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 3}}),
+              "/study/watch/~1a_deg/max: must be at least 355; across 0° write 363, got 3");
+    EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 363}}), "");
     EXPECT_EQ(with("/vary/~1e", {{"from", -1.7e308}, {"to", 1.7e308}}).substr(0, 22),
               "/study/vary/~1e/to: mu");
     EXPECT_EQ(with("/methd", "sobol").substr(0, 12), "/study/methd");
@@ -246,6 +249,14 @@ TEST(Study, CountsRefusalsByTheirReasons) {
     EXPECT_NEAR(static_cast<double>(part.tally.refused()), 158.7, 3.0 * 11.6);
     EXPECT_LT(part.tally.statistics(0).max, 1.0);
     EXPECT_EQ(part.basis.departures[0].kind, Departure::Kind::refused);
+}
+
+TEST(Study, SaysWhereWithTheUnit) {
+    const Departure corner{Departure::Kind::corner, 0, 386.22, 1.0, {}};
+    EXPECT_EQ(
+        departure_text(corner, {.deviation = 0.1}, "/angular_speed_rad_s", units::rad_per_s, 1.0)
+            .english(),
+        "it has a corner where /angular_speed_rad_s is 386.22 rad/s");
 }
 
 TEST(Study, SaysWhyTheLinearAnswerFails) {

@@ -333,6 +333,14 @@ TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
     EXPECT_EQ(study().watch[0].max, 300.0);
 }
 
+TEST_F(Tolerances, LimitsOfAnAngleAcrossZeroAreWrittenATurnOn) {
+    watch("/optimum/range/shaft_angle_deg");
+    StudyModel& studied = *tolerances->model();
+    const QString why = studied.setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 3.0}});
+    EXPECT_TRUE(why.contains(u"write 363 for 3"_s)) << why.toStdString();
+    EXPECT_EQ(studied.setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 363.0}}), QString());
+}
+
 TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {
     const auto speed = [&]() -> const StudyModel::Input& {
         const auto& inputs = tolerances->model()->inputs();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "case-file/input_error.h"
+#include "case-file/key_units.h"
 #include "studies/sampler.h"
 #include "studies/taylor.h"
 
@@ -262,8 +263,9 @@ class BandFinder {
         const auto departures = studies::find_departures(number, laws, std::span(&expansion, 1),
                                                          std::span(&task_.periods[v], 1), reach);
         const studies::Departure& departure = departures.front();
-        return studies::departure_text(departure, laws[departure.input],
-                                       task_.sources[departure.input].name, distance);
+        const BandTask::Source& source = task_.sources[departure.input];
+        return studies::departure_text(departure, source.law, source.name,
+                                       unit_at(source.place.to_string()), distance);
     }
 
     const BandTask& task_;

@@ -153,6 +153,10 @@ QString StudyModel::setLimits(const std::vector<Watched>& limits) {
     }
     Study next = study_;
     for (const Watched& limit : limits) {
+        if (const auto across = studies::upper_across_zero(limit)) {
+            return tr("The lower limit is above the upper one: across 0° write %1 for %2.")
+                .arg(formNumber(*across, QLocale()), formNumber(*limit.max, QLocale()));
+        }
         if (limit.min && limit.max && *limit.min > *limit.max) {
             return tr("The lower limit is above the upper one.");
         }
