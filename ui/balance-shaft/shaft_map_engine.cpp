@@ -41,16 +41,16 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceSc
     const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
     painter.setBrush(faint(drawing::brightMetal(), 0.72));
     painter.drawRoundedRect(QRectF(at(e - bore / 2, top), at(e + bore / 2, top - height)), 3, 3);
-    painter.setPen(QPen(line, 1.0, Qt::DotLine));
+    painter.setPen(QPen(line, 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(crank, sizes.crank_swing_radius * k, sizes.crank_swing_radius * k);
+    drawDashedCircle(painter, crank, sizes.crank_swing_radius * k, 2.0, 4.0);
     const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
     drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
     drawing::drawBar(painter, crank, pin, thick, metal, line);
     painter.setPen(QPen(line, 1.1));
     painter.setBrush(theme.panel());
     for (const QPointF& joint : {crank, pin, piston}) {
-        painter.drawEllipse(joint, 0.24 * thick + 1.5, 0.24 * thick + 1.5);
+        paintDisc(painter, joint, 0.24 * thick + 1.5);
     }
 }
 

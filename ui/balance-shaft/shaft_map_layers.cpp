@@ -17,17 +17,21 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
                  const QRectF& area) {
     const Theme& theme = Theme::instance();
     QPainterPath path;
+    LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
     for (const QPolygonF& line : blocked) {
-        path.addPolygon(scale.line(line));
+        QPolygonF edge = scale.line(line);
+        path.addPolygon(edge);
         path.closeSubpath();
+        // Round its corners, the first of them, too.
+        edge << edge.value(0) << edge.value(1);
+        edges.lines.push_back(std::move(edge));
     }
     if (path.isEmpty()) {
         return;
     }
     fillHatched(painter, path, area, faint(theme.panel(), 0.38));
-    painter.setPen(QPen(faint(theme.text(), 0.7), 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPath(path);
+    paintLines(painter, {edges});
 }
 
 void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,

@@ -115,9 +115,8 @@ void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker
 }
 
 /// Each dash a line of its own: a dashed ellipse takes ten times as long, at every step of a drag.
-void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius) {
-    constexpr double dash = 5.6;  // pixels
-    constexpr double period = 8.4;
+void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, double dash,
+                      double period) {
     const double turn = two_pi * radius;
     if (!(turn > period)) {
         return;

@@ -27,7 +27,9 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
                    double radius = glyphRadius());
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
-void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius);
+/// @param dash, period  pixels, the second with the gap: nearly, for a whole number of them fits
+void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, double dash = 5.6,
+                      double period = 8.4);
 void drawHatch(QPainter& painter, const QRectF& box);
 /// What of a box lies in a path, hatched on this ground.
 void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,

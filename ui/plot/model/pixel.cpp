@@ -18,15 +18,28 @@ bool hasWritablePixels(const QImage& picture) {
            picture.format() == QImage::Format_ARGB32_Premultiplied;
 }
 
-QImage* pictureOf(const QPainter& painter) {
+PaintedPixels pixelsOf(const QPainter& painter, const QRectF& box) {
     QPaintDevice* const device = painter.device();
     if (device == nullptr || device->devType() != QInternal::Image || !paintsPixels(painter) ||
-        painter.hasClipping() || painter.opacity() != 1.0 ||
+        painter.opacity() != 1.0 ||
         painter.compositionMode() != QPainter::CompositionMode_SourceOver) {
-        return nullptr;
+        return {};
     }
     auto* const picture = static_cast<QImage*>(device);
-    return hasWritablePixels(*picture) ? picture : nullptr;
+    if (!hasWritablePixels(*picture)) {
+        return {};
+    }
+    QRectF seen = box & QRectF(picture->rect());
+    if (painter.hasClipping()) {
+        constexpr double small = 64.0 * 64.0;
+        if (box.width() * box.height() < small || painter.clipRegion().rectCount() != 1) {
+            return {};
+        }
+        // Qt rounds a clip to pixels, too.
+        const QRectF clip = painter.deviceTransform().mapRect(painter.clipBoundingRect());
+        seen &= QRectF(clip.toRect());
+    }
+    return {picture, seen.toAlignedRect()};
 }
 
 }  // namespace ravnoves

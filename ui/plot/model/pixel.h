@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QRect>
 #include <QRgb>
 
 class QImage;
@@ -15,9 +16,15 @@ bool paintsPixels(const QPainter& painter);
 /// bytes each.
 bool hasWritablePixels(const QImage& picture);
 
-/// The picture that a painter paints onto, where its pixels can be written to beside: all of it is
-/// seen, in 4 bytes a pixel. Null where there is none, as on a widget.
-QImage* pictureOf(const QPainter& painter);
+/// The picture that a painter paints onto, where its pixels can be written to beside, in 4 bytes
+/// each, and those of a box that the painter may change.
+struct PaintedPixels {
+    QImage* picture = nullptr;
+    QRect seen;
+};
+/// No picture where there is none, as on a widget, and of a small box where the painter is clipped:
+/// to ask for the clip takes as long as a layer of that size.
+PaintedPixels pixelsOf(const QPainter& painter, const QRectF& box);
 
 /// A premultiplied colour over another.
 inline QRgb laidOver(QRgb colour, QRgb below) {

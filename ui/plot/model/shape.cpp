@@ -218,12 +218,10 @@ void paint(QPainter& painter, const Shape& shape) {
     const double half = hasLine ? 0.5 * std::max(1.0, painter.pen().widthF() * scale) : 0.0;
     const double reach = half + 1.0;
     const QRect box = shape.box().adjusted(-reach, -reach, reach, reach).toAlignedRect();
-    QImage* const picture = pictureOf(painter);
+    const auto [picture, pixels] = pixelsOf(painter, QRectF(box));
     QImage layer;
-    QRect seen = box;
-    if (picture != nullptr) {
-        seen &= picture->rect();
-    } else {
+    const QRect seen = picture != nullptr ? pixels : box;
+    if (picture == nullptr) {
         layer = QImage(box.size(), QImage::Format_ARGB32_Premultiplied);
         layer.fill(Qt::transparent);
     }

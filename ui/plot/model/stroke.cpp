@@ -82,9 +82,9 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         });
     std::vector<LinesOfPen> onDevice;
     std::optional<Overlay> overlay;
-    QImage* const picture = pictureOf(painter);
-    QRectF seen;
+    PaintedPixels pixels;
     if (canBrushAll) {
+        QRectF seen;
         for (const LinesOfPen& each : all) {
             LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
             mapped.lines.reserve(each.lines.size());
@@ -95,11 +95,12 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
             }
             seen |= seenPart(painter, mapped.lines, each.pen.widthF() * scale + 1.0);
         }
-        if (picture == nullptr) {
+        pixels = pixelsOf(painter, seen);
+        if (pixels.picture == nullptr) {
             overlay = overlayFor(seen);
         }
     }
-    const bool canDraw = canBrushAll && (overlay || picture != nullptr);
+    const bool canDraw = canBrushAll && (overlay || pixels.picture != nullptr);
     if (!canDraw && all.size() > 1) {
         for (const LinesOfPen& each : all) {
             paintLines(painter, {each});
@@ -118,9 +119,8 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         return;
     }
     const QPoint corner = overlay ? overlay->corner : QPoint();
-    LineBrush brush(
-        overlay ? overlay->picture : *picture,
-        overlay ? overlay->picture.rect() : (seen & QRectF(picture->rect())).toAlignedRect());
+    LineBrush brush(overlay ? overlay->picture : *pixels.picture,
+                    overlay ? overlay->picture.rect() : pixels.seen);
     for (LinesOfPen& each : onDevice) {
         const double width = each.pen.widthF() * scale;
         const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
