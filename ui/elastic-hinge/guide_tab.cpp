@@ -7,6 +7,7 @@
 #include "elastic-hinge/hinge_plots.h"
 #include "elastic-hinge/model/guide_picture.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
@@ -34,6 +35,10 @@ class GuideTab : public HingePlotTab {
     void showMarks();
     void buildBar();
     GuidePicture shown() const { return {model_->shownGuide(), model_->exaggeration()}; }
+    /// The guides' curves of a plot's data to scale.
+    void putToScale(PlotData& data) const;
+    /// What is read at the points of the guides: their true place.
+    void nameGuidePoints();
     /// Sets a curve of the guides' plot and remembers how far it reaches.
     void setPath(int curve, GuidePicture::Path path);
     void showReach();
@@ -73,6 +78,7 @@ GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
                           "What the roller touches: the path of its centre offset by its radius"),
                       .gaps = true,
                       .closed = true});
+    guide_->setTruth([this](PlotData& data) { putToScale(data); });
     relief_ = addAnglePlot(HingePlots::tr("ρ over the turn, from its value at 0°"), {}, 3);
     nameRelief();
     const std::array names{HingePlots::tr("compressed"), HingePlots::tr("stretched")};
@@ -154,8 +160,45 @@ void GuideTab::showGuides() {
     GuidePicture::Path rollers = picture.profile(model_->input().roller_radius);
     guide_->setCurveName(profile, rollers.x.empty() ? QString() : HingePlots::tr("profile"));
     setPath(profile, std::move(rollers));
+    nameGuidePoints();
     showReach();
     showRelief();
+}
+
+void GuideTab::putToScale(PlotData& data) const {
+    const GuidePicture toScale(model_->shownGuide(), 1.0);
+    const auto put = [&data](int number, GuidePicture::Path path) {
+        PlotCurve& curve = data.curve(number);
+        curve.set(std::move(path.x), std::move(path.y), data.x, data.scale(curve.style.side));
+    };
+    for (const Branch branch : branches) {
+        put(firstGuide + static_cast<int>(branch), toScale.path(branch));
+    }
+    put(profile, toScale.profile(model_->input().roller_radius));
+}
+
+void GuideTab::nameGuidePoints() {
+    const elastic_hinge::Guide& guide = model_->shownGuide();
+    const std::vector<double>& phi = model_->result().crank_angle_deg;
+    const QLocale locale;
+    for (const Branch branch : branches) {
+        QStringList texts;
+        const bool isCompressed = branch == Branch::compressed;
+        const std::vector<double>& radius =
+            isCompressed ? guide.radius_compressed : guide.radius_stretched;
+        // While something moves nobody reads.
+        for (std::size_t i = 0; i < radius.size() && !model_->isMoved(); ++i) {
+            if (std::isfinite(radius[i])) {
+                const PlotCurve& curve =
+                    guide_->data().curve(firstGuide + static_cast<int>(branch));
+                texts << QStringList{curve.style.name,
+                                     QStringLiteral("φ = %1°").arg(fixedNumber(phi[i], 1, locale)),
+                                     QStringLiteral("ρ = ") + shownNumber(radius[i], units::mm, 4)}
+                             .join(QLatin1Char('\n'));
+            }
+        }
+        guide_->setPointTexts(firstGuide + static_cast<int>(branch), texts);
+    }
 }
 
 void GuideTab::setPath(int curve, GuidePicture::Path path) {

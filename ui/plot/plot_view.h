@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "plot/model/plot_data.h"
@@ -142,8 +143,11 @@ class PlotView : public QWidget {
     std::optional<double> valueAt(int curve, double x) const {
         return data_.valueAt(data_.curve(curve), x);
     }
+    /// Of what is drawn out of scale, tables have what it stands for.
+    /// @param put  puts that in its place
+    void setTruth(std::function<void(PlotData&)> put) { putTruth_ = std::move(put); }
     /// The data of the shown curves as a table (PlotData::csv()).
-    virtual QString csv(const CsvFormat& format) const { return data_.csv(format); }
+    virtual QString csv(const CsvFormat& format) const;
     /// The same as the user's spreadsheet reads it.
     QString dataAsCsv() const;
     /// Draws title, legend, chart and marks onto any device; used for pictures, SVG, PDF and print.
@@ -235,8 +239,11 @@ class PlotView : public QWidget {
     void leaveCursor();
     void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
+    /// The data with the truth in its place.
+    PlotData trueData() const;
 
     PlotData data_;
+    std::function<void(PlotData&)> putTruth_;
     std::unique_ptr<PlotPainter> painter_;
     FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null

@@ -12,6 +12,26 @@
 
 namespace ravnoves {
 
+PlotData PlotView::trueData() const {
+    PlotData data = data_;
+    if (putTruth_) {
+        putTruth_(data);
+    }
+    return data;
+}
+
+QString PlotView::csv(const CsvFormat& format) const {
+    if (!putTruth_) {
+        return data_.csv(format);
+    }
+    PlotData data = trueData();
+    const PlotData reference = reference_ != nullptr ? reference_->trueData() : PlotData();
+    if (reference_ != nullptr) {
+        data.reference = &reference;
+    }
+    return data.csv(format);
+}
+
 void PlotView::drawChart(QPainter& painter) {
     layoutChart();
     const auto cursor = std::exchange(data_.cursorX, std::nullopt);

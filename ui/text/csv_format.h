@@ -15,9 +15,10 @@ struct CsvFormat {
         : point(locale.decimalPoint()),
           separator(point == QLatin1String(",") ? QLatin1Char(';') : QLatin1Char(',')) {}
 
-    /// A number to its last digit.
+    /// A number with as many digits as read back to the same.
     QString number(double value) const {
-        return QString::number(value, 'g', 17).replace(QLatin1Char('.'), point);
+        return QString::number(value, 'g', QLocale::FloatingPointShortest)
+            .replace(QLatin1Char('.'), point);
     }
 
     /// The true minus of a number becomes the one that spreadsheets know.

@@ -115,7 +115,13 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     }
     // −0.00 is no number that a person wants to see.
     const double scale = std::pow(10.0, decimals);
-    const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
+    double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
+    // A sum of 823.15 g may lie a bit below that: a half goes up, as it does by hand.
+    constexpr double bit = 1e-13;
+    constexpr double longestSum = 1e8;  // in units of the last decimal
+    if (std::abs(value) * scale < longestSum) {
+        shown *= 1.0 + bit;
+    }
     // What a tenth of the time does for most: a page has a hundred that follow the hand. A half is
     // rounded to even there and up by the locale.
     const double size = std::abs(shown) * scale;

@@ -22,9 +22,12 @@
 #include "elastic-hinge/number_list_field.h"
 #include "elastic-hinge/presets.h"
 #include "events.h"
+#include "text/csv_format.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -337,6 +340,40 @@ TEST_F(ElasticHingePageTest, GuideChoiceAndExaggerationFollowTheMouse) {
     EXPECT_TRUE(page.plots()->guidePlot()->title().contains(QStringLiteral("to scale")));
     QTest::mouseClick(automatic, Qt::LeftButton, {}, QPoint(8, automatic->height() / 2));
     EXPECT_GT(model->exaggeration(), 1.0);
+}
+
+TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces) {
+    PlotView* plot = page.plots()->guidePlot();
+    model->setExaggeration(5.0);
+    const std::vector<double>& radius = model->shownGuide().radius_compressed;
+    const double largest = *std::max_element(radius.begin(), radius.end()) / units::mm;
+    const CsvFormat format(QLocale(QLocale::Russian));  // no comma between columns
+    const QStringList lines = plot->csv(format).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList names = lines[0].split(QStringLiteral(";"));
+    const auto column = std::find_if(names.begin(), names.end(), [](const QString& name) {
+        return name.contains(QStringLiteral("compressed: x"));
+    });
+    ASSERT_NE(column, names.end()) << lines[0].toStdString();
+    double found = 0.0;
+    for (const QString& line : lines.mid(1)) {
+        const QStringList cells = line.split(QStringLiteral(";"));
+        const auto at = static_cast<qsizetype>(column - names.begin());
+        const auto number = [&](qsizetype cell) {
+            return QString(cells[cell]).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
+        };
+        found = std::max(found, std::hypot(number(at), number(at + 1)));
+    }
+    EXPECT_NEAR(found, largest, 1e-6 * largest);
+
+    // The point of 0° lies on the x axis.
+    showTabOf(plot);
+    QApplication::processEvents();
+    const QPointF at = plot->toPixel(radius[0] / units::mm, 0.0);
+    QTest::mouseMove(plot, at.toPoint());
+    ASSERT_TRUE(plot->data().pointRead.has_value());
+    const PlotCurve& curve = plot->data().curves[plot->data().pointRead->first];
+    EXPECT_EQ(curve.texts[0].section(QLatin1Char('\n'), 1, 1), QStringLiteral("φ = 0.0°"));
+    EXPECT_TRUE(curve.texts[0].contains(shownNumber(radius[0], units::mm, 4)));
 }
 
 TEST_F(ElasticHingePageTest, MouseOverAPlotTurnsTheCrank) {

@@ -194,6 +194,9 @@ TEST(NumberText, WritesWhatAPersonWants) {
     EXPECT_EQ(formNumber(0.658, russian), QStringLiteral("0,658"));
     EXPECT_EQ(formNumber(3600.0, russian), QStringLiteral("3600"));
     EXPECT_EQ(fixedNumber(-0.001, 2, english), QStringLiteral("0.00"));
+    EXPECT_EQ(fixedNumber(0.01625 / 1e-3, 1, english), QStringLiteral("16.3"));
+    EXPECT_EQ(fixedNumber(0.82315 / 1e-3, 1, english), QStringLiteral("823.2"));
+    EXPECT_EQ(fixedNumber(1.5625, 3, english), QStringLiteral("1.563"));
     EXPECT_EQ(fixedNumber(-1.5, 1, english), QStringLiteral("\u22121.5"));
     EXPECT_EQ(fixedNumber(7.8357568328379722e26, 4, english), QStringLiteral("7.83576E+26"));
     EXPECT_EQ(fixedNumber(999999999.0, 1, english), QStringLiteral("999999999.0"));
