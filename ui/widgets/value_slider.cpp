@@ -63,7 +63,8 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     const ShownUnit shown = shownUnit(unit);
     unit_ = shown.name;
     factor_ = shown.factor;
-    box_->setDecimals(std::max(0, decimals + shown.decimals));
+    decimals_ = std::max(0, decimals + shown.decimals);
+    box_->setDecimals(decimals_);
     box_->setSingleStep(factor_ == 1.0 ? step : rounded_to_digits(step * factor_, 1));
     box_->setSuffix(withUnit({}, shown.name));
     label_->setBuddy(box_);
@@ -83,7 +84,13 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     grid_->addWidget(box_, 0, 2);
     grid_->addWidget(trouble_, 2, 0, 1, 3);
     showRange();
-    connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
+        // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001); those
+        // of a logarithm may be smaller than what the box shows.
+        const double value = valueAt(tick);
+        const double parts = std::pow(10.0, decimals_);
+        edit(factor_ == 1.0 && stepsPerDecade_ == 0 ? std::round(value * parts) / parts : value);
+    });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double shown) {
@@ -97,11 +104,19 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(box_, &DecimalSpinBox::refused, this, &ValueSlider::sayOutOfRange);
     connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] {
         refuse({});
-        isTyped_ = true;
+        if (!std::exchange(isTyped_, true)) {
+            typedOver_ = value_;
+        }
     });
     connect(box_, &QDoubleSpinBox::editingFinished, this, [this] {
-        const bool givesWhatIsShown = std::exchange(isTyped_, false) && !isGiven_;
-        if (givesWhatIsShown && trouble().isEmpty()) {
+        if (!std::exchange(isTyped_, false) || !trouble().isEmpty()) {
+            return;
+        }
+        // Typed as the box shows a number that has no end: that number is meant.
+        if (value_ == typedOver_) {
+            edit(box_->value() / factor_);
+        }
+        if (!isGiven_) {
             const QScopedValueRollback passing(isPassing_, true);
             Q_EMIT valueEdited(value_);
         }
@@ -272,6 +287,9 @@ void ValueSlider::setValue(double value) {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
     slider_->setValue(tickOf(value));
+    if (const int decimals = decimalsOf(value * factor_); decimals != box_->decimals()) {
+        box_->setDecimals(decimals);
+    }
     // A box paints itself anew also where it shows that already.
     const double shown =
         QString::number(value * factor_, 'f', box_->decimals()).toDouble();  // as the box rounds
@@ -280,12 +298,20 @@ void ValueSlider::setValue(double value) {
     }
 }
 
+int ValueSlider::decimalsOf(double shown) const {
+    constexpr int more = 5;
+    const double rounding = 1e-12 * std::max(std::abs(shown), 1e-3);
+    double parts = std::pow(10.0, decimals_);
+    for (int decimals = decimals_; decimals <= decimals_ + more; ++decimals, parts *= 10.0) {
+        if (std::abs(std::round(shown * parts) / parts - shown) <= rounding) {
+            return decimals;
+        }
+    }
+    return decimals_;  // what was computed has no end
+}
+
 void ValueSlider::edit(double value) {
-    // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001); those of a
-    // logarithm may be smaller than what the box shows.
-    const double decimals = std::pow(10.0, box_->decimals());
-    value = factor_ == 1.0 && stepsPerDecade_ == 0 ? std::round(value * decimals) / decimals
-                                                   : rounded_to_digits(value, 12);
+    value = rounded_to_digits(value, 12);
     refuse({});
     if (value == value_) {
         return;

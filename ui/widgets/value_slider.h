@@ -63,6 +63,8 @@ class ValueSlider : public QWidget {
     int widthInOneRow() const;
     void sayOutOfRange(const QString& typed);
     void edit(double value);
+    /// Decimals with which the box shows a number: more where it was given with more.
+    int decimalsOf(double shown) const;
     void showRange();
     void inkBox();
     int tickOf(double value) const;
@@ -78,8 +80,10 @@ class ValueSlider : public QWidget {
     bool folded_ = false;
     bool isPassing_ = false;
     bool isGiven_ = true;
-    bool isTyped_ = false;  ///< in the box, since it was finished last
-    double factor_ = 1.0;   ///< numbers in the box per number of the value
+    bool isTyped_ = false;    ///< in the box, since it was finished last
+    double typedOver_ = 0.0;  ///< the value before that
+    double factor_ = 1.0;     ///< numbers in the box per number of the value
+    int decimals_ = 0;        ///< of the box, where the slider moves it
     double min_;
     double max_;
     double step_;

@@ -313,6 +313,27 @@ TEST_F(ValueSliderTest, ACommaThatMayDivideThousandsIsAskedAbout) {
               QStringLiteral("“3,600” may be 3600 or 3.6: type the one that is meant."));
 }
 
+TEST_F(ValueSliderTest, WhatIsTypedKeepsItsDecimals) {
+    slider.box()->setFocus();
+    slider.box()->selectAll();
+    QTest::keyClicks(slider.box(), QStringLiteral("10.6257"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 10.6257);
+    EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("10.6257"));
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    EXPECT_EQ(slider.value(), 10.7);
+    EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("10.7"));
+    slider.setValue(100.0 / 3.0);  // computed
+    EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("33.3"));
+    slider.box()->setFocus();
+    slider.box()->selectAll();
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 100.0 / 3.0);
+    QTest::keyClicks(slider.box(), QStringLiteral("33.3"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 33.3);
+}
+
 TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
     slider.setValue(100.0);
     EXPECT_TRUE(edited.isEmpty());
