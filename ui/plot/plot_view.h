@@ -204,6 +204,8 @@ class PlotView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:
@@ -237,6 +239,8 @@ class PlotView : public QWidget {
     void moveCursor(const QPointF& position);
     void moveCursorTo(double x);
     void leaveCursor();
+    /// What it stands in can be scrolled.
+    bool scrollsWithin() const;
     void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
     /// The data with the truth in its place.
@@ -255,6 +259,7 @@ class PlotView : public QWidget {
     int number_;
     bool pickable_ = false;
     bool picking_ = false;
+    bool wentTo_ = false;  ///< has the focus because the user went to it
     std::optional<QPointF> panFrom_;
 
     QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move

@@ -1,9 +1,12 @@
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "plot/plot_view.h"
@@ -17,6 +20,7 @@ constexpr double zoomPerStep = 1.2;
 }  // namespace
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
+    wentTo_ = true;
     const bool inside = plotArea().contains(event->position());
     if (inside && pickable_ && event->button() == Qt::LeftButton &&
         !event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -104,7 +108,37 @@ void PlotView::leaveEvent(QEvent* /*event*/) {
     leaveCursor();
 }
 
+void PlotView::focusInEvent(QFocusEvent* event) {
+    constexpr std::array ways{Qt::MouseFocusReason, Qt::TabFocusReason, Qt::BacktabFocusReason,
+                              Qt::ShortcutFocusReason};
+    wentTo_ = wentTo_ || std::find(ways.begin(), ways.end(), event->reason()) != ways.end();
+    QWidget::focusInEvent(event);
+}
+
+void PlotView::focusOutEvent(QFocusEvent* event) {
+    constexpr std::array comesBack{Qt::ActiveWindowFocusReason, Qt::PopupFocusReason,
+                                   Qt::MenuBarFocusReason};
+    wentTo_ = wentTo_ &&
+              std::find(comesBack.begin(), comesBack.end(), event->reason()) != comesBack.end();
+    QWidget::focusOutEvent(event);
+}
+
+bool PlotView::scrollsWithin() const {
+    for (const QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
+        const auto* area = qobject_cast<const QAbstractScrollArea*>(above);
+        if (area != nullptr && area->verticalScrollBar()->maximum() > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void PlotView::wheelEvent(QWheelEvent* event) {
+    // A page that is scrolled goes on where a plot comes under the pointer.
+    if (event->modifiers() == Qt::NoModifier && !wentTo_ && scrollsWithin()) {
+        event->ignore();
+        return;
+    }
     // Alt and some desktops turn the wheel sideways: either axis counts.
     const double turned =
         event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QVBoxLayout>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -113,6 +116,30 @@ TEST_F(PlotViewTest, WheelZoomsAboutThePointerAndDoubleClickResets) {
     QApplication::processEvents();
     plot.grab();
     EXPECT_EQ(plot.xInterval(), std::pair(low, high));
+}
+
+TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
+    QScrollArea area;
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    auto* plot = new PlotView(QStringLiteral("M"));
+    plot->setXAxis({QStringLiteral("φ, °"), 0.0, 360.0});
+    plot->setMinimumSize(300, 900);
+    column->addWidget(plot);
+    area.setWidget(page);
+    area.setWidgetResizable(true);
+    test::showAt(area, {400, 300});
+    const auto [low, high] = plot->xInterval();
+    // What a test sends is not passed on by itself.
+    const QPointF at(150, 100);
+    QWheelEvent down(at, plot->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(plot, &down);
+    EXPECT_FALSE(down.isAccepted()) << "left to the page";
+    EXPECT_EQ(plot->xInterval(), std::pair(low, high));
+    QTest::mouseClick(plot, Qt::LeftButton, {}, {150, 150});
+    test::turnWheel(plot, {150, 150}, 1);
+    EXPECT_LT(plot->xInterval().second - plot->xInterval().first, high - low);
 }
 
 TEST_F(PlotViewTest, DragPans) {
