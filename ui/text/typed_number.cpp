@@ -84,6 +84,12 @@ std::pair<QString, QString> split(const QString& text) {
     }
     QString number = text.left(end).trimmed();
     number.replace(QChar(u'ю'), QLatin1Char('.')).replace(QChar(u'б'), QLatin1Char(','));
+    static const QRegularExpression thousands(
+        QStringLiteral("^[-+\u2212]?[0-9]{1,3}([ \u00A0\u2009\u202F][0-9]{3})+([.,][0-9]*)?$"));
+    if (thousands.match(number).hasMatch()) {  // "1 250"
+        static const QRegularExpression blanks(QStringLiteral("[ \u00A0\u2009\u202F]"));
+        number.remove(blanks);
+    }
     return {number, text.mid(end).trimmed()};
 }
 

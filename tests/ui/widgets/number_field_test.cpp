@@ -249,6 +249,9 @@ TEST(NumberText, AUnitThatIsTypedIsConverted) {
     EXPECT_NEAR(typed(u"1 rad", u"°"), 180.0 / std::numbers::pi, 1e-12);
     EXPECT_NEAR(typed(u"90 град", u"rad"), std::numbers::pi / 2.0, 1e-12);
     EXPECT_DOUBLE_EQ(typed(u"1.5 kN", u"N"), 1500.0);
+    EXPECT_DOUBLE_EQ(typed(u"1 250,5 g", u"g"), 1250.5);
+    EXPECT_DOUBLE_EQ(typed(u"\u22121\u202F250\u00A0000", u"N"), -1250000.0);
+    EXPECT_FALSE(readTypedNumber(QStringLiteral("12 50"), QStringLiteral("g")).value);
     EXPECT_NEAR(typed(u"10 lb·ft", u"N·m"), 13.558179, 1e-6);
     EXPECT_FALSE(readTypedNumber(QStringLiteral("5 mm"), QStringLiteral("°")).value);
 }
