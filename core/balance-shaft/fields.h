@@ -179,7 +179,9 @@ inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
                                      .unit = units::mm,
                                      .range = Range::greater_than(0),
                                      .label = CORE_TEXT("balance-shaft", "Cylinder &bore"),
-                                     .if_empty = CORE_TEXT("balance-shaft", "the stroke, 2 r"),
+                                     .if_empty = CORE_TEXT("balance-shaft",
+                                                           "that of the computed cycle, else the "
+                                                           "stroke, 2 r"),
                                      .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_top{
     .key = "cylinder_top_mm",

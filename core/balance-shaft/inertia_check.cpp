@@ -215,8 +215,11 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
             ? Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
                                 "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
-                                "give %3. They belong together."),
-                      moment(fit.scale), number(fit.lambda), moment(check.entered))
+                                "give %3. They belong together: they differ by %4, and up to %5 "
+                                "is what a table may be off."),
+                      moment(fit.scale), number(fit.lambda), moment(check.entered),
+                      Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
+                      Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
             : Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
                                 "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "

@@ -3299,10 +3299,6 @@
         <translation>Для вала с лыской: концентраторы, силы в его зацеплении и резонанс между половиной и 0,71 критической скорости, который вызывает собственный вес, потому что в одну сторону вал гнётся легче.</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они соответствуют друг другу.</translation>
-    </message>
-    <message>
         <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles found are those of no real engine until they agree.</source>
         <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они не соответствуют друг другу: момент подходит этим массам при %4 или массе %5 при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
     </message>
@@ -3353,10 +3349,6 @@
     <message>
         <source>r / 0.3</source>
         <translation>r / 0,3</translation>
-    </message>
-    <message>
-        <source>the stroke, 2 r</source>
-        <translation>равен ходу, 2 r</translation>
     </message>
     <message>
         <source>Top of the engine above the crank axis.</source>
@@ -3453,6 +3445,14 @@
     <message>
         <source>the load is computed but not judged</source>
         <translation>нагрузка вычисляется, но не оценивается</translation>
+    </message>
+    <message>
+        <source>that of the computed cycle, else the stroke, 2 r</source>
+        <translation>диаметр из расчёта цикла, иначе ход поршня, 2 r</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together: they differ by %4, and up to %5 is what a table may be off.</source>
+        <translation>В моменте на такте газообмена содержится момент сил инерции mⱼ r² ω² = %1 (r/L = %2); заданные массы и частота дают %3. Они согласуются: разница %4, а таблица может быть неточна до %5.</translation>
     </message>
 </context>
 <context>
@@ -13682,6 +13682,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Not used: weights count in its place</source>
         <translation>Не учитывается: вместо этого — массы деталей</translation>
+    </message>
+    <message>
+        <source>Not in the case, and taken as: %1.</source>
+        <translation>Не задано и принято: %1.</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,8 @@ class SceneModel : public QObject {
     virtual std::vector<FieldEntry> fields(std::string_view /*only*/ = {}) const { return {}; }
     /// Pointers of the typed values that do not count, since weighed ones stand in their place.
     virtual std::vector<std::string> replacedInputs() const { return {}; }
+    /// Pointers of the objects that count with what is usual where the case does not have them.
+    virtual std::vector<std::string> usualObjects() const { return {}; }
     /// The description of a field that the scene has.
     FieldEntry describedField(std::string_view pointer) const;
     /// Why an input is refused, the places by their labels.

@@ -239,9 +239,13 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
                                  Group{.place = place, .verdict = verdict, .difference = {}});
         }
         ++group->count;
+        // Of one or two units of the last digit that is printed a part says nothing.
+        constexpr double fewUnits = 5.0;
+        const bool says = std::abs(number.printed) > fewUnits * number.last_digit;
         const auto difference = number.relative_difference();
-        if (difference && std::abs(*difference) > group->largest) {
-            group->largest = std::abs(*difference);
+        const double size = difference && says ? std::abs(*difference) : -0.5;
+        if (difference && size > group->largest) {
+            group->largest = size;
             group->difference = cell(Model::Difference).toHtmlEscaped();
         }
     }
@@ -325,6 +329,12 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
     report.items.push_back(Heading{ReportWords::tr("Inputs")});
     for (Table& table : inputTables(model)) {
         report.items.push_back(std::move(table));
+    }
+    if (const QStringList missing = leftOut(model); !missing.isEmpty()) {
+        report.items.push_back(Paragraph{ReportWords::tr("Not in the case, and taken as: %1.")
+                                             .arg(missing.join(QStringLiteral("; ")))
+                                             .toHtmlEscaped(),
+                                         Paragraph::Kind::Muted});
     }
     addVariants(report, model);
     addTolerances(report, model, patience);

@@ -371,6 +371,36 @@ std::vector<Table> inputTables(const SceneModel& model) {
     return Inputs(model).take();
 }
 
+QStringList leftOut(const SceneModel& model) {
+    const Json input = model.inputJson();
+    const std::vector<std::string> replaced = model.replacedInputs();
+    const std::vector<std::string> usual = model.usualObjects();
+    QStringList texts;
+    for (const FieldEntry& entry : model.fields()) {
+        const Json::json_pointer object = Json::json_pointer(entry.pointer).parent_pointer();
+        if (!input.contains(object) &&
+            std::find(usual.begin(), usual.end(), object.to_string()) == usual.end()) {
+            continue;  // nothing of it counts
+        }
+        const auto* number = std::get_if<double>(&entry.value);
+        const bool isEmpty = std::holds_alternative<std::monostate>(entry.value);
+        if (entry.kind != FieldKind::number || entry.field.label.empty() ||
+            !entry.alternatives.empty() || input.contains(Json::json_pointer(entry.pointer)) ||
+            std::find(replaced.begin(), replaced.end(), entry.pointer) != replaced.end()) {
+            continue;
+        }
+        const QString name = capitalised(fieldName(entry.field));
+        if (number != nullptr) {
+            const ShownUnit unit = shownUnit(entry.field);
+            texts << QStringLiteral("%1: %2").arg(name,
+                                                  withUnit(numberText(*number, unit), unit.name));
+        } else if (isEmpty && !entry.field.if_empty.empty()) {
+            texts << QStringLiteral("%1: %2").arg(name, shownText(entry.field.if_empty));
+        }
+    }
+    return texts;
+}
+
 QString shownEquation(std::string_view equation) {
     const QString text =
         QString::fromUtf8(equation.data(), static_cast<qsizetype>(equation.size()));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,9 @@ class SceneModel;
 /// What the case gives, as its file has it: the numbers of each object in one table with their
 /// units, each list of objects in one of its own.
 std::vector<report::Table> inputTables(const SceneModel& model);
+
+/// What the case leaves out and what stands for it, each with the name that the form has for it.
+QStringList leftOut(const SceneModel& model);
 
 /// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
 QString shownEquation(std::string_view equation);

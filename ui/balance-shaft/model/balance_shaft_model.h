@@ -145,6 +145,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString bestRmsText() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
+    std::vector<std::string> usualObjects() const override {
+        return {"/envelope", "/relieved_shaft"};
+    }
 
   Q_SIGNALS:
     /// α is new, and what follows it.
