@@ -91,7 +91,7 @@ class Planner {
         std::sort(places.begin(), places.end());
         for (const double offset : places) {
             list.push_back({pattern.diameter, pattern.depth, turn_of(angle_ + offset), one.mass,
-                            one.unbalance});
+                            one.unbalance, one.slug});
         }
         return list;
     }
@@ -214,8 +214,14 @@ Removed Cut::removed(double diameter, double depth) const {
     const double point = cone(diameter);
     const double cylinder = area * depth;
     const double tip = area * point / 3.0;
-    return {density * (cylinder + tip),
-            density * (cylinder * (radius - 0.5 * depth) + tip * (radius - depth - 0.25 * point))};
+    const double lever = radius - 0.5 * depth;
+    const double mass = density * (cylinder + tip);
+    const double unbalance = density * (cylinder * lever + tip * (radius - depth - 0.25 * point));
+    if (!slug_density) {
+        return {mass, unbalance};
+    }
+    const double slug = *slug_density * cylinder;
+    return {slug - mass, slug * lever - unbalance, slug};
 }
 
 std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall) {
@@ -245,10 +251,10 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
     if (!planner.is_allowed(angle)) {
         return {{}, target, Shortfall::outside_sector};
     }
-    // What the rounding of a depth may leave.
+    // What the rounding of a depth may leave: a step counts most at the rim.
     const auto rounding = [&](const Pattern& pattern) {
-        return pattern.count * 0.25 * pi * pattern.diameter * pattern.diameter * cut.density *
-                   cut.radius * limits.depth_step +
+        return pattern.count * (cut.removed(pattern.diameter, limits.depth_step).unbalance -
+                                cut.removed(pattern.diameter, 0.0).unbalance) +
                1e-12;
     };
     std::optional<Pattern> nearest;  // whatever it leaves
@@ -281,12 +287,16 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
     if (!nearest && !limits.taken.empty()) {
         return {{}, target, Shortfall::too_little_room};
     }
-    if (!nearest || std::abs(nearest->left) >= target) {
+    if (!nearest) {
         return {{}, target, Shortfall::nothing_fits};
     }
     const Shortfall why = std::abs(nearest->left) <= rounding(*nearest) ? Shortfall::rounding
                           : nearest->left > 0.0                         ? Shortfall::too_little_room
                                                                         : Shortfall::nothing_fits;
+    if (std::abs(nearest->left) >= target) {
+        // A slug that is too short to outweigh the cone of its hole brings less than nothing.
+        return {{}, target, nearest->left > target ? why : Shortfall::nothing_fits};
+    }
     return {planner.holes(*nearest), nearest->left, why};
 }
 

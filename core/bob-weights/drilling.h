@@ -14,23 +14,28 @@ struct Hole {
     double diameter;
     double depth;  ///< of the full diameter; the cone of the point lies beyond
     double angle;
-    double mass;       ///< taken off, kg; of a slug: added
-    double unbalance;  ///< of that mass about the crank axis, kg·m
+    double mass;        ///< taken off, kg; of a slug: added, less what its hole took off
+    double unbalance;   ///< of that mass about the crank axis, kg·m
+    double slug = 0.0;  ///< the slug's own mass, kg
 
     friend bool operator==(const Hole&, const Hole&) = default;
 };
 
 /// What a drill takes off: ρ ∫ A(x) dx and ρ ∫ A(x) (R − x) dx over full diameter and cone.
+/// Of a slug what it adds: as much of its density over the full diameter, less what the drill took
+/// off, for the cone beneath it stays empty.
 struct Removed {
-    double mass;       ///< kg
-    double unbalance;  ///< kg·m
+    double mass;        ///< kg
+    double unbalance;   ///< kg·m
+    double slug = 0.0;  ///< the slug's own mass, kg
 };
 
 /// One tool and where it works.
 struct Cut {
-    double radius;       ///< R of the rim, m
-    double density;      ///< of what is taken off (of a slug: by how much it is heavier), kg/m³
-    double point_angle;  ///< rad; π is flat
+    double radius;                         ///< R of the rim, m
+    double density;                        ///< of what is taken off, kg/m³
+    double point_angle;                    ///< rad; π is flat
+    std::optional<double> slug_density{};  ///< of what is pressed in, kg/m³
 
     /// Length of the cone, m.
     double cone(double diameter) const;

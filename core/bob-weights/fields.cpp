@@ -102,6 +102,7 @@ void visit_fields(FieldVisitor& visitor, DrilledHole& hole) {
     visitor.number(field::drilled_depth, hole.depth);
     visitor.number(field::drilled_angle, hole.angle);
     visitor.number(field::drilled_mass, hole.mass);
+    visitor.number(field::drilled_slug, hole.slug);
 }
 
 namespace {

@@ -204,7 +204,9 @@ inline constexpr Field point_angle{
     .unit = units::degree,
     .range = Range::between(60, 180),
     .label = CORE_TEXT("bob-weights", "&Point angle"),
-    .hint = CORE_TEXT("bob-weights", "Of the drill's point: 118°, 135°; 180° for a flat end.")};
+    .hint = CORE_TEXT("bob-weights",
+                      "Of the drill's point: 118°, 135°; 180° for a flat end. Holes of slugs "
+                      "have it, too.")};
 inline constexpr Field depth_step{
     .key = "depth_step_mm",
     .unit = units::mm,
@@ -269,7 +271,14 @@ inline constexpr Field drilled_mass{
     .unit = units::gram,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("bob-weights", "Takes off"),
-    .hint = CORE_TEXT("bob-weights", "Negative: a slug, which adds so much.")};
+    .hint = CORE_TEXT("bob-weights",
+                      "Negative: a slug, which adds so much more than its hole took off.")};
+inline constexpr Field drilled_slug{
+    .key = "slug_g",
+    .unit = units::gram,
+    .range = Range::between(0, 1e6),
+    .label = CORE_TEXT("bob-weights", "Slug"),
+    .hint = CORE_TEXT("bob-weights", "The slug's own mass, as on the scale.")};
 inline constexpr Field slug{
     .key = "slug",
     .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};

@@ -56,7 +56,15 @@ std::vector<Formula> formulas(const Input& input) {
              "", "",
              CORE_TEXT("bob-weights",
                        "R radius of the rim, d diameter, h depth of the full diameter, σ angle of "
-                       "the point, ρ density; of a slug the difference of the densities")});
+                       "the point, ρ density")});
+        if (input.correction->slug) {
+            list.push_back(
+                {CORE_TEXT("bob-weights", "Unbalance that a slug adds"),
+                 "u<sub>s</sub> = ρ<sub>s</sub> (πd<sup>2</sup>/4) h (R − h/2) − u", "", "",
+                 CORE_TEXT("bob-weights",
+                           "ρₛ density of the slug, h its length, u what its hole takes off: the "
+                           "cone beneath it stays empty")});
+        }
     }
     if (input.tolerance && input.tolerance->by_grade) {
         list.push_back(workshop::permissible_unbalance_formula());

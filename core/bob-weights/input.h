@@ -121,10 +121,11 @@ enum class PlaneName { front, rear };
 /// A hole that was planned after a run, or a slug.
 struct DrilledHole {
     PlaneName plane = PlaneName::front;
-    double diameter = 0.0;  ///< m
-    double depth = 0.0;     ///< of the full diameter, m
-    double angle = 0.0;     ///< rad
-    double mass = 0.0;      ///< taken off, kg; negative: a slug
+    double diameter = 0.0;       ///< m
+    double depth = 0.0;          ///< of the full diameter, m
+    double angle = 0.0;          ///< rad
+    double mass = 0.0;           ///< taken off, kg; negative: a slug, less what its hole took off
+    std::optional<double> slug;  ///< the slug's own mass, kg
 
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };

@@ -25,6 +25,9 @@ Json holes_json(const std::vector<Hole>& holes, bool added) {
         if (added) {
             line["added_g"] = mass;
             line["added_g_mm"] = unbalance;
+            if (hole.slug > 0.0) {
+                line["slug_g"] = hole.slug / units::gram;
+            }
         }
         list.push_back(std::move(line));
     }

@@ -244,15 +244,12 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     const Cut cut{*plane.radius, drill.density, drill.point_angle};
     HoleLimits limits{*drill.maximum_depth, drill.depth_step,    drill.minimum_wall,
                       drill.maximum_holes,  drill.maximum_angle, std::nullopt};
-    const auto take = [&](const std::vector<Hole>& holes, double point_angle) {
-        for (const Hole& hole : holes) {
+    for (const auto* holes : {&before.holes, &before.slugs}) {
+        for (const Hole& hole : *holes) {
             limits.taken.push_back(
-                {hole.angle, half_width({cut.radius, cut.density, point_angle}, hole.diameter,
-                                        hole.depth, drill.minimum_wall)});
+                {hole.angle, half_width(cut, hole.diameter, hole.depth, drill.minimum_wall)});
         }
-    };
-    take(before.holes, drill.point_angle);
-    take(before.slugs, pi);
+    }
     if (plane.from_angle && plane.to_angle) {
         limits.sector = {*plane.from_angle, *plane.to_angle};
     }
@@ -272,9 +269,10 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     const bool has_slugs = slug && slug->diameter && slug->density;
     if (has_slugs && is_left()) {
         const double size[] = {*slug->diameter};
-        HolePlan slugs = plan_holes(plan.left, turn_of(result.angle + pi),
-                                    {*plane.radius, *slug->density - drill.density, pi}, size,
-                                    limits, tolerance);
+        HolePlan slugs =
+            plan_holes(plan.left, turn_of(result.angle + pi),
+                       {*plane.radius, drill.density, drill.point_angle, slug->density}, size,
+                       limits, tolerance);
         result.slugs = std::move(slugs.holes);
         plan.left = slugs.left;
         // Where no slug has room there is still what the holes left.
@@ -335,18 +333,27 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
     std::array<Metal, 2> drilled;
     for (const DrilledHole& hole : holes) {
         const auto plane = static_cast<std::size_t>(hole.plane);
-        const bool is_slug = hole.mass < 0.0;
         const auto radius = correction.planes.at(plane).radius;
-        double lever = 0.0;
-        if (radius) {
-            const Removed unit =
-                Cut{*radius, 1.0, is_slug ? pi : correction.drill.point_angle}.removed(
-                    hole.diameter, hole.depth);
-            lever = unit.mass > 0.0 ? unit.unbalance / unit.mass : *radius;
+        const auto lever = [&](double point_angle) {
+            if (!radius) {
+                return 0.0;
+            }
+            const Removed unit = Cut{*radius, 1.0, point_angle}.removed(hole.diameter, hole.depth);
+            return unit.mass > 0.0 ? unit.unbalance / unit.mass : *radius;
+        };
+        const double angle = turn_of(hole.angle);
+        if (!hole.slug && hole.mass >= 0.0) {
+            drilled[plane].holes.push_back({hole.diameter, hole.depth, angle, hole.mass,
+                                            hole.mass * lever(correction.drill.point_angle)});
+            continue;
         }
-        const double mass = std::abs(hole.mass);
-        (is_slug ? drilled[plane].slugs : drilled[plane].holes)
-            .push_back({hole.diameter, hole.depth, turn_of(hole.angle), mass, mass * lever});
+        // Where the slug's own mass is not known, it is taken to fill its hole.
+        const double added = -hole.mass;
+        const double slug = hole.slug.value_or(added);
+        drilled[plane].slugs.push_back(
+            {hole.diameter, hole.depth, angle, added,
+             slug * lever(pi) - (slug - added) * lever(correction.drill.point_angle),
+             hole.slug.value_or(0.0)});
     }
     return drilled;
 }
@@ -472,7 +479,8 @@ std::vector<DrilledHole> record_of(const auto& planes) {
         const auto& metal = planes[static_cast<std::size_t>(plane)];
         const auto add = [&](const std::vector<Hole>& holes, double sign) {
             for (const Hole& hole : holes) {
-                list.push_back({plane, hole.diameter, hole.depth, hole.angle, sign * hole.mass});
+                list.push_back({plane, hole.diameter, hole.depth, hole.angle, sign * hole.mass,
+                                hole.slug > 0.0 ? std::optional(hole.slug) : std::nullopt});
             }
         };
         add(metal.holes, 1.0);

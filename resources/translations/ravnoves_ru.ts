@@ -320,6 +320,10 @@
         <source>%1: what was drilled was planned from another reading.</source>
         <translation>%1: просверленное рассчитано по другому показанию.</translation>
     </message>
+    <message>
+        <source>A slug is as long as its hole is deep; its own weight stands beside its diameter, and the cone beneath it, which stays empty, is counted.</source>
+        <translation>Длина вставки равна глубине её отверстия; собственная масса стоит рядом с диаметром, а конус под вставкой, который остаётся пустым, учтён.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3790,10 +3794,6 @@
         <translation>&amp;Угол при вершине</translation>
     </message>
     <message>
-        <source>Of the drill&apos;s point: 118°, 135°; 180° for a flat end.</source>
-        <translation>Сверла: 118°, 135°; 180° — плоский торец.</translation>
-    </message>
-    <message>
         <source>Depth &amp;step</source>
         <translation>&amp;Шаг глубины</translation>
     </message>
@@ -3920,10 +3920,6 @@
     <message>
         <source>Unbalance that a hole takes off</source>
         <translation>Дисбаланс, снимаемый отверстием</translation>
-    </message>
-    <message>
-        <source>R radius of the rim, d diameter, h depth of the full diameter, σ angle of the point, ρ density; of a slug the difference of the densities</source>
-        <translation>R — радиус обода, d — диаметр, h — глубина по полному диаметру, σ — угол при вершине, ρ — плотность; у вставки — разность плотностей</translation>
     </message>
     <message>
         <source>The crankshaft is rigid.</source>
@@ -4122,10 +4118,6 @@
         <translation>Снимает</translation>
     </message>
     <message>
-        <source>Negative: a slug, which adds so much.</source>
-        <translation>Отрицательно: вставка, которая столько прибавляет.</translation>
-    </message>
-    <message>
         <source>Beside those of earlier runs equal holes or slugs to both sides have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
         <translation>Рядом с прежними равным отверстиям или вставкам по обе стороны мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
     </message>
@@ -4152,6 +4144,34 @@
     <message>
         <source>The readings from which the holes of drilled were planned, where those of the run have been put right since.</source>
         <translation>Показания, по которым рассчитаны отверстия drilled, если показания пуска с тех пор исправлены.</translation>
+    </message>
+    <message>
+        <source>Of the drill&apos;s point: 118°, 135°; 180° for a flat end. Holes of slugs have it, too.</source>
+        <translation>Сверла: 118°, 135°; 180° — плоский торец. У отверстий вставок он тот же.</translation>
+    </message>
+    <message>
+        <source>Negative: a slug, which adds so much more than its hole took off.</source>
+        <translation>Отрицательно: вставка, которая прибавляет на столько больше, чем сняло её отверстие.</translation>
+    </message>
+    <message>
+        <source>Slug</source>
+        <translation>Вставка</translation>
+    </message>
+    <message>
+        <source>The slug&apos;s own mass, as on the scale.</source>
+        <translation>Собственная масса вставки, как на весах.</translation>
+    </message>
+    <message>
+        <source>R radius of the rim, d diameter, h depth of the full diameter, σ angle of the point, ρ density</source>
+        <translation>R — радиус обода, d — диаметр, h — глубина по полному диаметру, σ — угол при вершине, ρ — плотность</translation>
+    </message>
+    <message>
+        <source>Unbalance that a slug adds</source>
+        <translation>Дисбаланс, который прибавляет вставка</translation>
+    </message>
+    <message>
+        <source>ρₛ density of the slug, h its length, u what its hole takes off: the cone beneath it stays empty</source>
+        <translation>ρₛ — плотность вставки, h — её длина, u — что снимает её отверстие: конус под ней остаётся пустым</translation>
     </message>
 </context>
 <context>
@@ -8896,10 +8916,6 @@ but nothing can be built</source>
         <translation>От нулевой метки станка</translation>
     </message>
     <message>
-        <source>Mass, the cone of the point included; negative: a slug adds so much more than the steel weighed</source>
-        <translation>Масса вместе с конусом; отрицательна: вставка тяжелее вынутой стали на столько</translation>
-    </message>
-    <message>
         <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
         <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
     </message>
@@ -8978,6 +8994,10 @@ but nothing can be built</source>
     <message>
         <source>Counts once every cylinder is weighed.</source>
         <translation>Считается, когда взвешены все цилиндры.</translation>
+    </message>
+    <message>
+        <source>Mass, the cone of the point included; negative: a slug adds its own weight, which stands beside its diameter, less what its hole took off</source>
+        <translation>Масса вместе с конусом; отрицательна: вставка прибавляет собственную массу, которая стоит рядом с диаметром, за вычетом того, что сняло её отверстие</translation>
     </message>
 </context>
 <context>

@@ -249,7 +249,7 @@ void BobCard::draw(CardPage& page) const {
     blocks.push_back(runBlock(words(), input_.correction, solution_));
     if (auto drilled = bob_text::drilled(words(), solution_); !drilled.isEmpty()) {
         blocks.push_back({words().translate("BobWeights", "Already drilled"),
-                          {{28, Qt::AlignLeft}, {38, Qt::AlignLeft}, {22}, {68}, {26}},
+                          {{24, Qt::AlignLeft}, {46, Qt::AlignLeft}, {20}, {66}, {26}},
                           bob_text::drilledHead(words()),
                           std::move(drilled)});
     }
@@ -262,7 +262,7 @@ void BobCard::draw(CardPage& page) const {
         const auto rear = bob_text::holes(words(), solution_, 1);
         if (!front.isEmpty() || !rear.isEmpty()) {
             blocks.push_back({words().translate("BobWeights", "Holes and slugs"),
-                              {{33, Qt::AlignLeft}, {19}, {17}, {20}},
+                              {{42, Qt::AlignLeft}, {16}, {13}, {18}},
                               bob_text::holeHead(words()),
                               front,
                               false,

@@ -167,7 +167,8 @@ void PlaneView::drawHoles(QPainter& painter, double rim, const Metal& metal, flo
         return;
     }
     const double scale = rim / *radius;
-    const auto draw = [&](const Hole& hole, double cone, QColor colour) {
+    const auto draw = [&](const Hole& hole, bool isSlug, QColor colour) {
+        const double cone = Cut{*radius, 1.0, input.drill.point_angle}.cone(hole.diameter);
         const double half = 0.5 * hole.diameter * scale;
         const double depth = hole.depth * scale;
         QPainterPath path(QPointF(-half, -rim));
@@ -176,22 +177,26 @@ void PlaneView::drawHoles(QPainter& painter, double rim, const Metal& metal, flo
         path.lineTo(0.0, -rim + depth + cone * scale);
         path.lineTo(-half, -rim + depth);
         path.closeSubpath();
+        QPainterPath slug;  // the cone beneath it stays empty
+        slug.addRect(-half, -rim, 2.0 * half, depth);
         painter.save();
         painter.rotate(hole.angle / degree);
         colour.setAlphaF(alpha);
-        painter.setPen(QPen(colour, 1.2));
+        QColor inside = colour;
         constexpr float fill = 70.0F / 255.0F;
-        colour.setAlphaF(fill * alpha);
-        painter.setBrush(colour);
+        inside.setAlphaF(fill * alpha);
+        painter.fillPath(isSlug ? slug : path, inside);
+        painter.setPen(QPen(colour, 1.2));
+        painter.setBrush(Qt::NoBrush);
         painter.drawPath(path);
         painter.restore();
     };
     const Theme& theme = Theme::instance();
     for (const Hole& hole : metal.holes) {
-        draw(hole, Cut{*radius, 1.0, input.drill.point_angle}.cone(hole.diameter), theme.warning());
+        draw(hole, false, theme.warning());
     }
     for (const Hole& slug : metal.slugs) {
-        draw(slug, 0.0, theme.curve(4));
+        draw(slug, true, theme.curve(4));
     }
 }
 

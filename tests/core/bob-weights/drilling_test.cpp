@@ -50,6 +50,23 @@ TEST(Hole, TakesOffItsVolumeIntegral) {
     EXPECT_EQ((Cut{0.1, 7850, pi}.cone(0.01)), 0.0);
 }
 
+TEST(Slug, LeavesTheConeOfItsHoleEmpty) {
+    for (const double point_deg : {90.0, 118.0, 180.0}) {
+        const Cut hole{85 * mm, 7850, point_deg * degree};
+        const Cut slug{hole.radius, hole.density, hole.point_angle, 17'500};
+        const Removed out = by_quadrature(hole, 14 * mm, 12 * mm);
+        const Removed in = by_quadrature({hole.radius, 17'500, pi}, 14 * mm, 12 * mm);
+        const Removed found = slug.removed(14 * mm, 12 * mm);
+        EXPECT_NEAR(found.slug, in.mass, 1e-7 * in.mass);
+        EXPECT_NEAR(found.mass, in.mass - out.mass, 1e-7 * in.mass);
+        EXPECT_NEAR(found.unbalance, in.unbalance - out.unbalance, 1e-7 * in.unbalance);
+    }
+    // By hand: what a cone of 118° is of the hole of a slug ⌀ 14 mm.
+    const double cone = Cut{85 * mm, 7850, pi, 17'500}.removed(14 * mm, 12 * mm).mass -
+                        Cut{85 * mm, 7850, 118 * degree, 17'500}.removed(14 * mm, 12 * mm).mass;
+    EXPECT_NEAR(cone, 1.694e-3, 1e-6);
+}
+
 TEST(Vectors, AreCarriedOverWithForceAndMoment) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -72,7 +89,7 @@ TEST(Vectors, AreCarriedOverWithForceAndMoment) {
 /// Least distance between two holes, by points on their outlines in the plane of both axes.
 double wall_between(const Cut& cut, const Hole& first, const Hole& second) {
     const auto outline = [&](const Hole& hole, double turn, double side) {
-        const auto& [diameter, depth, at, mass, unbalance] = hole;
+        const auto& [diameter, depth, at, mass, unbalance, slug] = hole;
         std::vector<std::complex<double>> points;
         const double point = cut.cone(diameter);
         for (int i = 0; i <= 400; ++i) {
@@ -294,6 +311,15 @@ TEST(Plan, SaysWhyItFallsShort) {
     EXPECT_EQ(plan_holes(500 * gram_mm, 1.0, rim, drills, limits, -1.0).shortfall,
               Shortfall::outside_sector);
     EXPECT_EQ(plan_holes(500 * gram_mm, 2.0, rim, drills, limits, -1.0).shortfall, Shortfall::none);
+    // A slug that may not be long enough to outweigh its hole's cone is none.
+    limits.maximum_depth = 1 * mm;
+    limits.sector.reset();
+    const Cut light{rim.radius, rim.density, rim.point_angle, 8500};
+    const HolePlan none = plan_holes(500 * gram_mm, 1.0, light, thick, limits, -1.0);
+    EXPECT_EQ(none.shortfall, Shortfall::too_little_room);
+    EXPECT_TRUE(none.holes.empty());
+    limits = usual;
+    limits.sector = {90 * degree, 200 * degree};
     // Its two ends are drilled, too.
     for (const double end : {90 * degree, 200 * degree}) {
         const HolePlan one = plan_holes(200 * gram_mm, end, rim, drills, limits, -1.0);

@@ -254,11 +254,19 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
     EXPECT_FALSE(plane.contains("reason"));
     ASSERT_FALSE(plane.at("slugs").empty());
     const Json& slug = plane.at("slugs").front();
-    // Heavier than the steel that gives way to it, by quadrature of a flat hole.
+    // Heavier than the steel that gives way to it, whose cone stays empty.
     const double d = slug.at("diameter_mm");
     const double h = slug.at("depth_mm");
+    const double area = pi * d * d / 4;
+    const double cone = d / 2 / std::tan(59 * degree);
+    EXPECT_NEAR(slug.at("slug_g").get<double>(), 18'000 * 1e-6 * area * h, 1e-9);
+    EXPECT_NEAR(slug.at("added_g").get<double>(),
+                slug.at("slug_g").get<double>() - 7850 * 1e-6 * area * (h + cone / 3), 1e-9);
     EXPECT_NEAR(slug.at("added_g_mm").get<double>(),
-                (18'000 - 7850) * 1e-6 * pi * d * d / 4 * h * (85 - h / 2), 1e-6);
+                (18'000 - 7850) * 1e-6 * area * h * (85 - h / 2) -
+                    7850 * 1e-6 * area * cone / 3 * (85 - h - cone / 4),
+                1e-6);
+    EXPECT_FALSE(plane.at("holes").front().contains("slug_g"));
     EXPECT_EQ(slug.at("removed_g_mm").get<double>(), -slug.at("added_g_mm").get<double>());
     // Half a turn from the heavy spot, and outside the sector that may be drilled slugs alone.
     input["correction"]["readings"][0]["unbalance_g_mm"] = 2000;
@@ -359,6 +367,8 @@ TEST(HalfFilled, FormsKeepWhatIsThere) {
     EXPECT_FALSE(result.bob_weight);
     EXPECT_EQ(missing_for_bob_weight(input).size(), 3u);
     EXPECT_FALSE(result.correction);
+}
+
 }
 
 TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
@@ -506,6 +516,23 @@ TEST(Correction, EarlierSlugsAreTakenToo) {
                 std::abs(hole.at("angle_deg").get<double>() - slug.at("angle_deg").get<double>()),
                 10);
         }
+    }
+    // The record has the slug's own mass, too: what it adds follows from both.
+    Input before = read_input(input);
+    before.correction->earlier_runs.clear();
+    before.correction->readings[0].unbalance = 20'000e-6;
+    before.correction->readings[0].angle = 40 * degree;
+    Input later = read_input(input);
+    later.correction->earlier_runs[0].drilled = planned_holes(solve(before));
+    const Json kept = solved(write_input(later))
+                          .at("correction")
+                          .at("runs")[0]
+                          .at("planes")[0]
+                          .at("drilled_slugs");
+    ASSERT_EQ(kept.size(), first.at("slugs").size());
+    for (const char* key : {"slug_g", "added_g", "added_g_mm"}) {
+        EXPECT_NEAR(kept[0].at(key).get<double>(), first.at("slugs")[0].at(key).get<double>(), 1e-6)
+            << key;
     }
     // Of a slug's record the sign says what it is.
     correction["earlier_runs"][0]["drilled"] = parse_json(R"([{"plane": "front", "diameter_mm": 25,

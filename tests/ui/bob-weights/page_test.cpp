@@ -192,6 +192,35 @@ TEST_F(BobPageTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
     EXPECT_GE(printed.count(u'r'), 600);
 }
 
+TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
+    typeShopCard();
+    typeReadings();
+    type("from_1", u"180"_s);
+    type("to_1", u"300"_s);
+    type("slug_diameter_mm", u"20"_s);
+    type("slug_density_kg_m3", u"17500"_s);
+    const auto& plane = (*model->solution().correction)[0];
+    ASSERT_EQ(plane.slugs.size(), 1u);
+    const QString grams = Words().number(plane.slugs[0].slug, units::gram, 1);
+    const QString name = u"Front: slug ⌀ 20 mm, "_s + grams;
+    const auto plain = [](QString text) { return text.replace(QChar(0x00A0), u' '); };
+    EXPECT_EQ(plain(bob_text::holes(Words(), model->solution(), 0).at(0).at(0).text), plain(name));
+    EXPECT_TRUE(label("hole_note").contains(u"the cone beneath it, which stays empty"_s));
+    EXPECT_TRUE(plain(card()).contains(plain(name)));
+    // Once drilled, too.
+    model->edit(u"run"_s, [](Input& input) {
+        EarlierRun run;
+        for (std::size_t i = 0; i < 2; ++i) {
+            run.readings[i].unbalance = input.correction->readings[i].unbalance;
+            run.readings[i].angle = input.correction->readings[i].angle;
+        }
+        input.correction->earlier_runs.push_back(run);
+    });
+    EXPECT_EQ(plain(model->drilledResults().rows.at(0).at(1).text), plain(name));
+}
+
+}
+
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
     typeShopCard();
     typeReadings();

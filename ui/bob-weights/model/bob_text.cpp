@@ -313,12 +313,29 @@ QString asReadNote(const Words& words, const Input& input, const Result& result)
                    : QString();
 }
 
+namespace {
+
+QString slugNote(const Words& words, const std::array<PlaneResult, 2>& planes) {
+    const bool hasSlugs = std::any_of(planes.begin(), planes.end(), [](const PlaneResult& plane) {
+        return !plane.slugs.empty();
+    });
+    return hasSlugs ? QLatin1Char(' ') +
+                          words.translate("BobWeights",
+                                          "A slug is as long as its hole is deep; its own weight "
+                                          "stands beside its diameter, and the cone beneath it, "
+                                          "which stays empty, is counted.")
+                    : QString();
+}
+
+}  // namespace
+
 QString holeNote(const Words& words, const Result& result) {
     return holes(words, result).isEmpty()
                ? QString()
                : words.translate("BobWeights",
                                  "Depths are to the full diameter, the cone of the drill’s point "
-                                 "lies beyond; the rim counts as flat where a hole begins.");
+                                 "lies beyond; the rim counts as flat where a hole begins.") +
+                     slugNote(words, *result.correction);
 }
 
 QString weighing(const Words& words, const Input& input, const Result& result) {
@@ -490,13 +507,16 @@ QStringList holeHead(const Words& words) {
 
 namespace {
 
-/// "Front: ⌀ 16 mm", "Rear: slug ⌀ 25 mm".
-QString holeName(const Words& words, std::size_t plane, bool isSlug, double diameter) {
+/// "Front: ⌀ 16 mm", "Rear: slug ⌀ 25 mm, 33.5 g".
+QString holeName(const Words& words, std::size_t plane, bool isSlug, const Hole& hole) {
     const QString work = plane == 0 ? (isSlug ? words.translate("BobWeights", "Front: slug ⌀ %1")
                                               : words.translate("BobWeights", "Front: ⌀ %1"))
                                     : (isSlug ? words.translate("BobWeights", "Rear: slug ⌀ %1")
                                               : words.translate("BobWeights", "Rear: ⌀ %1"));
-    return work.arg(words.plainWithUnit(diameter, units::mm, 2));
+    const QString name = work.arg(words.plainWithUnit(hole.diameter, units::mm, 2));
+    // As it is found on the scale; old records lack it.
+    return hole.slug > 0.0 ? name + QStringLiteral(", ") + words.number(hole.slug, units::gram, 1)
+                           : name;
 }
 
 /// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
@@ -507,7 +527,8 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, std::s
         constexpr std::ptrdiff_t most = 4;
         const auto end = first + std::min(most, holes.end() - first);
         const auto last = std::find_if(first, end, [&](const Hole& hole) {
-            return hole.diameter != first->diameter || hole.depth != first->depth;
+            return hole.diameter != first->diameter || hole.depth != first->depth ||
+                   hole.slug != first->slug;
         });
         QStringList angles;
         double mass = 0.0;
@@ -515,7 +536,7 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, std::s
             angles << degreesOf(words, hole->angle);
             mass += sign * hole->mass;
         }
-        rows << ResultRow{run, holeName(words, plane, isSlug, first->diameter),
+        rows << ResultRow{run, holeName(words, plane, isSlug, *first),
                           words.cell(first->depth, units::mm, 1),
                           angles.size() == 1 ? direction(words, first->angle)
                                              : ResultCell(angles.join(QStringLiteral("; "))),
@@ -533,7 +554,7 @@ ResultRows holes(const Words& words, const Result& result, std::size_t plane) {
         return rows;
     }
     const auto add = [&](const Hole& hole, bool isSlug) {
-        rows << ResultRow{holeName(words, plane, isSlug, hole.diameter),
+        rows << ResultRow{holeName(words, plane, isSlug, hole),
                           words.cell(hole.depth, units::mm, 1), direction(words, hole.angle),
                           words.cell(isSlug ? -hole.mass : hole.mass, units::gram, 2)};
     };

@@ -198,8 +198,8 @@ QStringList holeTips() {
     return {shownText(field::maximum_depth.hint),
             BobWeightsModel::tr("From the machine's zero mark"),
             BobWeightsModel::tr(
-                "Mass, the cone of the point included; negative: a slug adds so much more than the "
-                "steel weighed")};
+                "Mass, the cone of the point included; negative: a slug adds its own weight, which "
+                "stands beside its diameter, less what its hole took off")};
 }
 
 }  // namespace
