@@ -64,10 +64,11 @@ struct HoleLimits {
 /// Why the holes do not take off what they should.
 enum class Shortfall {
     none,
-    nothing_fits,     ///< the smallest hole takes off too much
-    too_little_room,  ///< the holes that have room take off too little
-    rounding,         ///< the rounding of the depths leaves more than it may
-    outside_sector    ///< the sector that may be drilled is elsewhere
+    nothing_fits,        ///< the smallest hole takes off too much
+    too_little_room,     ///< the holes that have room take off too little
+    rounding,            ///< the rounding of the depths leaves more than it may
+    outside_sector,      ///< the sector that may be drilled is elsewhere
+    both_outside_sector  ///< neither the heavy spot nor the side of the slugs is in it
 };
 
 struct HolePlan {

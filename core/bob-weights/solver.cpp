@@ -204,6 +204,13 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                                           "heavy metal in opposite, or as a last resort weld that "
                                           "much on there."),
                     grams, at};
+        case Shortfall::both_outside_sector:
+            return {CORE_TEXT("bob-weights",
+                              "Both the heavy spot and the side opposite it lie outside the "
+                              "sector that may be drilled: no hole and no slug has a place, and "
+                              "%1 at the radius remain at %2. As a last resort weld that much on "
+                              "opposite."),
+                    grams, at};
         case Shortfall::too_little_room:
             if (beside) {
                 return {has_slugs ? CORE_TEXT("bob-weights",
@@ -230,6 +237,17 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                     grams, at};
     }
     return {};
+}
+
+/// Why holes and slugs together leave too much.
+Shortfall shortfall_of_both(Shortfall holes, Shortfall slugs) {
+    if (holes == Shortfall::outside_sector) {
+        return slugs == Shortfall::outside_sector    ? Shortfall::both_outside_sector
+               : slugs == Shortfall::too_little_room ? Shortfall::outside_sector
+                                                     : slugs;
+    }
+    // Where no slug may lie there is still what the holes left.
+    return slugs == Shortfall::outside_sector ? Shortfall::too_little_room : slugs;
 }
 
 /// @param before  what was drilled there and pressed in after earlier runs
@@ -275,9 +293,7 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
                        limits, tolerance);
         result.slugs = std::move(slugs.holes);
         plan.left = slugs.left;
-        // Where no slug has room there is still what the holes left.
-        plan.shortfall = slugs.shortfall == Shortfall::outside_sector ? Shortfall::too_little_room
-                                                                      : slugs.shortfall;
+        plan.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
     }
     Vector left = unbalance;
     for (const Hole& hole : result.holes) {

@@ -4173,6 +4173,10 @@
         <source>ρₛ density of the slug, h its length, u what its hole takes off: the cone beneath it stays empty</source>
         <translation>ρₛ — плотность вставки, h — её длина, u — что снимает её отверстие: конус под ней остаётся пустым</translation>
     </message>
+    <message>
+        <source>Both the heavy spot and the side opposite it lie outside the sector that may be drilled: no hole and no slug has a place, and %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
+        <translation>И тяжёлое место, и противоположная сторона вне сектора, где можно сверлить: ни отверстию, ни вставке нет места, остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

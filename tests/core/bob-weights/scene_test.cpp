@@ -276,6 +276,24 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
     EXPECT_TRUE(plane.at("holes").empty());
     ASSERT_EQ(plane.at("slugs").size(), 1u);
     EXPECT_NEAR(plane.at("slugs")[0].at("angle_deg").get<double>(), 220, 1e-9);
+    // Neither here nor there, or there too little: the reason is the sector.
+    input["correction"]["planes"][0]["from_deg"] = 80;
+    input["correction"]["planes"][0]["to_deg"] = 200;
+    plane = solved(input).at("correction").at("planes")[0];
+    EXPECT_TRUE(plane.at("holes").empty() && plane.at("slugs").empty());
+    EXPECT_EQ(plane.at("reason").get<std::string>().find(
+                  "Both the heavy spot and the side opposite it lie outside the sector that may be "
+                  "drilled: no hole and no slug has a place"),
+              0u)
+        << plane.at("reason");
+    input["correction"]["planes"][0]["to_deg"] = 221;
+    input["correction"]["readings"][0]["unbalance_g_mm"] = 20'000;
+    plane = solved(input).at("correction").at("planes")[0];
+    EXPECT_EQ(plane.at("reason").get<std::string>().find(
+                  "The heavy spot lies outside the sector that may be drilled, and slugs opposite "
+                  "it leave "),
+              0u)
+        << plane.at("reason");
 }
 
 TEST(Tolerance, IsSharedByTheDistances) {
