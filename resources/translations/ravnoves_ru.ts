@@ -4772,6 +4772,10 @@
         <source>must not leave open whether its comma divides thousands or is a decimal sign: other numbers of the column have none</source>
         <translation>должно быть ясно, делит ли запятая тысячи или отделяет дробную часть: в других числах столбца её нет</translation>
     </message>
+    <message>
+        <source>must be two numbers or one: write %1 or %2</source>
+        <translation>должно быть двумя числами или одним: напишите %1 или %2</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>

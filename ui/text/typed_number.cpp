@@ -162,11 +162,35 @@ bool isMassUnit(const QString& unit) {
     return typed != nullptr && typed->quantity == TypedUnit::Mass;
 }
 
+namespace {
+
+/// A decimal comma whose fraction ends in 0 is hardly one: "8,10" is 8 and 10, or 8.1.
+void refuseEitherNumbers(const QString& word, const Message& where) {
+    static const QRegularExpression either(QStringLiteral("^([-−+]?\\d+)[,б](\\d*0)(?!\\d)"));
+    const auto match = either.match(word);
+    if (!match.hasMatch()) {
+        return;
+    }
+    static const QRegularExpression leading(QStringLiteral("^0+(?=\\d)"));
+    static const QRegularExpression trailing(QStringLiteral("0+$"));
+    const QString whole = match.captured(1);
+    const QString fraction = match.captured(2).remove(trailing);
+    const QString two = whole + QStringLiteral("; ") + match.captured(2).remove(leading);
+    const QString one = fraction.isEmpty() ? whole : whole + QLatin1Char(',') + fraction;
+    throw InputError(where,
+                     {CORE_TEXT("core", "must be two numbers or one: write %1 or %2"),
+                      quoted_list({two.toStdString()}), quoted_list({one.toStdString()})},
+                     quoted_list({word.toStdString()}));
+}
+
+}  // namespace
+
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where) {
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
     const ShownUnit shown = shownUnit(field);
     std::vector<double> values;
     for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
+        refuseEitherNumbers(word, where);
         auto value = readTypedNumber(word, shown.name).value;
         if (!value) {
             throw InputError(

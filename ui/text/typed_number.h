@@ -37,7 +37,8 @@ bool isTypedNumber(const QString& text);
 bool isMassUnit(const QString& unit);
 
 /// Reads numbers one after the other, in the unit that the field is shown in: between them are
-/// blanks, semicolons, or commas with a blank behind.
+/// blanks, semicolons, or commas with a blank behind. What may be two numbers or one ("8,10") is
+/// refused.
 /// @param where  names the list
 /// @return the values in the field's unit; throws InputError for what is no number of its range
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where);
