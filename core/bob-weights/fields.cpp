@@ -81,17 +81,30 @@ void visit_fields(FieldVisitor& visitor, Plane& plane) {
     visitor.number(field::to_angle, plane.to_angle);
 }
 
+namespace {
+
+/// Nothing has no direction: a reading of 0 needs no angle.
+void visit_angle(FieldVisitor& visitor, auto& reading) {
+    if (reading.unbalance && !has_direction(*reading.unbalance)) {
+        visitor.number(field::angle, reading.angle);
+    } else {
+        visitor.required(field::angle, reading.angle);
+    }
+}
+
+}  // namespace
+
 void visit_fields(FieldVisitor& visitor, Reading& reading) {
     visitor.number(field::reading_position, reading.position);
     visitor.required(field::unbalance, reading.unbalance);
-    visitor.required(field::angle, reading.angle);
+    visit_angle(visitor, reading);
     visitor.number(field::bob_weight_then, reading.bob_weight);
     visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
-    visitor.required(field::angle, reading.angle);
+    visit_angle(visitor, reading);
     visitor.number(field::bob_weight_then, reading.bob_weight);
     visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
 }

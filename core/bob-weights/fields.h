@@ -175,7 +175,7 @@ inline constexpr Field angle{
     .label = CORE_TEXT("bob-weights", "Heavy spot"),
     .hint = CORE_TEXT("bob-weights",
                       "Angle of the heavy spot from the machine's zero mark; a machine that shows "
-                      "the light spot shows it 180° from here."),
+                      "the light spot shows it 180° from here. A reading of 0 has none."),
     .placeholder = CORE_TEXT("V8", "needed")};
 using workshop::field::bob_weight_then;
 inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Drills at hand.")};

@@ -3762,10 +3762,6 @@
         <translation>Тяжёлое место</translation>
     </message>
     <message>
-        <source>Angle of the heavy spot from the machine&apos;s zero mark; a machine that shows the light spot shows it 180° from here.</source>
-        <translation>Угол тяжёлого места от нулевой метки станка; станок, показывающий лёгкое место, показывает его на 180° дальше.</translation>
-    </message>
-    <message>
         <source>Drills at hand.</source>
         <translation>Имеющиеся свёрла.</translation>
     </message>
@@ -4144,6 +4140,10 @@
     <message>
         <source>The readings from which the holes of drilled were planned, where those of the run have been put right since.</source>
         <translation>Показания, по которым рассчитаны отверстия drilled, если показания пуска с тех пор исправлены.</translation>
+    </message>
+    <message>
+        <source>Angle of the heavy spot from the machine&apos;s zero mark; a machine that shows the light spot shows it 180° from here. A reading of 0 has none.</source>
+        <translation>Угол тяжёлого места от нулевой метки станка; станок, показывающий лёгкое место, показывает его на 180° дальше. У показания 0 угла нет.</translation>
     </message>
     <message>
         <source>Of the drill&apos;s point: 118°, 135°; 180° for a flat end. Holes of slugs have it, too.</source>

@@ -387,6 +387,22 @@ TEST(HalfFilled, FormsKeepWhatIsThere) {
     EXPECT_FALSE(result.correction);
 }
 
+TEST(Correction, AReadingOfNothingNeedsNoAngle) {
+    Json input = with_correction();
+    Json& correction = input["correction"];
+    const Json nothing{{"unbalance_g_mm", 0}};
+    correction["earlier_runs"] = Json::array({{{"readings", correction["readings"]}}});
+    for (const char* pointer : {"/readings/0", "/readings/1", "/earlier_runs/0/readings/0",
+                                "/earlier_runs/0/readings/1"}) {
+        correction[Json::json_pointer(pointer)] = nothing;
+        EXPECT_EQ(error_of(input), "no error") << pointer;
+    }
+    const Json written = write_input(read_input(input)).at("correction");
+    EXPECT_EQ(written.at("readings"), Json::array({nothing, nothing}));
+    EXPECT_EQ(written.at("earlier_runs")[0].at("readings"), written.at("readings"));
+    correction["readings"][1]["unbalance_g_mm"] = 1;
+    EXPECT_NE(error_of(input).find("/readings/1/angle_deg: is required and missing"),
+              std::string::npos);
 }
 
 TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
