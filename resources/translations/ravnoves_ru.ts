@@ -8896,6 +8896,10 @@ but nothing can be built</source>
         <source>The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at the first has room for all, or type the means on sheet 2.</source>
         <translation>Лист показывает %1 из %2 цилиндров. Столбцу таблицы, вставленному в первый, хватает места для всех; или введите средние на листе 2.</translation>
     </message>
+    <message>
+        <source>In line each cylinder has a crankpin of its own: there is nothing to choose.</source>
+        <translation>В рядном двигателе у каждого цилиндра своя шатунная шейка: выбирать нечего.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobWeightsModel</name>

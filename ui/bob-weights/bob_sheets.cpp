@@ -83,7 +83,19 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
 BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     : MatchingSheet(model, parent) {
     section({});
-    wide(choice("/weigh_in/cylinder_numbering"));
+    QComboBox* pairs = wide(choice("/weigh_in/cylinder_numbering"));
+    const auto noPairs = [model] {
+        return model->input().engine.type == EngineType::in_line
+                   ? tr("In line each cylinder has a crankpin of its own: there is nothing to "
+                        "choose.")
+                   : QString();
+    };
+    follow([pairs, noPairs, hint = pairs->toolTip()] {
+        const QString why = noPairs();
+        pairs->setEnabled(why.isEmpty());
+        pairs->setToolTip(why.isEmpty() ? hint : why);
+    });
+    line(Theme::smallSize, noPairs);
     line(Theme::smallSize, [model] {
         const int cylinders = model->input().engine.cylinders;
         return cylinders > mostRows

@@ -219,6 +219,15 @@ TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
     EXPECT_EQ(plain(model->drilledResults().rows.at(0).at(1).text), plain(name));
 }
 
+TEST_F(BobPageTest, CylindersInLineAreNotPaired) {
+    auto* pairs = find<QComboBox>("cylinder_numbering");
+    EXPECT_TRUE(pairs->isEnabled());
+    model->edit(u"type"_s, [](Input& input) {
+        input.engine.type = EngineType::in_line;
+        input.engine.rods_per_pin = 1;
+    });
+    EXPECT_FALSE(pairs->isEnabled());
+    EXPECT_TRUE(pairs->toolTip().contains(u"In line each cylinder has a crankpin of its own"_s));
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
