@@ -80,6 +80,22 @@ TEST_F(V8PageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
     EXPECT_TRUE(cells.contains(u"fails: 3.1 / 6.0"_s)) << qPrintable(cells.join(u'|'));
 }
 
+TEST_F(V8PageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    press(Qt::Key_F2);
+    ASSERT_EQ(model->saveEngineAs(u"Ours"_s), QString());
+    EXPECT_EQ(model->desk()->otherEngine(), QString());
+    press(Qt::Key_F2);
+    const auto jobs = model->desk()->journal()->search({});
+    ASSERT_EQ(jobs.size(), 1);
+    EXPECT_EQ(jobs.at(0).engine, u"Ours"_s);
+    // Its values make it another.
+    model->edit(u"oil"_s, [](v8_plugs::Input& input) { input.engine.oil_mass = 0.123; });
+    model->edit(u"name"_s, [](v8_plugs::Input& input) { input.engine.name = "Theirs"; });
+    EXPECT_EQ(model->desk()->otherEngine(), u"53-11"_s);
+}
+
 TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     type("engine_number", u"53-11"_s);
     type("technician", u"O. Bauer"_s);

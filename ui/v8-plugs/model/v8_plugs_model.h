@@ -155,6 +155,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
 
     JournalJob journalEntry() const override;
     bool hasNumbers() const override;
+    bool isEngineOf(const CaseFile& job) const override;
     QString answerLacks() const override { return solution().advice ? QString() : adviceText(); }
     std::optional<double> bobWeight() const override { return solution().hung(); }
     void noteBobWeight(v8_plugs::Input& input, double bobWeight) const override;

@@ -20,6 +20,17 @@ bool V8PlugsModel::hasNumbers() const {
            (machine && (machine->front_reading || machine->rear_reading));
 }
 
+bool V8PlugsModel::isEngineOf(const CaseFile& job) const {
+    // As they are written, without the name and the preset.
+    const auto values = [](const Input& input) {
+        Input alone;
+        alone.engine = input.engine;
+        alone.engine.name.clear();
+        return write_input(alone).at("engine");
+    };
+    return values(read_input(job.input, Completeness::as_is)) == values(input());
+}
+
 JournalJob V8PlugsModel::journalEntry() const {
     JournalJob job = JobDesk::entryOf(input().job);
     job.engine = QString::fromStdString(input().engine.name);

@@ -215,6 +215,17 @@ QString JobDesk::numbersOf(const JournalJob& job) {
     return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
 }
 
+bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) const {
+    if (there.engine == here.engine) {
+        return true;
+    }
+    try {
+        return scene_.isSameEngine(parse_case(there.form.toStdString()));
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 QString JobDesk::otherEngine() {
     if (jobId_ == 0 || !isOpen()) {
         return {};
@@ -230,7 +241,7 @@ QString JobDesk::otherEngine() {
     };
     return isOther(there->engineNumber, here.engineNumber) ||
                    isOther(there->crankshaftNumber, here.crankshaftNumber) ||
-                   isOther(there->engine, here.engine)
+                   (!there->engine.isEmpty() && !isSameEngine(*there, here))
                ? numbersOf(*there)
                : QString();
 }
@@ -250,11 +261,12 @@ std::optional<JournalJob> JobDesk::sameJob() {
         };
         const auto are = [](const QString& a, const QString& b) { return !a.isEmpty() && a == b; };
         // A number that came later is of the same job; without any it may be anybody's.
-        const bool isSame = there.date == here.date && there.engine == here.engine &&
+        const bool isSame = there.date == here.date &&
                             agree(there.engineNumber, here.engineNumber) &&
                             agree(there.crankshaftNumber, here.crankshaftNumber) &&
                             (are(there.engineNumber, here.engineNumber) ||
-                             are(there.crankshaftNumber, here.crankshaftNumber));
+                             are(there.crankshaftNumber, here.crankshaftNumber)) &&
+                            isSameEngine(there, here);
         if (isSame && there.form == formText()) {
             replaceInJournal(there);
             return std::nullopt;

@@ -32,6 +32,9 @@ class JobDesk : public QObject {
         std::function<bool()> hasNumbers;
         /// What the answer still lacks, as a sentence; empty where it lacks nothing.
         std::function<QString()> missing;
+        /// Whether the engine of a job's case is that of the sheet in all but its name.
+        /// @throws InputError
+        std::function<bool(const CaseFile& file)> isSameEngine;
     };
 
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
@@ -126,6 +129,8 @@ class JobDesk : public QObject {
 
   private:
     static QString numbersOf(const JournalJob& job);
+    /// A name alone makes no other engine.
+    bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
     void takeJournal(const QString& message);
     void openLater();
     void putJobId(qint64 id, int revision);

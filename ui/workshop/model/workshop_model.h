@@ -77,7 +77,8 @@ class WorkshopModel : public CaseModel<Scene> {
           desk_(this, journalPath,
                 {[this] { return journalEntry(); },
                  [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-                 [this] { return hasNumbers(); }, [this] { return answerLacks(); }}) {
+                 [this] { return hasNumbers(); }, [this] { return answerLacks(); },
+                 [this](const CaseFile& file) { return isEngineOf(file); }}) {
         this->scene().placing = placing_;
         QObject::connect(placing_, &PlacingSearch::found, this,
                          [this] { desk_.withoutChange([this] { this->solveAgain(); }); });
@@ -116,6 +117,9 @@ class WorkshopModel : public CaseModel<Scene> {
     virtual JournalJob journalEntry() const = 0;
     virtual bool hasNumbers() const = 0;
     virtual QString answerLacks() const = 0;
+    /// Whether the sheet's engine is that of a job in all but its name; false where its values name
+    /// it.
+    virtual bool isEngineOf(const CaseFile& /*job*/) const { return false; }
     /// What hangs on the crankshaft while it is read; nothing where it is not known.
     virtual std::optional<double> bobWeight() const = 0;
     /// Readings that do not say with which bob weight they were taken get this one.
