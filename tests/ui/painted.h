@@ -14,6 +14,7 @@ struct PaintedText {
     QString text;
     QRectF ink;
     bool isCut = false;  ///< by the clipping that it is painted with
+    int pixelSize = 0;
 };
 
 struct Painted {
@@ -56,7 +57,8 @@ class Recorder : public QPaintDevice, public QPaintEngine {
             painter()->hasClipping() && !painter()->clipBoundingRect().contains(ink.adjusted(
                                             tolerance, tolerance, -tolerance, -tolerance));
         if (!ink.isEmpty()) {
-            painted_.texts.push_back({item.text(), painter()->transform().mapRect(ink), isCut});
+            painted_.texts.push_back(
+                {item.text(), painter()->transform().mapRect(ink), isCut, item.font().pixelSize()});
         }
     }
 

@@ -46,8 +46,9 @@ double drawBlock(CardPage& page, const Block& block, double y, double rowHeight)
         CardTable table(block.columns, points, rowHeight);
         table.head(block.head);
         for (qsizetype i = 0; i < rows->size(); ++i) {
+            const ResultRows& others = rows == &block.rows ? block.beside : block.rows;
             const bool bold = block.lastIsBold && i + 1 == rows->size();
-            table.add({rows->at(i).texts(), bold, bold});
+            table.add({rows->at(i).texts(), bold, bold, others.value(i).texts()});
         }
         height = std::max(height, table.draw(page, x, y));
         x = cardLeft + cardWidth / 2.0 + 1.5;

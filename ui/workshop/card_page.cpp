@@ -69,16 +69,20 @@ void CardPage::box(double x, double y, double w, double h, const QColor& fill, c
     painter_.setBrush(Qt::NoBrush);
 }
 
+double CardPage::fittingType(const QString& text, double points, double w, bool bold) const {
+    double size = points;
+    while (size > smallestType && textWidth(text, size, bold) > w) {
+        size = std::max(smallestType, size - 0.25);
+    }
+    return size;
+}
+
 void CardPage::text(double x, double y, double w, const QString& text, double points,
                     Qt::Alignment align, bool bold, const QColor& colour) {
     if (measuring_) {
         return;
     }
-    double size = points;
-    while (size > smallestType && textWidth(text, size, bold) > w) {
-        size = std::max(smallestType, size - 0.25);
-    }
-    const QFont face = font(size, bold);
+    const QFont face = font(fittingType(text, points, w, bold), bold);
     painter_.setFont(face);
     painter_.setPen(colour);
     const QString shown = QFontMetricsF(face).elidedText(text, Qt::ElideRight, w * unit_ + 0.5);
@@ -199,7 +203,7 @@ double CardTable::draw(CardPage& page, double x, double y) const {
     double at = y;
     const double width = tableWidth();
     if (!head_.isEmpty()) {
-        drawCells(page, x, at, head_, false, true);
+        drawCells(page, x, at, {head_}, true);
         at += heightOf(page, head_, false);
         page.line(x, at, x + width, at, 0.2, CardPage::ink);
     }
@@ -208,7 +212,7 @@ double CardTable::draw(CardPage& page, double x, double y) const {
         if (row.shaded) {
             page.box(x, at, width, height, CardPage::shade, QColor());
         }
-        drawCells(page, x, at, row.cells, row.bold, false);
+        drawCells(page, x, at, row, false);
         at += height;
         page.line(x, at, x + width, at, 0.1, CardPage::hair);
     }
@@ -229,10 +233,11 @@ double CardTable::heightOf(const CardPage& page, const QStringList& texts, bool 
     return height;
 }
 
-void CardTable::drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
-                          bool caption) const {
+void CardTable::drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const {
     const double above = (rowHeight_ - page.lineHeight(points_)) / 2.0;
     const QColor& colour = caption ? CardPage::grey : CardPage::ink;
+    const QStringList& texts = row.cells;
+    const bool bold = row.bold;
     for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
          ++i) {
         const QString& text = texts.at(static_cast<qsizetype>(i));
@@ -241,8 +246,12 @@ void CardTable::drawCells(CardPage& page, double x, double y, const QStringList&
             page.paragraph(x + inset, y + 0.5 * inset, room, text, CardPage::smallestType, bold,
                            colour, columns_[i].align);
         } else {
-            page.text(x + inset, y + above, room, text, caption ? points_ - 0.7 : points_,
-                      columns_[i].align, bold, colour);
+            const double usual = caption ? points_ - 0.7 : points_;
+            const double points =
+                page.fittingType(row.beside.value(static_cast<qsizetype>(i)), usual, room, bold);
+            const double lower = (page.lineHeight(usual) - page.lineHeight(points)) / 2.0;
+            page.text(x + inset, y + above + lower, room, text, points, columns_[i].align, bold,
+                      colour);
         }
         x += columns_[i].width;
     }

@@ -47,6 +47,8 @@ class CardPage {
     void text(double x, double y, double w, const QString& text, double points = 8.5,
               Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink);
     static constexpr double smallestType = 6.0;  ///< points; less is not read in a workshop
+    /// The type in which text() sets it, points.
+    double fittingType(const QString& text, double points, double w, bool bold = false) const;
     /// Height of wrapped text with all its lines, mm.
     double heightOf(const QString& text, double points, double w, bool bold = false) const;
     /// Wrapped text with all its lines.
@@ -111,6 +113,7 @@ class CardTable {
         QStringList cells;
         bool bold = false;
         bool shaded = false;
+        QStringList beside{};  ///< of the table beside it: both are set in the smaller type
     };
 
     CardTable(std::vector<Column> columns, double points, double rowHeight)
@@ -125,8 +128,7 @@ class CardTable {
 
   private:
     double heightOf(const CardPage& page, const QStringList& texts, bool bold) const;
-    void drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
-                   bool caption) const;
+    void drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const;
 
     static constexpr double inset = 0.6;  ///< of a text in its cell, mm
 

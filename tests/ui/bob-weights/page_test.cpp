@@ -120,18 +120,19 @@ class BobPageTest : public test::WorkshopPageTest<BobWeightsPage> {
     QString card(const QStringList& refused = {}) {
         BobCard made(model->input(), model->wholeSolution(), Words(u"en"_s));
         made.setRefused(refused);
-        test::Painted painted;
-        test::Recorder recorder({2100, 2970}, painted);
+        onCard = {};
+        test::Recorder recorder({2100, 2970}, onCard);
         QPainter painter(&recorder);
         made.paint(painter, {0, 0, 2100, 2970}, [] { return true; });
         painter.end();
         QStringList texts;
-        for (const auto& each : painted.texts) {
+        for (const auto& each : onCard.texts) {
             texts << each.text;
             EXPECT_LE(each.ink.bottom(), 2970) << qPrintable(each.text);
         }
         return texts.join(u'\n').replace(QChar(0x00A0), u' ');
     }
+    test::Painted onCard;  ///< by card()
 };
 
 TEST_F(BobPageTest, ShopCardByKeys) {
@@ -217,6 +218,24 @@ TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
         input.correction->earlier_runs.push_back(run);
     });
     EXPECT_EQ(plain(model->drilledResults().rows.at(0).at(1).text), plain(name));
+}
+
+TEST_F(BobPageTest, WhatStandsBesideEachOtherOnTheCardIsOfOneSize) {
+    typeShopCard();
+    typeReadings();
+    type("from_1", u"180"_s);
+    type("to_1", u"300"_s);
+    type("slug_diameter_mm", u"20.25"_s);
+    type("slug_density_kg_m3", u"17500"_s);
+    card();
+    const auto size = [this](const QString& text) {
+        const auto found = std::ranges::find_if(
+            onCard.texts, [&](const auto& each) { return each.text.startsWith(text); });
+        return found == onCard.texts.end() ? 0 : found->pixelSize;
+    };
+    EXPECT_GT(size(u"Rear: ⌀"_s), 0);
+    EXPECT_EQ(size(u"Front: slug ⌀"_s), size(u"Rear: ⌀"_s));
+    EXPECT_LT(size(u"Front: slug ⌀"_s), size(u"Front plane"_s)) << "it is the longer one";
 }
 
 TEST_F(BobPageTest, CylindersInLineAreNotPaired) {
