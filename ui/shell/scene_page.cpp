@@ -63,6 +63,20 @@ void ScenePage::setActive(bool active) {
     }
 }
 
+const QList<QTabWidget*>& ScenePage::tabWidgets() {
+    if (tabWidgets_.isEmpty()) {
+        tabWidgets_ = findChildren<QTabWidget*>();
+    }
+    return tabWidgets_;
+}
+
+bool ScenePage::event(QEvent* event) {
+    if (event->type() == QEvent::Polish) {
+        tabWidgets();
+    }
+    return QWidget::event(event);
+}
+
 ScenePage::Left ScenePage::giveWay() {
     Left left{model(), {}, {}};
     for (const MechanismPicture* picture : findChildren<MechanismPicture*>()) {
@@ -75,7 +89,7 @@ ScenePage::Left ScenePage::giveWay() {
     if (model()->isEditing()) {
         model()->endEditing();
     }
-    for (const QTabWidget* tabs : findChildren<QTabWidget*>()) {
+    for (const QTabWidget* tabs : tabWidgets()) {
         left.tabs.push_back(tabs->currentIndex());
     }
     left.model->setParent(nullptr);
@@ -83,7 +97,7 @@ ScenePage::Left ScenePage::giveWay() {
 }
 
 void ScenePage::resume(const Left& left) {
-    const auto tabs = findChildren<QTabWidget*>();
+    const auto& tabs = tabWidgets();
     const auto count = std::min(tabs.size(), static_cast<qsizetype>(left.tabs.size()));
     for (qsizetype i = 0; i < count; ++i) {
         tabs[i]->setCurrentIndex(left.tabs[static_cast<std::size_t>(i)]);

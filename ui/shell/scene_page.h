@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QList>
+#include <QTabWidget>
 #include <QWidget>
 #include <optional>
 #include <utility>
@@ -71,10 +72,17 @@ class ScenePage : public QWidget {
         return static_cast<Model*>(kept);
     }
 
+    bool event(QEvent* event) override;
+
   private:
     /// Axes rest while something is dragged, and are then those of what is shown, whatever was
     /// shown before.
     void followDrags(SceneModel* model);
+    /// All of the page, in the order in which they were made: before it is laid out, for that of a
+    /// narrow window puts some of them elsewhere.
+    const QList<QTabWidget*>& tabWidgets();
+
+    QList<QTabWidget*> tabWidgets_;
 };
 
 }  // namespace ravnoves
