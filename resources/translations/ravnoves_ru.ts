@@ -15794,6 +15794,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The lower limit is above the upper one: across 0° write %1 for %2.</source>
         <translation>Нижний предел выше верхнего: через 0° пишите %1 вместо %2.</translation>
     </message>
+    <message>
+        <source>A limit is a number, or nothing; %1 is none.</source>
+        <translation>Предел — число или пусто; %1 не подходит.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SweepView</name>
@@ -15901,14 +15905,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Usual ones</source>
         <translation>&amp;Обычные</translation>
-    </message>
-    <message>
-        <source>&amp;Weighed parts: ± 0.5 g</source>
-        <translation>&amp;Взвешенные детали: ±&#xa0;0,5 г</translation>
-    </message>
-    <message>
-        <source>&amp;Machined sizes: ± 0.05 mm</source>
-        <translation>&amp;Обработанные размеры: ±&#xa0;0,05 мм</translation>
     </message>
     <message>
         <source>&amp;All inputs: ± 1 %</source>
@@ -16105,6 +16101,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>share</source>
         <translation>доля</translation>
+    </message>
+    <message>
+        <source>&amp;Weighed parts: ± %1</source>
+        <translation>&amp;Взвешенные детали: ±&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Machined sizes: ± %1</source>
+        <translation>&amp;Обработанные размеры: ±&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -16878,10 +16882,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>At most</source>
         <translation>Не более</translation>
-    </message>
-    <message>
-        <source>A limit is a number, or nothing; %1 is none.</source>
-        <translation>Предел — число или пусто; %1 не подходит.</translation>
     </message>
 </context>
 <context>

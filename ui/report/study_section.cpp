@@ -35,22 +35,22 @@ void waitFor(const StudyModel& study, const Patience& patience) {
     }
 }
 
-QString numberOrDash(const std::optional<double>& value) {
-    return value ? shownFormNumber(*value, QLocale(), 6) : QStringLiteral("–");
+QString numberOrDash(const std::optional<double>& value, double factor) {
+    return value ? shownFormNumber(factor * *value, QLocale(), 6) : QStringLiteral("–");
 }
 
-QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
+QString shareText(const StudyAnswer& value, const studies::Watched& watched, double factor) {
     if (!watched.min && !watched.max) {
         return QStringLiteral("–");
     }
     const auto percent = [](const std::optional<double>& share) {
         return fixedDecimals(100.0 * share.value_or(0.0), 2, QLocale());
     };
-    QString limits =
-        watched.min && watched.max
-            ? numberOrDash(watched.min) + QStringLiteral(" … ") + numberOrDash(watched.max)
-        : watched.min ? QStringLiteral("≥ ") + numberOrDash(watched.min)
-                      : QStringLiteral("≤ ") + numberOrDash(watched.max);
+    const QString min = numberOrDash(watched.min, factor);
+    const QString max = numberOrDash(watched.max, factor);
+    QString limits = watched.min && watched.max ? min + QStringLiteral(" … ") + max
+                     : watched.min              ? QStringLiteral("≥ ") + min
+                                                : QStringLiteral("≤ ") + max;
     if (!value.within) {
         return limits;
     }
@@ -104,12 +104,16 @@ Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
             study.watch.begin(), study.watch.end(),
             [&](const studies::Watched& each) { return each.pointer == value.pointer; });
         const ResultName name = resultName(value.pointer);
+        const ShownUnit unit = name.shown();
+        const auto shown = [&](const std::optional<double>& each) {
+            return numberOrDash(each, unit.factor);
+        };
         QStringList cells;
         for (const QString& text :
-             {name.text, name.unit, numberOrDash(value.nominal), numberOrDash(value.mean),
-              numberOrDash(value.deviation ? value.deviation : value.linearDeviation),
-              numberOrDash(value.low), numberOrDash(value.high),
-              watched != study.watch.end() ? shareText(value, *watched) : QString()}) {
+             {name.text, unit.name, shown(value.nominal), shown(value.mean),
+              shown(value.deviation ? value.deviation : value.linearDeviation), shown(value.low),
+              shown(value.high),
+              watched != study.watch.end() ? shareText(value, *watched, unit.factor) : QString()}) {
             cells << text.toHtmlEscaped();
         }
         table.rows << cells;
@@ -165,13 +169,14 @@ void addRobustBest(Report& report, StudyModel& study, const Patience& patience) 
     }
     constexpr int decimals = 2;
     const auto shown = [](double value) { return fixedDecimals(value, decimals, QLocale()); };
+    const double factor = resultName(best->value).shown().factor;
     say(ReportWords::tr("Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.")
             .arg(shown(best->robust->angle), shown(best->robust->angle_error),
-                 resultName(best->value).withUnit(), shown(best->robust->percentile),
-                 shown(best->robust->percentile_error)));
+                 resultName(best->value).withUnit(), shown(factor * best->robust->percentile),
+                 shown(factor * best->robust->percentile_error)));
     if (best->nominal) {
         say(ReportWords::tr("At the α that is best of the inputs as they are, %1°, it is %2.")
-                .arg(shown(best->nominal->angle), shown(best->nominal->percentile)));
+                .arg(shown(best->nominal->angle), shown(factor * best->nominal->percentile)));
     }
 }
 

@@ -135,11 +135,11 @@ QString FieldPlot::csv(const CsvFormat& format) const {
     QStringList line{
         format.field(data().left.spec.title + QStringLiteral(" \\ ") + data().x.spec.title)};
     for (const double x : field_.x) {
-        line << format.number(x);
+        line << format.number(data().x.spec.factor * x);
     }
     QString table = line.join(format.separator) + QLatin1Char('\n');
     for (std::size_t row = 0; row < field_.y.size(); ++row) {
-        line = QStringList{format.number(field_.y[row])};
+        line = QStringList{format.number(data().left.spec.factor * field_.y[row])};
         for (std::size_t column = 0; column < field_.x.size(); ++column) {
             const double value = field_.values[row * field_.x.size() + column];
             line << (std::isfinite(value) ? format.number(value) : QString());

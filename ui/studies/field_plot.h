@@ -12,9 +12,10 @@ class FieldPlot : public PlotView {
 
   public:
     struct Field {
-        std::vector<double> x;       ///< rising at equal distances
-        std::vector<double> y;       ///< likewise
-        std::vector<double> values;  ///< a row of x for each y; not a number where there is none
+        std::vector<double> x;  ///< rising at equal distances
+        std::vector<double> y;  ///< likewise
+        /// As they are shown, a row of x for each y; not a number where there is none.
+        std::vector<double> values;
     };
 
     explicit FieldPlot(QWidget* parent = nullptr);

@@ -85,6 +85,7 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
 
 void RobustView::showBest() {
     const studies::RobustBest* best = model_->best();
+    const ShownUnit unit = best != nullptr ? resultName(best->value).shown() : ShownUnit{};
     ResultRows rows;
     QStringList lines;
     if (!model_->trouble().isEmpty()) {
@@ -99,11 +100,13 @@ void RobustView::showBest() {
                              const std::optional<studies::RobustBest::Place>& at) {
             if (at) {
                 constexpr int angleDecimals = 2;
-                constexpr int valueDecimals = 1;
-                rows.push_back({name, withError(at->angle, at->angle_error, angleDecimals),
-                                at->nominal ? fixedNumber(*at->nominal, valueDecimals, QLocale())
-                                            : QStringLiteral("–"),
-                                withError(at->percentile, at->percentile_error, valueDecimals)});
+                const int valueDecimals = std::max(0, 1 + unit.decimals);
+                rows.push_back(
+                    {name, withError(at->angle, at->angle_error, angleDecimals),
+                     at->nominal ? fixedNumber(unit.factor * *at->nominal, valueDecimals, QLocale())
+                                 : QStringLiteral("–"),
+                     withError(unit.factor * at->percentile, unit.factor * at->percentile_error,
+                               valueDecimals)});
             }
         };
         add(tr("of the inputs as they are"), best->nominal);
@@ -111,7 +114,8 @@ void RobustView::showBest() {
         if (best->robust && best->nominal) {
             lines << tr("%1: its 95 % point is less by %2 at the robust α.")
                          .arg(resultName(best->value).withUnit(),
-                              withError(best->gain, best->gain_error, 2));
+                              withError(unit.factor * best->gain, unit.factor * best->gain_error,
+                                        2));
         }
         if (best->samples > 0) {
             lines << tr("Samples: %1")

@@ -65,7 +65,8 @@ QString CloudPlot::csv(const CsvFormat& format) const {
     QString table = format.field(data().x.spec.title) + format.separator +
                     format.field(data().left.spec.title) + QLatin1Char('\n');
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        table += format.number(x_[i]) + format.separator + format.number(y_[i]) + QLatin1Char('\n');
+        table += format.number(data().x.spec.factor * x_[i]) + format.separator +
+                 format.number(data().left.spec.factor * y_[i]) + QLatin1Char('\n');
     }
     return table;
 }
@@ -112,19 +113,17 @@ ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), 
 }
 
 void ScatterView::fillChoices() {
-    QStringList names;
+    titles_.clear();
     for (const studies::Varied& varied : study_->study().vary) {
-        QString name = study_->inputName(varied.pointer);
-        for (const StudyModel::Input& input : study_->inputs()) {
-            if (input.pointer == varied.pointer && !input.unit.isEmpty()) {
-                name += QStringLiteral(", ") + input.unit;
-            }
-        }
-        names << name;
+        titles_.push_back(study_->inputTitle(varied.pointer));
     }
-    const auto inputs = static_cast<int>(names.size());
+    const auto inputs = static_cast<int>(titles_.size());
     for (const studies::Watched& watched : study_->study().watch) {
-        names << resultName(watched.pointer).withUnit();
+        titles_.push_back({resultName(watched.pointer).ownTitle()});
+    }
+    QStringList names;
+    for (const ShownTitle& title : titles_) {
+        names << shownTitle(title.text).text;  // as the axis has it
     }
     for (QComboBox* box : {across_, up_}) {
         const QSignalBlocker block(box);
@@ -151,8 +150,8 @@ void ScatterView::showSamples() {
     if (answers != nullptr && !study_->isStale()) {
         for (const std::vector<double>& sample : answers->samples) {
             if (sample.size() == columns && x < columns && y < columns) {
-                across.push_back(sample[x]);
-                up.push_back(sample[y]);
+                across.push_back(titles_[x].factor * sample[x]);
+                up.push_back(titles_[y].factor * sample[y]);
             }
         }
     }
@@ -163,8 +162,11 @@ void ScatterView::showSamples() {
     }
     const auto [left, right] = roomFor(across);
     const auto [low, high] = roomFor(up);
-    plot_->setXAxis({across_->currentText(), left, right});
-    plot_->setYAxis(PlotView::Side::Left, {up_->currentText()});
+    const auto title = [&](std::size_t column) {
+        return column < titles_.size() ? titles_[column].text : QString();
+    };
+    plot_->setXAxis({title(x), left, right});
+    plot_->setYAxis(PlotView::Side::Left, {title(y)});
     plot_->setYRange(PlotView::Side::Left, low, high);
     plot_->setTitle(across.empty() ? tr("No samples: the method takes none, or they are on the way")
                                    : tr("Samples: %1, correlation %2")

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "plot/plot_view.h"
+#include "text/shown_units.h"
 
 class QComboBox;
 
@@ -45,6 +46,7 @@ class ScatterView : public QWidget {
     void showSamples();
 
     StudyModel* study_;
+    std::vector<ShownTitle> titles_;  ///< of the axes, with what samples are multiplied by
     QComboBox* across_;
     QComboBox* up_;
     CloudPlot* plot_;

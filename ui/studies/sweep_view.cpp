@@ -23,14 +23,17 @@ namespace ravnoves {
 
 namespace {
 
-QString axisTitle(const StudyModel& study, const std::string& pointer) {
-    for (const StudyModel::Input& input : study.inputs()) {
-        if (input.pointer == pointer) {
-            return input.unit.isEmpty() ? input.name
-                                        : input.name + QStringLiteral(", ") + input.unit;
-        }
+std::vector<double> times(std::vector<double> values, double factor) {
+    for (double& value : values) {
+        value *= factor;
     }
-    return QString::fromStdString(pointer);
+    return values;
+}
+
+QString markText(const Sweep& sweep) {
+    return sweep.nominal ? shownFormNumber(resultName(sweep.result).shown().factor * *sweep.nominal,
+                                           QLocale(), 5)
+                         : QString();
 }
 
 }  // namespace
@@ -170,22 +173,23 @@ void SweepView::showLine() {
     const Sweep& sweep = *model_->sweep();
     const ResultName name = resultName(sweep.result);
     line_->setTitle(name.text);
-    line_->setXAxis(
-        {axisTitle(*study_, sweep.x.pointer), sweep.x.values.front(), sweep.x.values.back()});
+    const ShownTitle input = study_->inputTitle(sweep.x.pointer);
+    const std::vector<double> x = times(sweep.x.values, input.factor);
+    const double nominal = input.factor * sweep.x.nominal;
+    line_->setXAxis({input.text, x.front(), x.back()});
     line_->setYAxis(PlotView::Side::Left, {name.unit});
-    line_->setCurve(0, sweep.x.values, sweep.found);
+    line_->setCurve(0, x, sweep.found);
     std::vector<PlotView::Band> bands;
     if (sweep.x.half > 0.0) {
         QColor pale = Theme::instance().accent();
         pale.setAlphaF(0.12F);
-        bands.push_back({sweep.x.nominal - sweep.x.half, sweep.x.nominal + sweep.x.half, pale,
-                         QStringLiteral("±")});
+        const double half = input.factor * sweep.x.half;
+        bands.push_back({nominal - half, nominal + half, pale, QStringLiteral("±")});
     }
     line_->setBands(std::move(bands));
     std::vector<PlotView::Mark> marks;
     if (sweep.nominal) {
-        marks.push_back(
-            {sweep.x.nominal, *sweep.nominal, shownFormNumber(*sweep.nominal, QLocale(), 5), 0});
+        marks.push_back({nominal, *sweep.nominal, markText(sweep), 0});
     }
     line_->setMarks(std::move(marks));
     std::vector<PlotView::Line> lines;
@@ -207,15 +211,18 @@ void SweepView::showLine() {
 
 void SweepView::showMap() {
     const Sweep& sweep = *model_->sweep();
-    map_->setTitle(resultName(sweep.result).withUnit());
-    map_->setXAxis(
-        {axisTitle(*study_, sweep.x.pointer), sweep.x.values.front(), sweep.x.values.back()});
-    map_->setYAxis(PlotView::Side::Left, {axisTitle(*study_, sweep.y->pointer)});
-    map_->setYRange(PlotView::Side::Left, sweep.y->values.front(), sweep.y->values.back());
-    map_->setField({sweep.x.values, sweep.y->values, sweep.found});
+    const ResultName name = resultName(sweep.result);
+    const ShownTitle across = study_->inputTitle(sweep.x.pointer);
+    const ShownTitle up = study_->inputTitle(sweep.y->pointer);
+    const std::vector<double> x = times(sweep.x.values, across.factor);
+    const std::vector<double> y = times(sweep.y->values, up.factor);
+    map_->setTitle(name.withUnit());
+    map_->setXAxis({across.text, x.front(), x.back()});
+    map_->setYAxis(PlotView::Side::Left, {up.text});
+    map_->setYRange(PlotView::Side::Left, y.front(), y.back());
+    map_->setField({x, y, times(sweep.found, name.shown().factor)});
     map_->setMarks(
-        {{sweep.x.nominal, sweep.y->nominal,
-          sweep.nominal ? shownFormNumber(*sweep.nominal, QLocale(), 5) : QString(), 0}});
+        {{across.factor * sweep.x.nominal, up.factor * sweep.y->nominal, markText(sweep), 0}});
 }
 
 void SweepView::showEvent(QShowEvent* event) {

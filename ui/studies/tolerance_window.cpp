@@ -51,8 +51,8 @@ namespace ravnoves {
 
 namespace {
 
-QString orDash(const std::optional<double>& value) {
-    return value ? shownFormNumber(*value, QLocale(), 7) : QStringLiteral("–");
+QString orDash(const std::optional<double>& value, double factor) {
+    return value ? shownFormNumber(factor * *value, QLocale(), 7) : QStringLiteral("–");
 }
 
 /// A number that is but what rounding leaves of others is 0.
@@ -192,8 +192,12 @@ QWidget* ToleranceWindow::makeInputs() {
     const auto add = [&](const QString& text, StudyModel::Preset preset) {
         menu->addAction(text, model_, [this, preset] { model_->take(preset); });
     };
-    add(tr("&Weighed parts: ± 0.5 g"), StudyModel::Preset::Weighed);
-    add(tr("&Machined sizes: ± 0.05 mm"), StudyModel::Preset::Machined);
+    add(tr("&Weighed parts: ± %1")
+            .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3)),
+        StudyModel::Preset::Weighed);
+    add(tr("&Machined sizes: ± %1")
+            .arg(shownShort(StudyModel::machinedMm * units::mm, units::mm, 3)),
+        StudyModel::Preset::Machined);
     add(tr("&All inputs: ± 1 %"), StudyModel::Preset::OnePercent);
     menu->addSeparator();
     menu->addAction(tr("&None"), model_, &StudyModel::clear);
@@ -407,14 +411,15 @@ void ToleranceWindow::showAnswers() {
                     QStringLiteral(" … ") + fixedNumber(100.0 * *value.withinHigh, 2, QLocale()) +
                     QStringLiteral(")");
             }
+            const ResultName name = resultName(value.pointer);
+            const double factor = name.shown().factor;
             const auto shown = [&](const std::optional<double>& each) {
-                return orDash(tidied(each, value));
+                return orDash(tidied(each, value), factor);
             };
             const QString mark = value.fails ? QStringLiteral(" ⚠") : QString();
-            rows.push_back({resultName(value.pointer).withUnit(), shown(value.nominal),
-                            shown(value.mean), shown(value.deviation),
-                            shown(value.linearDeviation) + mark, shown(value.low),
-                            shown(value.high), within});
+            rows.push_back({name.withUnit(), shown(value.nominal), shown(value.mean),
+                            shown(value.deviation), shown(value.linearDeviation) + mark,
+                            shown(value.low), shown(value.high), within});
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
@@ -35,6 +36,8 @@
 #include "studies/tolerance_window.h"
 #include "studies/tornado_view.h"
 #include "text/number_text.h"
+#include "text/preferences.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
@@ -101,6 +104,85 @@ class Tolerances : public ::testing::Test {
     MainWindow window;
     ToleranceWindow* tolerances = nullptr;
 };
+
+/// Before the window is made, and until it is gone.
+struct OtherUnits {
+    OtherUnits() {
+        for (const auto quantity : {Preferences::Length, Preferences::Torque}) {
+            Preferences::instance().setUnits(quantity, Preferences::Units::Imperial);
+        }
+        Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Gram);
+    }
+    ~OtherUnits() {
+        QSettings().clear();
+        Preferences::instance().load();
+    }
+};
+
+class TolerancesInOtherUnits : OtherUnits, public Tolerances {};
+
+TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
+    const double perNm = shownUnit(units::N_m).factor;
+    scatter("/reciprocating_masses_kg/piston", u"0.5"_s);
+    scatter("/centre_distance_mm", u"0.05"_s);
+    ASSERT_EQ(study().vary.size(), 2U);
+    EXPECT_EQ(study().vary[0].size, 0.0005);
+    EXPECT_EQ(study().vary[1].size, 1.27);
+    watch("/moment_amplitude_Nm");
+    const auto limit = [&] {
+        return tolerances->watched()->view()->model()->index(0, WatchTable::Most).data().toString();
+    };
+    type(tolerances->watched(), 0, WatchTable::Most, u"1234.5678"_s);
+    EXPECT_NEAR(study().watch[0].max.value(), 1234.5678 / perNm, 1e-6);
+    const auto stored = study().watch[0].max;
+    type(tolerances->watched(), 0, WatchTable::Most, limit());
+    EXPECT_EQ(study().watch[0].max, stored) << "what is shown stands for all its digits";
+    type(tolerances->watched(), 0, WatchTable::Most, u"600 Nm"_s);
+    EXPECT_NEAR(study().watch[0].max.value(), 600.0, 1e-6);
+    EXPECT_EQ(limit(), QLocale().toString(600.0 * perNm, 'g', 6));
+    type(tolerances->watched(), 0, WatchTable::Most, u"6 kg"_s);
+    EXPECT_NEAR(study().watch[0].max.value(), 600.0, 1e-6) << "no torque";
+    tolerances->watched()->takeBackRefused();
+    waitForAnswer();
+    const double nominal = *tolerances->model()->answers()->values.at(0).nominal * perNm;
+    const auto* table = tolerances->table();
+    EXPECT_TRUE(table->item(0, 0)->text().endsWith(u"lb·ft"_s));
+    EXPECT_EQ(table->item(0, 1)->text(), QLocale().toString(nominal, 'g', 7));
+    EXPECT_TRUE(tolerances->histogram()->title().endsWith(u"lb·ft"_s));
+    EXPECT_EQ(tolerances->histogram()->data().x.spec.title, u"lb·ft"_s);
+
+    const auto title = [&](const char* box) {
+        return test::named<QComboBox>(*tolerances, box)->currentText();
+    };
+    const CloudPlot& cloud = *tolerances->scatter()->plot();
+    EXPECT_EQ(title("scatter_across"), cloud.data().x.spec.title);
+    EXPECT_EQ(title("scatter_up"), cloud.data().left.spec.title);
+    EXPECT_TRUE(cloud.data().x.spec.title.endsWith(u", g"_s));
+    EXPECT_TRUE(cloud.data().left.spec.title.endsWith(u"lb·ft"_s));
+    const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
+    EXPECT_NEAR(cloud.pointsX().at(0), 1000.0 * piston, 0.5);
+
+    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
+    const SweepModel& sweep = *tolerances->sweep()->model();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }, 60'000));
+    const plot::Mark& mark = tolerances->sweep()->line()->data().marks.at(0);
+    EXPECT_EQ(mark.text, QLocale().toString(nominal, 'g', 5));
+    EXPECT_NEAR(mark.x, 1000.0 * piston, 1e-9);
+
+    Report report;
+    addTolerances(report, scene(), Patience());
+    QStringList found;
+    for (const report::Item& item : report.items) {
+        if (const auto* list = std::get_if<report::Table>(&item)) {
+            found = list->rows.constLast();
+        }
+    }
+    ASSERT_EQ(found.size(), 8);
+    EXPECT_EQ(found[1], u"lb·ft"_s);
+    EXPECT_EQ(found[2], QLocale().toString(nominal, 'g', 6));
+    EXPECT_TRUE(found[7].contains(limit())) << found[7].toStdString();
+}
 
 TEST_F(Tolerances, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {
     QTableView* view = tolerances->inputs()->view();

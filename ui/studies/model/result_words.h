@@ -3,6 +3,8 @@
 #include <QString>
 #include <string>
 
+#include "text/shown_units.h"
+
 namespace ravnoves {
 
 /// A number of a result as a person says it.
@@ -10,7 +12,12 @@ struct ResultName {
     QString text;  ///< "Mᵤₚₛ, range"
     QString unit;  ///< of its key; may be empty
 
-    QString withUnit() const { return unit.isEmpty() ? text : text + QStringLiteral(", ") + unit; }
+    /// How numbers of it are shown.
+    ShownUnit shown() const { return shownUnit(unit); }
+    /// With the unit that is shown.
+    QString withUnit() const { return shownTitle(ownTitle()).text; }
+    /// With that of its key: of an axis, which shows another one itself.
+    QString ownTitle() const { return unit.isEmpty() ? text : text + QStringLiteral(", ") + unit; }
 };
 
 /// @param pointer  below "result", for example "/metrics/M_ups/range_Nm"

@@ -46,8 +46,7 @@ QString whyText(const Message& why, const QString& scene) {
     }
     QString english = QString::fromStdString(why.verbatim());
     for (const QByteArray& context : {QByteArray("core"), scene.toUtf8(), QByteArray("studies")}) {
-        QString text =
-            QCoreApplication::translate(context.constData(), why.verbatim().c_str());
+        QString text = QCoreApplication::translate(context.constData(), why.verbatim().c_str());
         if (text != english) {
             return text;
         }
@@ -243,6 +242,17 @@ QString StudyModel::inputName(const std::string& pointer) const {
     const auto found = std::find_if(inputs_.begin(), inputs_.end(),
                                     [&](const Input& each) { return each.pointer == pointer; });
     return found != inputs_.end() ? found->name : capitalised(resultName(pointer).text);
+}
+
+ShownTitle StudyModel::inputTitle(const std::string& pointer) const {
+    const auto found = std::find_if(inputs_.begin(), inputs_.end(),
+                                    [&](const Input& each) { return each.pointer == pointer; });
+    if (found == inputs_.end()) {
+        return {inputName(pointer)};
+    }
+    const QString& unit = found->shown.name;
+    return {unit.isEmpty() ? found->name : found->name + QStringLiteral(", ") + unit,
+            found->shown.factor};
 }
 
 QString StudyModel::named(QString text) const {

@@ -59,6 +59,8 @@ class StudyModel : public QObject {
     std::vector<Value> results() const;
     /// The same with its name for people.
     QString inputName(const std::string& pointer) const;
+    /// The title of an axis of it in the unit that is shown.
+    ShownTitle inputTitle(const std::string& pointer) const;
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
@@ -68,12 +70,20 @@ class StudyModel : public QObject {
     /// out. All of them are taken, or none.
     /// @return an empty string, or why it cannot be
     QString setScatter(const std::vector<std::pair<std::string, QString>>& texts);
-    /// Gives every input of a kind its usual scatter: masses ± 0.5 g, lengths ± 0.05 mm, all ± 1 %.
+    static constexpr double weighedGrams = 0.5;
+    static constexpr double machinedMm = 0.05;
+    /// Gives every input of a kind its usual scatter: masses and lengths these, all ± 1 %.
     void take(Preset preset);
     /// Nothing scatters and nothing is watched; what the case had is gone, one that is refused too.
     void clear();
     void watch(const std::string& pointer);
     void unwatch(const std::string& pointer);
+    /// A limit of a result as it is typed, in the unit that is shown.
+    static QString limitText(const std::string& pointer, const std::optional<double>& limit);
+    /// Takes the same into a limit.
+    /// @return an empty string, or why it cannot be
+    static QString readLimit(const std::string& pointer, const QString& text,
+                             std::optional<double>& limit);
     /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::vector<studies::Watched>& limits);

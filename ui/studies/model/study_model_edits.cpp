@@ -7,8 +7,10 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "text/number_text.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -16,18 +18,29 @@ using studies::Study;
 using studies::Varied;
 using studies::Watched;
 
+namespace {
+
+/// A number in the unit that is shown, and back again.
+QString writtenShown(double value, double factor) {
+    constexpr int converted = 6;  // digits
+    return factor == 1.0 ? shownFormNumber(value, QLocale())
+                         : shownFormNumber(factor * value, QLocale(), converted);
+}
+
+double readShown(double typed, double factor) {
+    constexpr int digits = 12;
+    return factor == 1.0 ? typed : rounded_to_digits(typed / factor, digits);
+}
+
+}  // namespace
+
 QString StudyModel::scatterText(const Input& input) {
     const std::optional<Varied>& varied = input.varied;
     if (!varied) {
         return {};
     }
     const QLocale locale;
-    const double factor = input.shown.factor;
-    const auto written = [&](double value) {
-        constexpr int converted = 6;  // digits
-        return factor == 1.0 ? shownFormNumber(value, locale)
-                             : shownFormNumber(factor * value, locale, converted);
-    };
+    const auto written = [&](double value) { return writtenShown(value, input.shown.factor); };
     switch (varied->spread) {
         case Varied::Spread::plus_minus:
             return written(varied->size);
@@ -71,6 +84,11 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
             }
             continue;
         }
+        const auto input = std::find_if(inputs_.begin(), inputs_.end(),
+                                        [&](const Input& each) { return each.pointer == pointer; });
+        if (input != inputs_.end() && rest == scatterText(*input)) {
+            continue;  // it stands for all digits
+        }
         Varied varied{.pointer = pointer};
         if (rest.endsWith(QLatin1Char('%'))) {
             varied.spread = Varied::Spread::plus_minus_percent;
@@ -89,14 +107,11 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
                       "deviation; %1 is none.")
                 .arg(text.trimmed());
         }
-        const auto input = std::find_if(inputs_.begin(), inputs_.end(),
-                                        [&](const Input& each) { return each.pointer == pointer; });
         const double factor =
             varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
                 ? 1.0
                 : input->shown.factor;
-        constexpr int digits = 12;
-        varied.size = factor == 1.0 ? *number : rounded_to_digits(*number / factor, digits);
+        varied.size = readShown(*number, factor);
         (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
     change(tr("Tolerance"), next);
@@ -114,11 +129,11 @@ void StudyModel::take(Preset preset) {
             varied.spread = Varied::Spread::plus_minus_percent;
             varied.size = 1.0;
         } else if (preset == Preset::Weighed && unitOf(input.unit.toStdString(), "kg")) {
-            varied.size = 0.0005;
+            varied.size = weighedGrams / 1000.0;
         } else if (preset == Preset::Weighed && input.unit == unitText("g")) {
-            varied.size = 0.5;
+            varied.size = weighedGrams;
         } else if (preset == Preset::Machined && input.unit == unitText("mm")) {
-            varied.size = 0.05;
+            varied.size = machinedMm;
         } else {
             continue;
         }
@@ -145,6 +160,26 @@ void StudyModel::unwatch(const std::string& pointer) {
     Study next = study_;
     std::erase_if(next.watch, [&](const Watched& each) { return each.pointer == pointer; });
     change(tr("Watch a result"), next);
+}
+
+QString StudyModel::limitText(const std::string& pointer, const std::optional<double>& limit) {
+    return limit ? writtenShown(*limit, resultName(pointer).shown().factor) : QString();
+}
+
+QString StudyModel::readLimit(const std::string& pointer, const QString& text,
+                              std::optional<double>& limit) {
+    const QString typed = text.trimmed();
+    if (typed == limitText(pointer, limit)) {
+        return {};  // it stands for all digits of the limit
+    }
+    const ShownUnit shown = resultName(pointer).shown();
+    const auto [number, trouble] = readTypedNumber(typed, shown.name);
+    if (!typed.isEmpty() && !number) {
+        return !trouble.isEmpty() ? trouble
+                                  : tr("A limit is a number, or nothing; %1 is none.").arg(typed);
+    }
+    limit = number ? std::optional(readShown(*number, shown.factor)) : std::nullopt;
+    return {};
 }
 
 QString StudyModel::setLimits(const std::vector<Watched>& limits) {

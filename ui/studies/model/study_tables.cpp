@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "studies/model/result_words.h"
-#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -192,7 +191,7 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
         return resultName(watched.pointer).withUnit();
     }
     const auto& limit = index.column() == Least ? watched.min : watched.max;
-    return limit ? formNumber(*limit, QLocale()) : QString();
+    return StudyModel::limitText(watched.pointer, limit);
 }
 
 bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -256,15 +255,14 @@ QString WatchTable::pasteBlock(int row, int column, const std::vector<QStringLis
         }
         studies::Watched watched = model_->study().watch[static_cast<std::size_t>(row++)];
         for (int i = 0; i < line.size() && column + i < Columns; ++i) {
-            const QString text = line[i].trimmed();
-            const auto number = readFormNumber(text);
             if (column + i == Name) {
                 continue;
             }
-            if (!text.isEmpty() && !number) {
-                return tr("A limit is a number, or nothing; %1 is none.").arg(text);
+            const QString why = StudyModel::readLimit(
+                watched.pointer, line[i], column + i == Least ? watched.min : watched.max);
+            if (!why.isEmpty()) {
+                return why;
             }
-            (column + i == Least ? watched.min : watched.max) = number;
         }
         limits.push_back(watched);
     }
