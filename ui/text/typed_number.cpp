@@ -145,6 +145,12 @@ QString eitherNumberText(const QString& text, double one, double other) {
         .arg(text, shownFormNumber(one, locale, digits), shownFormNumber(other, locale, digits));
 }
 
+QString thousandsTrouble(const QString& text, const QString& unit) {
+    const auto one = readWithThousands(text, unit);
+    const auto other = readTypedNumber(text, unit).value;
+    return one && other ? eitherNumberText(text, *one, *other) : QString();
+}
+
 QString notANumberText(const QString& text) {
     constexpr qsizetype longest = 40;
     const QString shown = text.simplified();

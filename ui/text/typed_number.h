@@ -27,6 +27,8 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit);
 std::optional<double> readWithThousands(const QString& text, const QString& unit);
 /// Why such a text is refused, with both numbers.
 QString eitherNumberText(const QString& text, double one, double other);
+/// The same for a text that stands where any number may; empty for one that is plain.
+QString thousandsTrouble(const QString& text, const QString& unit);
 
 /// That a text is no number; of a long one, as a table that was pasted into a field, its beginning.
 QString notANumberText(const QString& text);

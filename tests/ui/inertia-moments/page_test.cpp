@@ -368,6 +368,15 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     QApplication::processEvents();
     EXPECT_FALSE(model->input().cylinders.at(1).articulated.has_value());
     EXPECT_TRUE(cell(1, CylinderTableModel::RodLength).data().toString().isEmpty());
+    // What may be thousands is asked for, pasted too.
+    const double before = model->input().cylinders.at(0).axial_position;
+    EXPECT_TRUE(table->paste(0, CylinderTableModel::Position, {{QStringLiteral("1,625")}})
+                    .contains(QStringLiteral("may be 1625 or 1.625")));
+    EXPECT_FALSE(table->setData(cell(0, CylinderTableModel::Position), QStringLiteral("1,625"),
+                                Qt::EditRole));
+    EXPECT_TRUE(cell(0, CylinderTableModel::Position).data(EditableTable::TroubleRole).toBool());
+    EXPECT_EQ(model->input().cylinders.at(0).axial_position, before);
+    table->takeBackRefused(cell(0, CylinderTableModel::Position));
     // A block from a spreadsheet, with an empty cell for what follows.
     view->setCurrentIndex(cell(1, CylinderTableModel::KnuckleRadius));
     QApplication::clipboard()->setText(QStringLiteral("35\t\t140\t1\n"));

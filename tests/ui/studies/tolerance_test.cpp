@@ -415,6 +415,18 @@ TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
     EXPECT_EQ(study().watch[0].max, 300.0);
 }
 
+TEST_F(Tolerances, WhatMayBeThousandsIsAskedFor) {
+    EXPECT_TRUE(tolerances->model()
+                    ->setScatter({{"/centre_distance_mm", u"1,000"_s}})
+                    .contains(u"may be 1000 or 1:"_s));
+    EXPECT_TRUE(study().vary.empty());
+    watch("/metrics/M_ups/range_Nm");
+    type(tolerances->watched(), 0, WatchTable::Most, u"1,100"_s);
+    EXPECT_FALSE(study().watch[0].max);
+    type(tolerances->watched(), 0, WatchTable::Most, u"1,1"_s);
+    EXPECT_EQ(study().watch[0].max, 1.1);
+}
+
 TEST_F(Tolerances, LimitsOfAnAngleAcrossZeroAreWrittenATurnOn) {
     watch("/optimum/range/shaft_angle_deg");
     StudyModel& studied = *tolerances->model();

@@ -78,6 +78,15 @@ std::optional<double> ownNumber(const Field& field, const QString& text) {
                                    : number;
 }
 
+/// Why a text may be either of two numbers that fit; empty where it is one.
+QString eitherText(const Field& field, const QString& text) {
+    const ShownUnit unit = shownUnit(field.unit);
+    const auto thousands = readWithThousands(text, unit.name);
+    return thousands && field.range.contains(*thousands / unit.factor)
+               ? thousandsTrouble(text, unit.name)
+               : QString();
+}
+
 /// Writes a cell's text into a cylinder.
 /// @return false for a text that is no value for the column
 bool setCell(Cylinder& cylinder, int column, const QString& text) {
@@ -85,7 +94,8 @@ bool setCell(Cylinder& cylinder, int column, const QString& text) {
     const bool optional = column >= Table::KnuckleRadius;
     const bool isEmpty = optional && text.isEmpty();
     const auto number = ownNumber(field, text);
-    if (!isEmpty && (!number || !field.range.contains(*number))) {
+    if (!isEmpty &&
+        (!number || !field.range.contains(*number) || !eitherText(field, text).isEmpty())) {
         return false;
     }
     const double value = isEmpty ? 0.0 : *number * field.unit;
@@ -134,6 +144,9 @@ InputError refusal(int row, int column, const QString& text) {
     const auto number = readTypedNumber(text, shownUnit(field.unit).name).value;
     if (!number) {
         return {place, CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()})};
+    }
+    if (const QString either = eitherText(field, text); !either.isEmpty()) {
+        return {place, either.toStdString()};
     }
     return {place,
             column == Table::Master ? field.range.whole_number_message()
@@ -437,10 +450,13 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
     cylinders.resize(std::max(cylinders.size(), first + cells.size()));
     for (std::size_t line = 0; line < cells.size(); ++line) {
         for (int cell = 0; cell < cells[line].size() && column + cell < wide; ++cell) {
-            if (!setCell(cylinders[first + line], column + cell, cells[line][cell])) {
+            const QString& text = cells[line][cell];
+            if (!setCell(cylinders[first + line], column + cell, text)) {
+                if (!eitherText(fieldOf(column + cell), text).isEmpty()) {
+                    return errorText(refusal(static_cast<int>(first + line), column + cell, text));
+                }
                 return tr("Line %1, column %2: %3 is no number that fits here.")
-                    .arg(QString::number(line + 1), QString::number(cell + 1),
-                         cells[line][cell].left(20));
+                    .arg(QString::number(line + 1), QString::number(cell + 1), text.left(20));
             }
         }
     }

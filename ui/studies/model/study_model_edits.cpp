@@ -111,6 +111,9 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
             varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
                 ? 1.0
                 : input->shown.factor;
+        if (const QString either = thousandsTrouble(rest.trimmed(), {}); !either.isEmpty()) {
+            return either;
+        }
         varied.size = readShown(*number, factor);
         (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
@@ -177,6 +180,9 @@ QString StudyModel::readLimit(const std::string& pointer, const QString& text,
     if (!typed.isEmpty() && !number) {
         return !trouble.isEmpty() ? trouble
                                   : tr("A limit is a number, or nothing; %1 is none.").arg(typed);
+    }
+    if (const QString either = thousandsTrouble(typed, shown.name); !either.isEmpty()) {
+        return either;
     }
     limit = number ? std::optional(readShown(*number, shown.factor)) : std::nullopt;
     return {};
