@@ -16318,6 +16318,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>the first and the last torque are one instant of the cycle and must be equal.</source>
         <translation>первый и последний моменты — одно мгновение цикла и должны быть равны.</translation>
     </message>
+    <message>
+        <source>Nothing is pasted: the block has %1 columns, and here is room for %2.</source>
+        <translation>Ничего не вставлено: столбцов в блоке %1, а места здесь на %2.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: the block has %1 rows, and here is room for %2.</source>
+        <translation>Ничего не вставлено: строк в блоке %1, а места здесь на %2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsModel</name>

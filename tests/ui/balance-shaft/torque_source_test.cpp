@@ -14,6 +14,7 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
@@ -170,6 +171,35 @@ TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
     source->tableEditor()->paste();
     EXPECT_TRUE(line->text().startsWith(QStringLiteral("Row "))) << qPrintable(line->text());
     EXPECT_FALSE(line->text().contains(QLatin1Char('_'))) << qPrintable(line->text());
+}
+
+TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
+    QTableView* view = source->tableEditor()->view();
+    const QAbstractItemModel& table = *view->model();
+    const auto text = [&](int row, int column) {
+        return table.index(row, column).data().toString();
+    };
+    const auto paste = [&](int row, const QString& block) {
+        view->setCurrentIndex(table.index(row, TorqueTableModel::Torque));
+        QApplication::clipboard()->setText(block);
+        source->tableEditor()->paste();
+        return source->tableEditor()->findChild<TroubleLine*>()->text();
+    };
+    const QString angle = text(3, TorqueTableModel::CrankAngle);
+    const QString next = text(4, TorqueTableModel::CrankAngle);
+    EXPECT_EQ(paste(3, angle + QStringLiteral("\t111\n") + next + QStringLiteral("\t112\n")),
+              QString());
+    EXPECT_EQ(text(3, TorqueTableModel::CrankAngle), angle);
+    EXPECT_EQ(text(3, TorqueTableModel::Torque), QStringLiteral("111"));
+    EXPECT_EQ(text(4, TorqueTableModel::Torque), QStringLiteral("112"));
+    // What has no room is refused in words.
+    const auto before = model->input().torque.table;
+    EXPECT_TRUE(
+        paste(3, QStringLiteral("9000\t7\n9001\t8\n")).contains(QStringLiteral("2 columns")));
+    EXPECT_TRUE(paste(3, QStringLiteral("1\t2\t3\n")).contains(QStringLiteral("3 columns")));
+    EXPECT_TRUE(paste(table.rowCount() - 2, QStringLiteral("1\n2\n3\n"))
+                    .contains(QStringLiteral("3 rows")));
+    EXPECT_EQ(model->input().torque.table, before);
 }
 
 TEST_F(TorqueSourceTest, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {

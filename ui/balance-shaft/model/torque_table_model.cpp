@@ -1,7 +1,9 @@
 #include "balance-shaft/model/torque_table_model.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -37,9 +39,8 @@ std::optional<double> readCell(const QString& text) {
 
 /// Why it stands for nothing.
 QString cellTrouble(const QString& text) {
-    const auto thousands = readWithThousands(text, {});
-    return thousands ? eitherNumberText(text, *thousands, readFormNumber(text).value_or(0.0))
-                     : notANumberText(text);
+    const QString thousands = thousandsTrouble(text, {});
+    return thousands.isEmpty() ? notANumberText(text) : thousands;
 }
 
 /// Why a table is no cycle; empty where it is one.
@@ -364,21 +365,58 @@ QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
     return messageText(read.describe());
 }
 
+/// Whether the first cells of a block are angles of this cycle that grow.
+bool TorqueTableModel::beginsWithAngles(const std::vector<QStringList>& cells) const {
+    double before = -std::numeric_limits<double>::infinity();
+    for (const QStringList& line : cells) {
+        const auto angle = line.isEmpty() ? std::nullopt : readCell(line.front());
+        if (!angle || !(*angle > before) || *angle < rows_.front().angle ||
+            *angle > rows_.back().angle) {
+            return false;
+        }
+        before = *angle;
+    }
+    return true;
+}
+
 QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    if (rows_.empty()) {
+        return {};
+    }
+    constexpr int columns = 2;
+    int wide = 0;
+    for (const QStringList& line : cells) {
+        auto filled = static_cast<int>(line.size());
+        while (filled > 0 && line[filled - 1].isEmpty()) {
+            --filled;
+        }
+        wide = std::max(wide, filled);
+    }
+    if (wide == columns && beginsWithAngles(cells)) {
+        column = CrankAngle;  // whichever of the row's cells was chosen
+    }
+    if (column + wide > columns) {
+        return tr("Nothing is pasted: the block has %1 columns, and here is room for %2.")
+            .arg(wide)
+            .arg(columns - column);
+    }
+    const auto room = rows_.size() - static_cast<std::size_t>(row);
+    if (cells.size() > room) {
+        return tr("Nothing is pasted: the block has %1 rows, and here is room for %2.")
+            .arg(cells.size())
+            .arg(room);
+    }
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::size_t at = static_cast<std::size_t>(row) + i;
-        if (at >= rows_.size()) {
-            break;
-        }
-        for (int j = 0; j < cells[i].size() && column + j < 2; ++j) {
+        for (int j = 0; j < cells[i].size() && column + j < columns; ++j) {
             type(rows_[at], column + j, cells[i][j]);
         }
     }
     // The ends are one instant; a block with both has its own.
-    const bool hasTorque = !cells.empty() && column <= Torque && column + cells[0].size() > Torque;
+    const bool hasTorque = column + wide > Torque;
     const bool hasFirst = hasTorque && row == 0;
     const bool hasLast = hasTorque && static_cast<std::size_t>(row) + cells.size() >= rows_.size();
-    if (hasFirst != hasLast && !rows_.empty()) {
+    if (hasFirst != hasLast) {
         const Row& from = hasFirst ? rows_.front() : rows_.back();
         type(hasFirst ? rows_.back() : rows_.front(), Torque, textOf(from, Torque));
     }

@@ -82,6 +82,7 @@ class TorqueTableModel : public EditableTable {
 
     static QString textOf(const Row& row, int column);
     static QString ownText(const Row& row, int column);
+    bool beginsWithAngles(const std::vector<QStringList>& cells) const;
     static std::optional<double> angleOf(const Row& row);
     static std::optional<double> torqueOf(const Row& row);
     static void type(Row& row, int column, const QString& text);
