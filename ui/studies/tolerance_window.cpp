@@ -44,6 +44,7 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/page_columns.h"
+#include "widgets/pick_box.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 
@@ -208,18 +209,13 @@ QWidget* ToleranceWindow::makeInputs() {
                    tr("The selected inputs do not scatter"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
-    watchable_ = new QComboBox(holder);
+    watchable_ = new PickBox(tr("Watch a result …"), holder);
     watchable_->setObjectName(QStringLiteral("watchable"));
     watchable_->setAccessibleName(tr("Watch a result"));
     watchable_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     watchable_->setMinimumContentsLength(12);
-    connect(watchable_, &QComboBox::activated, this, [this](int index) {
-        const QString pointer = watchable_->itemData(index).toString();
-        if (!pointer.isEmpty()) {
-            model_->watch(pointer.toStdString());
-        }
-        watchable_->setCurrentIndex(0);
-    });
+    connect(watchable_, &PickBox::picked, this,
+            [this](const QVariant& pointer) { watch(pointer.toString().toStdString()); });
     column->addWidget(watchable_);
     watched_ =
         edit(new WatchTable(model_), tr("Results to watch"),
@@ -350,12 +346,25 @@ QWidget* ToleranceWindow::makeAnswers() {
 
 void ToleranceWindow::fillWatchable() {
     const QSignalBlocker block(watchable_);
-    watchable_->clear();
-    watchable_->addItem(tr("Watch a result …"));
+    watchable_->clearEntries();
     for (const StudyModel::Value& value : model_->results()) {
         watchable_->addItem(resultName(value.pointer).withUnit(),
                             QString::fromStdString(value.pointer));
     }
+}
+
+void ToleranceWindow::watch(const std::string& pointer) {
+    model_->watch(pointer);
+    const auto& watch = model_->study().watch;
+    const auto at = std::find_if(watch.begin(), watch.end(), [&](const studies::Watched& each) {
+        return each.pointer == pointer;
+    });
+    QTableView* view = watched_->view();
+    if (at != watch.end()) {
+        view->setCurrentIndex(
+            view->model()->index(static_cast<int>(at - watch.begin()), WatchTable::Least));
+    }
+    view->setFocus();
 }
 
 void ToleranceWindow::showStudy() {

@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <QTimer>
 #include <array>
+#include <string>
 
 class QComboBox;
 class QLabel;
@@ -13,6 +14,7 @@ class QTabWidget;
 
 namespace ravnoves {
 
+class PickBox;
 class PlotView;
 class ResultTable;
 class RobustView;
@@ -57,6 +59,8 @@ class ToleranceWindow : public QDialog {
     QWidget* makeAnswers();
     void addKeys();
     void fillWatchable();
+    /// Watches it, and goes to its limits.
+    void watch(const std::string& pointer);
     void showStudy();
     void showAnswers();
     void showChosen();
@@ -67,7 +71,7 @@ class ToleranceWindow : public QDialog {
     QTimer rest_;
     TableEditor* inputs_ = nullptr;
     TableEditor* watched_ = nullptr;
-    QComboBox* watchable_ = nullptr;
+    PickBox* watchable_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
     QProgressBar* progress_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "case-file/case_file.h"
@@ -413,6 +415,30 @@ TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
     EXPECT_FALSE(isRed(WatchTable::Least));
     EXPECT_EQ(study().watch[0].min, 200.0);
     EXPECT_EQ(study().watch[0].max, 300.0);
+}
+
+TEST_F(Tolerances, NothingIsWatchedByTheWay) {
+    auto* box = test::named<QComboBox>(*tolerances, "watchable");
+    watch("/metrics/M_ups/range_Nm");
+    EXPECT_EQ(box->currentIndex(), 0);
+    EXPECT_EQ(tolerances->focusWidget(), tolerances->watched()->view());
+    QTest::mouseClick(box, Qt::LeftButton);
+    box->hidePopup();
+    box->setFocus(Qt::MouseFocusReason);
+    QWheelEvent wheel(box->rect().center(), box->mapToGlobal(box->rect().center()), {}, {0, -120},
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(box, &wheel);
+    for (const Qt::Key key : {Qt::Key_End, Qt::Key_Down, Qt::Key_PageDown, Qt::Key_M}) {
+        QTest::keyClick(box, key);
+        EXPECT_TRUE(box->view()->isVisible());
+        box->hidePopup();
+        EXPECT_EQ(study().watch.size(), 1U) << key;
+    }
+    // Opened and picked by keys.
+    QTest::keyClick(box, Qt::Key_Down);
+    QTest::keyClick(box->view(), Qt::Key_Down);
+    QTest::keyClick(box->view(), Qt::Key_Return);
+    EXPECT_EQ(study().watch.size(), 2U);
 }
 
 TEST_F(Tolerances, WhatMayBeThousandsIsAskedFor) {
