@@ -151,7 +151,8 @@ inline constexpr Field step{
     .key = "step_deg",
     .unit = {units::degree.name},
     .range = Range::between(0.01, 90),
-    .hint = CORE_TEXT("balance-shaft", "Step of the curves and of the sweep over α.")};
+    .hint = CORE_TEXT("balance-shaft", "Step of the curves and of the sweep over α."),
+    .is_setting = true};
 inline constexpr Field rod_length{
     .key = "rod_length_mm",
     .unit = units::mm,
@@ -514,13 +515,15 @@ inline constexpr Field band_from{.key = "from_rpm",
                                  .range = Range::greater_than(0),
                                  .size = Range::at_least(0.1),  // below it inertia is rounding
                                  .label = CORE_TEXT("balance-shaft", "&Band from"),
-                                 .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band.")};
+                                 .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band."),
+                                 .is_setting = true};
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,
                                .range = Range::greater_than(0),
                                .size = {.max = engine_speeds.max},
                                .label = CORE_TEXT("balance-shaft", "Band &to"),
-                               .hint = CORE_TEXT("balance-shaft", "Highest speed of the band.")};
+                               .hint = CORE_TEXT("balance-shaft", "Highest speed of the band."),
+                               .is_setting = true};
 inline constexpr Field band_speeds{
     .key = "speeds",
     .range = Range::between(2, 1000),

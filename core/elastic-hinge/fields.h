@@ -318,6 +318,7 @@ inline constexpr Field turns{
     .range = Range::between(0.01, 1000),
     .label = CORE_TEXT("elastic-hinge", "Tur&ns"),
     .hint = CORE_TEXT("elastic-hinge", "Turns of the crank to compute"),
+    .is_setting = true,
 };
 inline constexpr Field start_speed{
     .key = "start_speed_rad_s",

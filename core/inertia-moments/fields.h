@@ -90,7 +90,8 @@ inline constexpr Field step{
     .unit = units::degree,
     .range = Range::between(0.01, 90),
     .hint = CORE_TEXT("inertia-moments",
-                      "Step of the curves in the result; without it there are none.")};
+                      "Step of the curves in the result; without it there are none."),
+    .is_setting = true};
 /// Of a table; also of a layout.
 inline constexpr Field firing_order{
     .key = "firing_order",

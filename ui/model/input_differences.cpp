@@ -155,7 +155,8 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     std::vector<InputNumber> numbers;
     for (const auto& [pointer, value] : leaves) {
         const FieldEntry* entry = names.described(pointer);
-        if (!value.is_number() || (entry != nullptr && entry->kind == FieldKind::integer)) {
+        if (!value.is_number() ||
+            (entry != nullptr && (entry->kind == FieldKind::integer || entry->field.is_setting))) {
             continue;
         }
         // Counts, and numbers that are names: of cylinders in a firing order.
@@ -179,7 +180,7 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
         }
         const Json::json_pointer pointer(field.pointer);
         if (field.kind == FieldKind::number && std::holds_alternative<double>(field.value) &&
-            !field.field.label.empty() && !input.contains(pointer) &&
+            !field.field.label.empty() && !field.field.is_setting && !input.contains(pointer) &&
             input.contains(pointer.parent_pointer()) &&
             input.at(pointer.parent_pointer()).is_object()) {
             numbers.insert(

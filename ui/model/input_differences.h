@@ -42,7 +42,7 @@ struct InputNumber {
 };
 
 /// The numbers of the present input that may take any value, in the order of the case file; long
-/// lists are left out.
+/// lists are left out, and Field::is_setting.
 std::vector<InputNumber> inputNumbers(const SceneModel& model);
 
 }  // namespace ravnoves

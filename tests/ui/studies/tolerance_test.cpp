@@ -727,6 +727,16 @@ TEST(ToleranceInputs, AreNoCountsAndNoNames) {
     }
 }
 
+TEST_F(Tolerances, AreOfNoSettings) {
+    ASSERT_TRUE(scene().inputJson().contains("step_deg"));
+    for (const StudyModel::Input& input : tolerances->model()->inputs()) {
+        EXPECT_NE(input.pointer, "/step_deg");
+    }
+    const auto* swept = test::named<QComboBox>(*tolerances, "sweep_input");
+    EXPECT_EQ(swept->findData(u"/step_deg"_s), -1);
+    EXPECT_GT(swept->findData(u"/crank_radius_mm"_s), -1);
+}
+
 TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
     Theme::instance().setTextScale(2.0);
     {
