@@ -69,7 +69,7 @@ Table givenTolerances(const StudyModel& study) {
         if (input.varied) {
             QStringList cells;
             const double value = input.shown.factor * input.nominal;
-            for (const QString& text : {input.name, shownFormNumber(value, QLocale(), 8),
+            for (const QString& text : {input.name, trueMinus(writtenOut(value, QLocale(), 8)),
                                         StudyModel::scatterText(input), input.shown.name}) {
                 cells << text.toHtmlEscaped();
             }

@@ -66,6 +66,16 @@ std::optional<double> tidied(const std::optional<double>& value, const StudyAnsw
     return value && std::abs(*value) < rounding * size ? 0.0 : value;
 }
 
+/// Room to type in, and for what stands there.
+void fitTyped(QTableView* view, const std::vector<int>& columns) {
+    constexpr int least = 72;
+    const QAbstractItemView* cells = view;
+    for (const int column : columns) {
+        view->horizontalHeader()->resizeSection(
+            column, std::max(Theme::withText(least), cells->sizeHintForColumn(column) + 1));
+    }
+}
+
 QString percent(const std::optional<double>& share, int decimals = 1) {
     return share ? percentText(*share, decimals) : QStringLiteral("–");
 }
@@ -178,8 +188,13 @@ QWidget* ToleranceWindow::makeInputs() {
         editor->view()->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
         for (const int typed : numbers) {
             editor->view()->horizontalHeader()->setSectionResizeMode(typed, QHeaderView::Fixed);
-            editor->view()->horizontalHeader()->resizeSection(typed, Theme::withText(72));
         }
+        const auto fit = [view = editor->view(), columns = std::vector<int>(numbers)] {
+            fitTyped(view, columns);
+        };
+        fit();
+        connect(table, &QAbstractItemModel::dataChanged, this, fit);
+        connect(table, &QAbstractItemModel::modelReset, this, fit);
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;

@@ -64,6 +64,22 @@ QString formNumber(double value, const QLocale& locale, int significant) {
     return plain(locale).toString(value, 'g', significant);
 }
 
+QString writtenOut(double value, const QLocale& locale, int significant) {
+    constexpr double least = 1e-9;
+    constexpr double most = 1e15;
+    const QString text = formNumber(value, locale, significant);
+    if (!text.contains(locale.exponential(), Qt::CaseInsensitive) || std::abs(value) < least ||
+        std::abs(value) >= most) {
+        return text;
+    }
+    const int first = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    QString digits = plain(locale).toString(value, 'f', std::max(0, significant - 1 - first));
+    while (first < 0 && digits.endsWith(locale.zeroDigit())) {
+        digits.chop(1);
+    }
+    return digits;
+}
+
 QString shownFormNumber(double value, const QLocale& locale, int significant) {
     return trueMinus(formNumber(value, locale, significant));
 }

@@ -13,7 +13,10 @@ namespace ravnoves {
 /// sign, no thousands separators.
 QString formNumber(double value, const QLocale& locale, int significant = 10);
 
-/// The same to be read, not to be typed over: with a true minus.
+/// The same without a power of ten, unless that were a row of zeros: "0.0000393701".
+QString writtenOut(double value, const QLocale& locale, int significant = 10);
+
+/// A number of forms to be read, not to be typed over: with a true minus.
 QString shownFormNumber(double value, const QLocale& locale, int significant = 10);
 /// A number with true minus signs in place of hyphens.
 QString trueMinus(QString number);

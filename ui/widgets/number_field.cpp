@@ -95,7 +95,7 @@ QString NumberField::written() const {
         return QString::number(*value() * factor_, 'f', *decimals_)
             .replace(QLatin1Char('.'), locale().decimalPoint());
     }
-    return value() ? formNumber(shown(*value()), locale(), digits_) : QString();
+    return value() ? writtenOut(shown(*value()), locale(), digits_) : QString();
 }
 
 QString NumberField::rule() const {

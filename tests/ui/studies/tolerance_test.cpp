@@ -130,6 +130,17 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     ASSERT_EQ(study().vary.size(), 2U);
     EXPECT_EQ(study().vary[0].size, 0.0005);
     EXPECT_EQ(study().vary[1].size, 1.27);
+    // Tiny ones are written out, and the column has room for them.
+    scatter("/centre_distance_mm", u"0.0000123456"_s);
+    const StudyModel::Input& distance = *std::find_if(
+        tolerances->model()->inputs().begin(), tolerances->model()->inputs().end(),
+        [](const StudyModel::Input& each) { return each.pointer == "/centre_distance_mm"; });
+    const QString tiny = StudyModel::scatterText(distance);
+    EXPECT_EQ(tiny, u"0.0000123456"_s);
+    const QTableView* inputs = tolerances->inputs()->view();
+    EXPECT_GT(inputs->columnWidth(ScatterTable::Scatter),
+              QFontMetrics(inputs->font()).horizontalAdvance(tiny));
+    scatter("/centre_distance_mm", u"0.05"_s);
     watch("/moment_amplitude_Nm");
     const auto limit = [&] {
         return tolerances->watched()->view()->model()->index(0, WatchTable::Most).data().toString();

@@ -193,6 +193,10 @@ TEST(NumberText, WritesWhatAPersonWants) {
     EXPECT_EQ(formNumber(46.0, english), QStringLiteral("46"));
     EXPECT_EQ(formNumber(0.658, russian), QStringLiteral("0,658"));
     EXPECT_EQ(formNumber(3600.0, russian), QStringLiteral("3600"));
+    EXPECT_EQ(writtenOut(3.9370079e-5, english, 6), QStringLiteral("0.0000393701"));
+    EXPECT_EQ(writtenOut(-2e-5, russian), QStringLiteral("-0,00002"));
+    EXPECT_EQ(writtenOut(1234567.0, english, 6), QStringLiteral("1234567"));
+    EXPECT_EQ(writtenOut(1e-30, english), formNumber(1e-30, english));
     EXPECT_EQ(fixedNumber(-0.001, 2, english), QStringLiteral("0.00"));
     EXPECT_EQ(fixedNumber(0.01625 / 1e-3, 1, english), QStringLiteral("16.3"));
     EXPECT_EQ(fixedNumber(0.82315 / 1e-3, 1, english), QStringLiteral("823.2"));

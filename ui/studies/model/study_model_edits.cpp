@@ -23,8 +23,8 @@ namespace {
 /// A number in the unit that is shown, and back again.
 QString writtenShown(double value, double factor) {
     constexpr int converted = 6;  // digits
-    return factor == 1.0 ? shownFormNumber(value, QLocale())
-                         : shownFormNumber(factor * value, QLocale(), converted);
+    return trueMinus(factor == 1.0 ? writtenOut(value, QLocale())
+                                   : writtenOut(factor * value, QLocale(), converted));
 }
 
 double readShown(double typed, double factor) {
@@ -39,13 +39,12 @@ QString StudyModel::scatterText(const Input& input) {
     if (!varied) {
         return {};
     }
-    const QLocale locale;
     const auto written = [&](double value) { return writtenShown(value, input.shown.factor); };
     switch (varied->spread) {
         case Varied::Spread::plus_minus:
             return written(varied->size);
         case Varied::Spread::plus_minus_percent:
-            return shownFormNumber(varied->size, locale) + QStringLiteral(" %");
+            return writtenOut(varied->size, QLocale()) + QStringLiteral(" %");
         case Varied::Spread::normal:
             return QStringLiteral("σ ") + written(varied->size);
         case Varied::Spread::uniform:
@@ -62,7 +61,7 @@ QString StudyModel::scatterText(const Input& input) {
 
 QString StudyModel::nominalText(const Input& input) {
     constexpr int digits = 8;
-    return withUnit(shownFormNumber(input.shown.factor * input.nominal, QLocale(), digits),
+    return withUnit(trueMinus(writtenOut(input.shown.factor * input.nominal, QLocale(), digits)),
                     input.shown.name);
 }
 
