@@ -132,6 +132,39 @@ TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
     EXPECT_EQ(currentLanguage(), u"ru"_s);
 }
 
+TEST_F(Settings, TabsAreKeptAlsoAfterTheWindowWasNarrow) {
+    window.resize(1280, 800);
+    window.showScene(u"inertia-moments"_s);
+    QApplication::processEvents();
+    QStringList chosen;
+    for (QTabWidget* tabs : window.currentPage()->findChildren<QTabWidget*>()) {
+        tabs->setCurrentIndex(1);
+        chosen << tabs->tabToolTip(1) + tabs->tabText(1);
+    }
+    for (const QSize& size : {QSize(920, 620), QSize(1280, 800)}) {
+        window.resize(size);
+        for (int i = 0; i < 5; ++i) {
+            QApplication::processEvents();
+        }
+    }
+    chosen.sort();
+    const auto now = [this] {
+        QStringList all;
+        for (const QTabWidget* tabs : window.currentPage()->findChildren<QTabWidget*>()) {
+            all << tabs->tabToolTip(tabs->currentIndex()) + tabs->tabText(tabs->currentIndex());
+        }
+        all.sort();
+        return all;
+    };
+    ASSERT_EQ(now(), chosen);
+    SettingsDialog* dialog = open();
+    choose(dialog, "language", u"ru"_s);
+    choose(dialog, "language", u"en"_s);
+    QApplication::processEvents();
+    EXPECT_EQ(now(), chosen);
+    dialog->close();
+}
+
 TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
     for (const SceneInfo& info : sceneList()) {
         window.showScene(info.name);
