@@ -343,7 +343,7 @@ QString CaseDocument::saveTo(const QString& path) {
     if (model_->isSolving()) {
         return path + QStringLiteral(": ") + SceneModel::solvingText();
     }
-    model_->keepTyped();
+    model_->keepForSaving();
     std::string text;
     try {
         const QFileInfo there(path);

@@ -190,6 +190,11 @@ class SceneModel : public QObject {
     virtual bool takeBack() { return false; }
     /// Puts into the history what was typed so far: it is to be saved, or something else changes.
     virtual void keepTyped() {}
+    /// The same for what is saved now: Escape returns to it, though the editing goes on.
+    void keepForSaving() {
+        keepTyped();
+        Q_EMIT typedKept();
+    }
     /// True for changes since the last saving, also of an editing that has not ended.
     bool hasChanges() const { return isTyped() || isSolving() || !history_.isClean(); }
     /// Takes back first what is still being solved. Where a state cannot be solved again (memory),
@@ -219,6 +224,8 @@ class SceneModel : public QObject {
     void rested();
     /// What draftFile() has beyond the case.
     void typingChanged();
+    /// What is typed so far is saved.
+    void typedKept();
     void titleChanged(const QString& title);
     /// What there is to undo, to redo or to save.
     void historyChanged();

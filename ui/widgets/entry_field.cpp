@@ -43,6 +43,12 @@ void EntryField::setModel(SceneModel* model) {
                 tr("Refused before other values changed; Enter tries it again: %1").arg(trouble_));
         }
     });
+    connect(model, &SceneModel::typedKept, this, [this] {
+        if (editing_ && trouble_.isEmpty()) {
+            keepValue();
+            shown_ = text();
+        }
+    });
     connect(model, &SceneModel::broughtIn, this, [this] {
         if (!trouble_.isEmpty()) {
             setTrouble({});

@@ -14,8 +14,8 @@ namespace ravnoves {
 /// refused, the value from before the editing holds again. A refused text is never thrown away and
 /// never becomes another value by itself: it stays, with a red frame and with trouble() in words,
 /// until it is mended, Escape brings the old value back, or another value is set. Escape undoes
-/// the whole editing, valid values on the way as well. Other values may mend what the model
-/// refused: once they changed, trouble() says so, and Enter tries the text again.
+/// the whole editing since it was saved, valid values on the way as well. Other values may mend
+/// what the model refused: once they changed, trouble() says so, and Enter tries the text again.
 ///
 /// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {

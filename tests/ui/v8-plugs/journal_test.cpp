@@ -47,6 +47,30 @@ TEST_F(V8PageTest, TheWindowAsksForTheJournal) {
     EXPECT_EQ(page.askToSave(), false);
 }
 
+TEST_F(V8PageTest, EscapeReturnsToWhatIsSaved) {
+    auto* number = find<QLineEdit>("engine_number");
+    number->setFocus();
+    QTest::keyClicks(number, u"77"_s);
+    press(Qt::Key_F2);
+    QTest::keyClicks(number, u"8"_s);
+    EXPECT_EQ(model->input().job.engine_number, "778");
+    for (int i = 0; i < 2; ++i) {
+        QTest::keyClick(number, Qt::Key_Escape);
+        EXPECT_EQ(number->text(), u"77"_s);
+        EXPECT_EQ(model->input().job.engine_number, "77");
+        EXPECT_FALSE(model->hasChanges());
+    }
+    auto* plug = find<QLineEdit>("rod_big_end");
+    page.sheets()->setCurrentIndex(2);
+    plug->setFocus();
+    QTest::keyClicks(plug, u"5"_s);
+    press(Qt::Key_F2);
+    QTest::keyClick(plug, Qt::Key_Backspace);
+    EXPECT_EQ(model->input().typed_changes.rod_big_end, 0.0) << "what stood before the saving";
+    QTest::keyClick(plug, Qt::Key_Escape);
+    EXPECT_NEAR(model->input().typed_changes.rod_big_end, 5.0 * gram, 1e-12);
+}
+
 TEST_F(V8PageTest, TheNextJobSaysWhatItKeeps) {
     QFile example(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json"));
     ASSERT_TRUE(example.open(QIODevice::ReadOnly));

@@ -300,7 +300,7 @@ void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
         told(false, journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_);
         return;
     }
-    model_->keepTyped();
+    model_->keepForSaving();
     JournalJob job = scene_.entry();
     job.id = jobId_;
     job.revision = jobRevision_;
