@@ -13216,6 +13216,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>A newer version of Ravnoves has kept a case that was not saved: only that can read it. It stays as %1.</source>
         <translation>Несохранённую задачу оставила более новая версия Ravnoves: прочесть её может только она. Задача остаётся в файле %1.</translation>
     </message>
+    <message>
+        <source>Throw away what is ticked? Cases that are gone for good then: %1.</source>
+        <translation>Выбросить отмеченное? Задач, которые пропадут навсегда: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RefusedEntries</name>

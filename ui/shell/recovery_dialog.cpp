@@ -3,20 +3,39 @@
 #include <QDir>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case-file/json.h"
 #include "model/scene_model.h"
 #include "shell/scene_list.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
+#include "workshop/job_header.h"
 
 namespace ravnoves {
 
 namespace {
+
+/// What a job of the workshop is known by; empty for other cases.
+QStringList jobWords(const Json& input) {
+    QStringList words;
+    const std::string head(workshop::field::job.key);
+    if (input.is_object() && input.contains(head) && input.at(head).is_object()) {
+        for (const Field& field : {workshop::field::engine_number,
+                                   workshop::field::crankshaft_number, workshop::field::customer}) {
+            const auto found = input.at(head).find(std::string(field.key));
+            if (found != input.at(head).end() && found->is_string()) {
+                words << QString::fromStdString(found->get<std::string>());
+            }
+        }
+    }
+    return words;
+}
 
 QLabel* recoveryText(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -44,7 +63,10 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         list_->setHeaderLabels({tr("Case"), tr("File"), tr("Kept")});
         const std::vector<SceneInfo> scenes = sceneList();
         for (const RecoveredCase& each : cases_) {
-            QString name = SceneModel::titleText(QString::fromStdString(each.content.title));
+            QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
+            names << jobWords(each.content.input);
+            names.removeAll(QString());
+            QString name = names.join(QStringLiteral(", "));
             for (const SceneInfo& scene : scenes) {
                 if (scene.name.toStdString() == each.content.scene) {
                     name = name.isEmpty() ? scene.title : scene.title + QStringLiteral(": ") + name;
@@ -101,6 +123,9 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             }
         })->setDefault(true);
         add("recovery_throw_away", tr("&Throw away"), [this] {
+            if (!mayThrowAway()) {
+                return;
+            }
             for (const RecoveredCase& each : takeTicked()) {
                 Q_EMIT thrownAway(each);
             }
@@ -123,6 +148,18 @@ bool RecoveryDialog::eventFilter(QObject* watched, QEvent* event) {
                         std::max(room / 2, room - list->sizeHintForColumn(1))));
     }
     return QDialog::eventFilter(watched, event);
+}
+
+bool RecoveryDialog::mayThrowAway() {
+    int ticked = 0;
+    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+        ticked += list_->topLevelItem(row)->checkState(0) == Qt::Checked ? 1 : 0;
+    }
+    return ticked > 0 &&
+           QMessageBox::question(
+               this, windowTitle(),
+               tr("Throw away what is ticked? Cases that are gone for good then: %1.").arg(ticked),
+               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
 QList<RecoveredCase> RecoveryDialog::takeTicked() {

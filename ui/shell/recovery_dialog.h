@@ -8,7 +8,7 @@ class QTreeWidget;
 
 namespace ravnoves {
 
-/// Offers what a crash has left: each case with title, file and time, ticked.
+/// Offers what a crash has left: each case with title, job, file and time, ticked.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 
@@ -23,6 +23,8 @@ class RecoveryDialog : public QDialog {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    /// Asks, once for all.
+    bool mayThrowAway();
     /// Takes the ticked cases out of the list; closes where none is left.
     QList<RecoveredCase> takeTicked();
 

@@ -263,6 +263,14 @@ TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
     window.reset();
     start();
     ASSERT_NE(offered(), nullptr) << "it was to be later";
+    test::whenModal<QMessageBox>(window.get(), [](QMessageBox* box) {
+        EXPECT_TRUE(box->text().contains(u'1')) << box->text().toStdString();
+        QTest::keyClick(box, Qt::Key_Return);
+    });
+    click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
+    EXPECT_EQ(test::named<QTreeWidget>(*window, "recovered")->topLevelItemCount(), 1)
+        << "Enter is no yes";
+    press(u"Yes"_s);
     click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
     window.reset();
     start();
@@ -284,10 +292,13 @@ TEST_F(NothingIsLost, TheJobOfTheWorkshopComesBackOnce) {
     QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier);
     QTest::qWait(100);
     set(u"job/engine_number=A-77"_s);
+    set(u"job/customer=Smith"_s);
     crash();
     start();
     RecoveryDialog* dialog = offered();
     ASSERT_NE(dialog, nullptr);
+    const QString said = test::named<QTreeWidget>(*dialog, "recovered")->topLevelItem(0)->text(0);
+    EXPECT_TRUE(said.endsWith(u"A-77, Smith"_s)) << said.toStdString();
     click(*dialog, "recovery_restore");
     EXPECT_EQ(window->currentScene(), u"v8-plugs"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-77");
