@@ -11939,10 +11939,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Удаление работы</translation>
     </message>
     <message>
-        <source>Remove the job of engine %1 from the journal for good?</source>
-        <translation>Удалить работу по двигателю %1 из журнала насовсем?</translation>
-    </message>
-    <message>
         <source>Export list</source>
         <translation>Выгрузка списка</translation>
     </message>
@@ -11985,6 +11981,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>“from” is later than “to”: no day lies between them.</source>
         <translation>«С» позже, чем «по»: между ними нет ни одного дня.</translation>
+    </message>
+    <message>
+        <source>Remove job %1 of %2 from the journal for good?</source>
+        <translation>Удалить работу %1 от %2 из журнала навсегда?</translation>
     </message>
 </context>
 <context>

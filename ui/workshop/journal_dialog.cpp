@@ -19,6 +19,7 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "workshop/checked_field.h"
+#include "workshop/model/job_desk.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves {
@@ -332,11 +333,13 @@ void JournalDialog::removeSelected() {
     if (id == 0) {
         return;
     }
-    const QString number = jobs_.at(table_->currentRow()).engineNumber;
-    if (QMessageBox::question(this, tr("Remove job"),
-                              tr("Remove the job of engine %1 from the journal for good?")
-                                  .arg(number.isEmpty() ? QStringLiteral("–") : number)) ==
-        QMessageBox::Yes) {
+    const JournalJob& job = jobs_.at(table_->currentRow());
+    const QString day = Words().day(job.date.toString(Qt::ISODate));
+    if (QMessageBox::question(
+            this, tr("Remove job"),
+            tr("Remove job %1 of %2 from the journal for good?")
+                .arg(JobDesk::numbersOf(job), day.isEmpty() ? QStringLiteral("–") : day),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes) {
         journal_->remove(id);
         search();
     }

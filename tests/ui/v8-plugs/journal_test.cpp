@@ -405,9 +405,17 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
     EXPECT_TRUE(text.contains("B-2"));
     EXPECT_FALSE(text.contains("A-1"));
     EXPECT_FALSE(dialog.exportTo(QDir(folder.path()).filePath(u"no/list.csv"_s)).isEmpty());
-    // Remove asks first.
+    // Remove asks first, and Enter is no yes.
+    auto* remove = dialog.findChild<QPushButton*>(u"journal_remove"_s);
+    whenModal<QMessageBox>([](QMessageBox* box) {
+        EXPECT_TRUE(box->text().contains(u"B-2"_s)) << qPrintable(box->text());
+        EXPECT_TRUE(box->text().contains(QDate::currentDate().toString(Qt::ISODate)));
+        QTest::keyClick(box, Qt::Key_Return);
+    });
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
     answer(QMessageBox::Yes);
-    QTest::mouseClick(dialog.findChild<QPushButton*>(u"journal_remove"_s), Qt::LeftButton);
+    QTest::mouseClick(remove, Qt::LeftButton);
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     // Days.
     auto* from = dialog.findChild<CheckedField*>(u"journal_from"_s);

@@ -109,6 +109,8 @@ class JobDesk : public QObject {
     QString restoreDraft(const JournalDraft& draft, bool keepsFile = false);
     void discardDraft(const QString& session);
 
+    /// Of engine and crankshaft; a dash where it has none.
+    static QString numbersOf(const JournalJob& job);
     /// What the journal keeps of the head of a job card.
     static JournalJob entryOf(const workshop::JobHeader& head);
     /// The head of another engine's job, of today.
@@ -128,7 +130,6 @@ class JobDesk : public QObject {
     void journalTroubleChanged(const QString& text);
 
   private:
-    static QString numbersOf(const JournalJob& job);
     /// A name alone makes no other engine.
     bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
     void takeJournal(const QString& message);
