@@ -11633,6 +11633,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::JobCard</name>
+    <message>
+        <source>The shop’s logo cannot be read, and the card is without it: %1</source>
+        <translation>Логотип мастерской не читается, карта осталась без него: %1</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::JobDesk</name>
     <message>
         <source>The journal is backed up: %1</source>

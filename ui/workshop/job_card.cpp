@@ -2,12 +2,15 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QImage>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 
 #include "numerics/units.h"
@@ -20,6 +23,10 @@ namespace {
 
 const QString shopName = QStringLiteral("workshop/shop-name");
 const QString shopLogo = QStringLiteral("workshop/shop-logo");
+
+QDir shopFolder() {
+    return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)};
+}
 
 /// Above the card's title, where the margin is.
 void drawShop(CardPage& page, const Shop& shop) {
@@ -43,10 +50,40 @@ Shop Shop::kept() {
     return {settings.value(shopName).toString(), settings.value(shopLogo).toString()};
 }
 
-void Shop::keep() const {
+QString Shop::keep() const {
     QSettings settings;
     settings.setValue(shopName, name);
-    settings.setValue(shopLogo, logo);
+    const QDir folder = shopFolder();
+    const QFileInfo chosen(logo);
+    QString own = logo;
+    QString trouble;
+    if (!logo.isEmpty() && chosen.absolutePath() != folder.absolutePath()) {
+        own = folder.filePath(QStringLiteral("shop-logo.") + chosen.suffix().toLower());
+        QFile source(logo);
+        if (!source.open(QIODevice::ReadOnly)) {
+            trouble = this->trouble();
+        } else if (QDir().mkpath(folder.path())) {
+            trouble = writeFile(own, [&] { return source.readAll().toStdString(); });
+        }
+        own = trouble.isEmpty() ? own : logo;
+    }
+    settings.setValue(shopLogo, own);
+    for (const QFileInfo& each :
+         folder.entryInfoList({QStringLiteral("shop-logo.*")}, QDir::Files)) {
+        if (each.filePath() != own) {
+            QFile::remove(each.filePath());
+        }
+    }
+    return trouble;
+}
+
+QString Shop::trouble() const {
+    return logo.isEmpty() || !QImage(logo).isNull()
+               ? QString()
+               : QCoreApplication::translate("ravnoves::JobCard",
+                                             "The shop’s logo cannot be read, and the card is "
+                                             "without it: %1")
+                     .arg(QDir::toNativeSeparators(logo));
 }
 
 QString JobCard::otherRefusedText() const {

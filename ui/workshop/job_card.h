@@ -21,7 +21,11 @@ struct Shop {
     QString logo;  ///< file of a picture
 
     static Shop kept();
-    void keep() const;
+    /// With a copy of the picture, which stays where its file goes.
+    /// @return an empty string, or why it could not be copied
+    QString keep() const;
+    /// That the picture cannot be read; empty where it can, or there is none.
+    QString trouble() const;
 };
 
 /// A job card: one sheet of paper, or more where there is more to say, painted in millimetres of A4

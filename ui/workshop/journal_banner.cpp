@@ -38,7 +38,10 @@ JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), de
         }
         next();
     });
-    connect(close_, &QPushButton::clicked, this, &QWidget::hide);
+    connect(close_, &QPushButton::clicked, this, [this] {
+        said_.clear();
+        hide();
+    });
     connect(desk_, &JobDesk::journalTroubleChanged, this, &JournalBanner::showText);
 }
 
@@ -65,9 +68,16 @@ void JournalBanner::next() {
     showText();
 }
 
+void JournalBanner::say(const QString& text) {
+    if (text != said_) {
+        said_ = text;
+        showText();
+    }
+}
+
 void JournalBanner::showText() {
     const bool draft = !crashed_.isEmpty();
-    const QString trouble = desk_->journalTrouble();
+    const QString trouble = said_.isEmpty() ? desk_->journalTrouble() : said_;
     if (draft) {
         const JournalDraft& first = crashed_.constFirst();
         text_->setText(

@@ -12,8 +12,8 @@ namespace ravnoves {
 
 class JobDesk;
 
-/// Above the sheets: an unfinished job that a crash left, or what happened to the journal. Hidden
-/// where there is nothing to say.
+/// Above the sheets: an unfinished job that a crash left, or what happened to the journal or to the
+/// card. Hidden where there is nothing to say.
 class JournalBanner : public Panel {
     Q_OBJECT
 
@@ -26,6 +26,8 @@ class JournalBanner : public Panel {
     void keepOnly(const QList<JournalDraft>& crashed);
     /// To be called once a draft offered was continued: the next, or nothing.
     void next();
+    /// Something else, until it is understood, or with an empty text.
+    void say(const QString& text);
 
   Q_SIGNALS:
     /// The user wants to go on with the draft.
@@ -36,6 +38,7 @@ class JournalBanner : public Panel {
 
     JobDesk* desk_;
     QList<JournalDraft> crashed_;
+    QString said_;
     QLabel* text_;
     QPushButton* continue_;
     QPushButton* discard_;

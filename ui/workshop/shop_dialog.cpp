@@ -33,6 +33,9 @@ ShopDialog::ShopDialog(QWidget* parent) : QDialog(parent) {
     choose->setObjectName(QStringLiteral("shop_choose"));
     row->addWidget(choose);
     auto* none = new QPushButton(tr("N&one"), this);
+    for (QPushButton* button : {choose, none}) {
+        button->setAutoDefault(false);  // Enter is OK
+    }
     row->addWidget(none);
     form->addRow(tr("Logo"), row);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -67,7 +70,10 @@ void ShopDialog::showLogo() {
 }
 
 void ShopDialog::accept() {
-    Shop{name_->text().trimmed(), logo_}.keep();
+    const QString trouble = Shop{name_->text().trimmed(), logo_}.keep();
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, windowTitle(), trouble);
+    }
     QDialog::accept();
 }
 

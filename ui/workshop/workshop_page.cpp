@@ -393,7 +393,9 @@ void WorkshopPage::restore() {
 
 std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
     auto made = card();
-    made->setShop(Shop::kept());
+    const Shop shop = Shop::kept();
+    banner_->say(shop.trouble());
+    made->setShop(shop);
     made->setRefused(refusedEntries(this), refusedInputs(this));
     return made;
 }
