@@ -97,6 +97,12 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     connect(model, &SceneModel::historyChanged, sourcesLater_, [this] { sourcesLater_->start(); });
     connect(model, &SceneModel::historyChanged, this, &CaseDocument::tellNeed);
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
+    connect(model, &SceneModel::changed, this, [this] {
+        if (QString name = model_->jobName(); name != jobName_) {
+            jobName_ = std::move(name);
+            Q_EMIT nameChanged();
+        }
+    });
     connect(model, &SceneModel::begunAnew, this, [this] {
         *rest_ = {};
         setPath({}, {});
@@ -127,7 +133,11 @@ void CaseDocument::tellNeed() {
 }
 
 QString CaseDocument::name() const {
-    return path_.isEmpty() ? model_->titleShown() : QFileInfo(path_).fileName();
+    if (!path_.isEmpty()) {
+        return QFileInfo(path_).fileName();
+    }
+    const QString title = model_->titleShown();
+    return title.isEmpty() ? model_->jobName() : title;
 }
 
 OpenCase CaseDocument::asOpenCase() const {

@@ -52,7 +52,7 @@ class CaseDocument : public QObject {
     SceneModel* model() const { return model_; }
     /// Of the file, absolute; empty while there is none.
     QString path() const { return path_; }
-    /// The file's name, else the case's title, which may be empty.
+    /// The file's name, else the case's title, else that of its job; may be empty.
     QString name() const;
     /// Also a case whose file is gone, or is no case file any more: this is the last copy.
     bool needsSaving() const { return model_->hasChanges() || isLastCopy_; }
@@ -142,6 +142,7 @@ class CaseDocument : public QObject {
     SceneModel* model_;
     DocumentDialogs dialogs_;
     QString path_;
+    QString jobName_;
     std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
     FileOnDisk disk_;
     std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads

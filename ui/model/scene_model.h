@@ -113,6 +113,8 @@ class SceneModel : public QObject {
     /// A title as the user reads it.
     static QString titleText(const QString& title);
     QString titleShown() const { return titleText(title_); }
+    /// What a case without a file and a title is known by: the number of a job's engine.
+    virtual QString jobName() const { return {}; }
     void setTitle(const QString& title);
     QString notes() const { return notes_; }
     /// Title and notes as the user wants them, as one step of the history.

@@ -158,6 +158,15 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
         const OpenDocument* last = index ? lastOf(*index) : nullptr;
         return last != nullptr ? std::optional(last->document->asOpenCase()) : std::nullopt;
     });
+    page->setShowOther([this, page](const std::function<bool(ScenePage*)>& isWanted) {
+        for (const auto& each : documents_) {
+            if (each->page != page && isWanted(each->page)) {
+                bringToFront(*each);
+                return true;
+            }
+        }
+        return false;
+    });
     connect(page, &ScenePage::status, this, [this, &document](const QString& text) {
         if (&document == current_) {
             Q_EMIT status(text);

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QTabWidget>
 #include <QWidget>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,6 +47,10 @@ class ScenePage : public QWidget {
     /// How to look up what is open on the other pages. Called once, after the page was made.
     virtual void setOpenCases(const OpenCases& /*cases*/) {}
 
+    /// Brings the other open page to the front that is as wanted. @return false where none is
+    using ShowOther = std::function<bool(const std::function<bool(ScenePage*)>& isWanted)>;
+    void setShowOther(const ShowOther& show) { showOther_ = show; }
+
     /// Before the page gives way to one that is made anew over its model, in another language or
     /// with other units: lets the model go and says what else the new one shall show.
     struct Left {
@@ -72,6 +77,11 @@ class ScenePage : public QWidget {
         return static_cast<Model*>(kept);
     }
 
+    /// As ShowOther.
+    bool showOther(const std::function<bool(ScenePage*)>& isWanted) const {
+        return showOther_ && showOther_(isWanted);
+    }
+
     bool event(QEvent* event) override;
 
   private:
@@ -83,6 +93,7 @@ class ScenePage : public QWidget {
     const QList<QTabWidget*>& tabWidgets();
 
     QList<QTabWidget*> tabWidgets_;
+    ShowOther showOther_;
 };
 
 }  // namespace ravnoves

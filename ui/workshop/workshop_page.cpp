@@ -488,7 +488,18 @@ void WorkshopPage::showJournal() {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    if (dialog.exec() != QDialog::Accepted || !mayReplaceJob()) {
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    // One that is open beside this one is not opened twice: the later saving would be a copy.
+    const auto isOpenThere = [&](ScenePage* other) {
+        const auto* page = qobject_cast<WorkshopPage*>(other);
+        return page != nullptr && page->desk()->jobId() == dialog.chosenId();
+    };
+    if (dialog.choice() == JournalDialog::Choice::Open && showOther(isOpenThere)) {
+        return;
+    }
+    if (!mayReplaceJob()) {
         return;
     }
     const QString trouble = dialog.choice() == JournalDialog::Choice::Copy

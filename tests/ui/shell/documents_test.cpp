@@ -10,6 +10,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QTabBar>
@@ -26,6 +27,8 @@
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
+#include "workshop/journal_dialog.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 namespace {
@@ -351,8 +354,27 @@ TEST_F(DocumentsTest, SeveralJobsOfTheWorkshopAreOpen) {
     press(Qt::Key_N);
     set(u"job/engine_number=B-2"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "B-2");
+    EXPECT_EQ(tabs(), (QStringList{u"A-1 *"_s, u"B-2 *"_s}));
     press(Qt::Key_Tab);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-1");
+}
+
+TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
+    QFile::remove(Journal::defaultPath());
+    press(Qt::Key_3);
+    QTest::qWait(100);  // until the page is there for its keys
+    set(u"job/engine_number=A-1"_s);
+    press(Qt::Key_F2, {});
+    JobDesk* desk = window.currentPage()->findChild<JobDesk*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    press(Qt::Key_N);
+    QTest::qWait(100);
+    EXPECT_NE(window.currentPage()->findChild<JobDesk*>(), desk);
+    test::whenModal<JournalDialog>(&window, [](JournalDialog* dialog) {
+        QTest::keyClick(test::named<QLineEdit>(*dialog, "journal_search"), Qt::Key_Return);
+    });
+    press(Qt::Key_F3, {});
+    EXPECT_EQ(window.currentPage()->findChild<JobDesk*>(), desk);
 }
 
 }  // namespace

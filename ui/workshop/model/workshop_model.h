@@ -64,6 +64,10 @@ class WorkshopModel : public CaseModel<Scene> {
 
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
+    QString jobName() const override {
+        const JournalJob job = JobDesk::entryOf(this->input().job);
+        return job.engineNumber.isEmpty() ? job.customer : job.engineNumber;
+    }
 
     // In workshop_model_json.h.
     Json resultJson() const override;
