@@ -58,6 +58,15 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
                                        .narrowest = Theme::withText(narrowestSheet)},
                                       this),
                       1);
+    beginSheets();
+    connect(model(), &SceneModel::begunAnew, this, &WorkshopPage::beginSheets);
+    connect(sheets_, &QTabWidget::currentChanged, this, [this](int sheet) {
+        // Qt has given the focus to where the sheet had it last.
+        if (sheets_->currentWidget()->isAncestorOf(window()->focusWidget()) &&
+            unseen_.remove(sheet)) {
+            firstEmpty(*forms_.at(sheet))->setFocus(Qt::TabFocusReason);
+        }
+    });
     buildActions();
     constexpr int lookAgainMs = 200;
     wait_.setInterval(lookAgainMs);
@@ -226,6 +235,24 @@ QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
         first = first != nullptr ? first : each;
     }
     return first != nullptr ? first : sheet.order().constFirst();
+}
+
+QWidget* WorkshopPage::firstEmpty(const SheetForm& sheet) {
+    for (QWidget* each : sheet.order()) {
+        const auto* entry = qobject_cast<EntryField*>(each);
+        if (entry != nullptr && entry->isEnabled() && entry->isVisibleTo(&sheet) &&
+            entry->text().isEmpty()) {
+            return each;
+        }
+    }
+    return firstEntry(sheet);
+}
+
+void WorkshopPage::beginSheets() {
+    for (int sheet = 0; sheet < forms_.size(); ++sheet) {
+        unseen_ << sheet;
+    }
+    unseen_.remove(sheets_->currentIndex());
 }
 
 void WorkshopPage::goOn(QWidget* from) {
@@ -472,8 +499,8 @@ bool WorkshopPage::isJobKnown() {
 
 void WorkshopPage::newJob() {
     if (mayReplaceJob()) {
-        const QString kept = emptySheet();
         sheets_->setCurrentIndex(0);
+        const QString kept = emptySheet();
         firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
         const QString said = tr("The sheet is empty for the next job.") + QLatin1Char(' ') + kept;
         Q_EMIT status(said.trimmed());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSet>
 #include <QTimer>
 #include <memory>
 
@@ -70,6 +71,10 @@ class WorkshopPage : public ScenePage {
     void buildActions();
     void buildCardLanguages();
     static QWidget* firstEntry(const SheetForm& sheet);
+    /// Where one goes on with a sheet: its first empty field, or where it begins.
+    static QWidget* firstEmpty(const SheetForm& sheet);
+    /// Another job is on the sheets: none of them is gone on with where the last one was.
+    void beginSheets();
     void goOn(QWidget* from);
     void continueDraft(const JournalDraft& draft);
     bool hasUnsavedJob();
@@ -96,6 +101,7 @@ class WorkshopPage : public ScenePage {
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
     QList<SheetForm*> forms_;  // in the order of the tabs
+    QSet<int> unseen_;         ///< sheets that nobody has looked at since the job came
     QTimer wait_;              ///< while another program holds the journal
     bool journalTried_ = false;
     QList<QAction*> actions_;

@@ -13,6 +13,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
@@ -22,6 +23,7 @@
 #include "theme/theme.h"
 #include "v8-plugs/page_test.h"
 #include "v8-plugs/shift_plot.h"
+#include "widgets/entry_field.h"
 #include "widgets/result_table.h"
 #include "workshop/journal_dialog.h"
 
@@ -318,6 +320,31 @@ TEST_F(V8PageTest, ItsKeysWorkWhereverTheFocusIs) {
     QTest::keyClick(&other, Qt::Key_F2);
     EXPECT_TRUE(QTest::qWaitFor([this] { return model->desk()->jobId() != 0; }, 20'000));
     page.setParent(nullptr);
+}
+
+TEST_F(V8PageTest, SheetsOfTheNextJobBeginAtTheirFirstEmptyField) {
+    QTabWidget* sheets = page.sheets();
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
+        page.fieldsOf(sheet).constLast()->setFocus();
+    }
+    press(Qt::Key_F4);
+    for (int sheet = 1; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
+        const auto fields = page.fieldsOf(sheet);
+        const auto empty = std::find_if(fields.begin(), fields.end(), [](QWidget* field) {
+            const auto* entry = qobject_cast<EntryField*>(field);
+            return entry != nullptr && entry->isEnabled() && entry->isVisible() &&
+                   entry->text().isEmpty();
+        });
+        ASSERT_NE(empty, fields.end());
+        EXPECT_EQ(page.focusWidget(), *empty) << sheet;
+    }
+    // Where one was in this job, one goes on.
+    page.fieldsOf(1).constLast()->setFocus();
+    sheets->setCurrentIndex(2);
+    sheets->setCurrentIndex(1);
+    EXPECT_EQ(page.focusWidget(), page.fieldsOf(1).constLast());
 }
 
 TEST_F(V8PageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
