@@ -28,10 +28,16 @@ class Scrolled final : public QScrollArea {
         setFocusPolicy(Qt::NoFocus);
         setViewportMargins(1, 1, 1, 1);
         // Qt does this only for what has the focus from inside.
-        connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-            if (now != nullptr && QApplication::mouseButtons() == Qt::NoButton &&
+        connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* now) {
+            const bool isHere = now != nullptr && now->window() == window();
+            if (isHere && now != left_ && QApplication::mouseButtons() == Qt::NoButton &&
                 widget()->isAncestorOf(now)) {
                 ensureWidgetVisible(now, 0, Theme::gap);
+            }
+            if (isHere) {
+                left_ = nullptr;
+            } else if (old != nullptr && widget()->isAncestorOf(old)) {
+                left_ = old;
             }
         });
     }
@@ -173,6 +179,8 @@ class Scrolled final : public QScrollArea {
         }
     }
 
+    /// That had the focus when another window got it: it gets it back where the user left it.
+    QPointer<QWidget> left_;
     QPointer<QScrollArea> around_;  ///< that the column of the text scrolls in
     int asked_ = 0;                 ///< height
 

@@ -208,7 +208,8 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
         }
     } else if (event->type() == QEvent::FocusOut) {
         desk()->keepDraft();  // what was typed is in the draft when the next field is entered
-    } else if (event->type() == QEvent::FocusIn) {
+    } else if (event->type() == QEvent::FocusIn &&
+               static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
         auto* field = static_cast<QWidget*>(watched);
         for (QWidget* parent = field->parentWidget(); parent != nullptr;
              parent = parent->parentWidget()) {

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -368,6 +369,26 @@ TEST_F(V8PageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
     process->setFocus(Qt::OtherFocusReason);
     QApplication::processEvents();
     EXPECT_NE(process->grab().toImage(), without);
+}
+
+TEST_F(V8PageTest, ASheetStaysWhereItIsWhileAnotherWindowIsUsed) {
+    page.resize(900, 500);
+    page.sheets()->setCurrentIndex(2);
+    auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->currentWidget());
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    page.fieldsOf(2).constFirst()->setFocus();
+    QScrollBar* bar = sheet->verticalScrollBar();
+    ASSERT_GT(bar->maximum(), 0);
+    bar->setValue(bar->maximum());
+    QWidget other;
+    test::showAt(other, {200, 100});
+    other.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    ASSERT_TRUE(page.fieldsOf(2).constFirst()->hasFocus());
+    EXPECT_EQ(bar->value(), bar->maximum());
 }
 
 }  // namespace
