@@ -5,6 +5,7 @@
 #include "bob-weights/bob_answer.h"
 #include "bob-weights/bob_card.h"
 #include "bob-weights/bob_sheets.h"
+#include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "workshop/journal_dialog.h"
 
@@ -44,10 +45,10 @@ QString BobWeightsPage::emptySheet() {
 }
 
 ListedJob BobWeightsPage::listed(const Words& words, const JournalJob& job) const {
-    return {job.engine, job.bobWeight
-                            ? words.translate("BobWeights", "Bob weight %1")
-                                  .arg(words.number(*job.bobWeight * units::gram, units::gram, 1))
-                            : QStringLiteral("–")};
+    return {bob_text::engineName(words, job.engine),
+            job.bobWeight ? words.translate("BobWeights", "Bob weight %1")
+                                .arg(words.number(*job.bobWeight * units::gram, units::gram, 1))
+                          : QStringLiteral("–")};
 }
 
 void BobWeightsPage::showRefused(const QStringList& refused) {

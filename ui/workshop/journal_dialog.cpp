@@ -1,8 +1,10 @@
 #include "workshop/journal_dialog.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -10,6 +12,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <numeric>
 
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -180,14 +183,8 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     for (CheckedField* day : {from_, to_}) {
         connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
     }
-    // Enter in the search opens the one job that is found, or goes to the list, where it opens.
-    connect(text_, &QLineEdit::returnPressed, this, [this] {
-        if (table_->rowCount() == 1) {
-            choose(Choice::Open);
-        } else if (table_->rowCount() > 0) {
-            table_->setFocus();
-        }
-    });
+    connect(text_, &QLineEdit::returnPressed, this, [this] { choose(Choice::Open); });
+    text_->installEventFilter(this);
     connect(table_, &QTableWidget::activated, this, [this] { choose(Choice::Open); });
     connect(open_, &QPushButton::clicked, this, [this] { choose(Choice::Open); });
     connect(copy_, &QPushButton::clicked, this, [this] { choose(Choice::Copy); });
@@ -196,6 +193,12 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     search();
     text_->setFocus();
+    // As wide as its words, within the window.
+    const QList<int> needed = neededWidths();
+    const int wanted = std::accumulate(needed.begin(), needed.end(), Theme::withText(60));
+    if (parent != nullptr && wanted > width()) {
+        resize(std::max(width(), std::min(wanted, parent->window()->width())), height());
+    }
 }
 
 JournalQuery JournalDialog::query() const {
@@ -285,32 +288,63 @@ void JournalDialog::search() {
             : tr("Jobs found: %1").arg(jobs_.size()));
 }
 
-void JournalDialog::giveRoom() {
-    const auto needed = [this](int column) {
+QList<int> JournalDialog::neededWidths() const {
+    QList<int> needed;
+    for (int column = 0; column < table_->columnCount(); ++column) {
         constexpr int seen = 100;  // rows; those further down are not read at once
-        int width = 0;
+        needed << table_->horizontalHeader()->sectionSizeHint(column);
         for (int row = 0; row < std::min(table_->rowCount(), seen); ++row) {
             const QModelIndex cell = table_->model()->index(row, column);
-            width = std::max(width, table_->sizeHintForIndex(cell).width());
+            needed.last() = std::max(needed.last(), table_->sizeHintForIndex(cell).width());
         }
-        return width;
-    };
-    // The last column has what the others leave: what it does not need is the result's, whose words
-    // are the longest.
-    const int last = table_->columnCount() - 1;
-    int left = table_->viewport()->width() - std::max(needed(last), Theme::withText(lastWidth));
-    for (int column = 0; column < last; ++column) {
-        left -= column == resultColumn ? 0 : table_->columnWidth(column);
     }
-    const int wanted = std::min(needed(resultColumn), left);
-    if (wanted > table_->columnWidth(resultColumn)) {
-        table_->setColumnWidth(resultColumn, wanted);
+    return needed;
+}
+
+void JournalDialog::giveRoom() {
+    if (!table_->isVisible()) {
+        return;  // its width is not known yet
+    }
+    const int last = table_->columnCount() - 1;
+    const QList<int> needed = neededWidths();
+    QList<int> widths;
+    int left = table_->viewport()->width();
+    for (int column = 0; column < last; ++column) {
+        widths << table_->columnWidth(column);
+        left -= widths.last();
+    }
+    widths << left;
+    // Result and machine have the longest words, and are what one looks for.
+    QList<int> order{resultColumn, last};
+    for (int column = 0; column < last; ++column) {
+        order << column;
+    }
+    for (const int column : order) {
+        for (int from = last; from >= 0; --from) {
+            const int spare = widths[from] - needed[from];
+            const int lack = needed[column] - widths[column];
+            if (spare > 0 && lack > 0) {
+                widths[from] -= std::min(spare, lack);
+                widths[column] += std::min(spare, lack);
+            }
+        }
+    }
+    for (int column = 0; column < last; ++column) {
+        if (widths[column] != table_->columnWidth(column)) {
+            table_->setColumnWidth(column, widths[column]);
+        }
     }
 }
 
 bool JournalDialog::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) {  // of the list
+    if (event->type() == QEvent::Resize && watched == table_->viewport()) {
         giveRoom();
+    } else if (event->type() == QEvent::KeyPress && watched == text_) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Up) {  // through the list, while one searches
+            QApplication::sendEvent(table_, event);
+            return true;
+        }
     }
     return QDialog::eventFilter(watched, event);
 }

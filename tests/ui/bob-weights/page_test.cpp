@@ -135,6 +135,24 @@ class BobPageTest : public test::WorkshopPageTest<BobWeightsPage> {
     test::Painted onCard;  ///< by card()
 };
 
+TEST_F(BobPageTest, TheJournalSaysTheEngineInTheLanguageOfItsReader) {
+    const Words russian(u"ru"_s);
+    const Words english(u"en"_s);
+    Engine wide;
+    wide.bank_angle = 62.5 * degree;
+    Engine row;
+    row.type = EngineType::in_line;
+    row.cylinders = 4;
+    Engine boxer;
+    boxer.type = EngineType::boxer;
+    for (const Engine& engine : {Engine{}, wide, row, boxer}) {
+        const QString kept = bob_text::engineName(english, engine);
+        EXPECT_EQ(bob_text::engineName(russian, kept), bob_text::engineName(russian, engine))
+            << qPrintable(kept);
+    }
+    EXPECT_EQ(bob_text::engineName(russian, u"another"_s), u"another"_s);
+}
+
 TEST_F(BobPageTest, ShopCardByKeys) {
     EXPECT_EQ(label("headline"), u"The bob weight still needs: piston, big end"_s);
     EXPECT_EQ(rowsOf("Bob weight, line by line"), 0);

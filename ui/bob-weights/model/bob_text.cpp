@@ -1,5 +1,6 @@
 #include "bob-weights/model/bob_text.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -75,6 +76,24 @@ QString engineName(const Words& words, const Engine& engine) {
             return words.translate("BobWeights", "Boxer, %1").arg(engine.cylinders);
     }
     return {};
+}
+
+QString engineName(const Words& words, const QString& english) {
+    static const QRegularExpression form(
+        QStringLiteral("^(?:V-(\\d+)(?:, ([\\d.]+)°)?|(\\d+) in line|Boxer, (\\d+))$"));
+    const QRegularExpressionMatch match = form.match(english);
+    if (!match.hasMatch()) {
+        return english;
+    }
+    Engine engine;
+    engine.type = match.hasCaptured(1)   ? EngineType::v
+                  : match.hasCaptured(3) ? EngineType::in_line
+                                         : EngineType::boxer;
+    engine.cylinders = (match.captured(1) + match.captured(3) + match.captured(4)).toInt();
+    if (match.hasCaptured(2)) {
+        engine.bank_angle = match.captured(2).toDouble() * degree;
+    }
+    return engineName(words, engine);
 }
 
 QString contradiction(const Words& words, const Input& input) {

@@ -12,6 +12,8 @@ namespace ravnoves::bob_text {
 
 /// "V-8, 90°", "4 in line", "Boxer, 6".
 QString engineName(const Words& words, const bob_weights::Engine& engine);
+/// The same of the English name by which the journal knows it.
+QString engineName(const Words& words, const QString& english);
 /// Why engine and factor give no answer; empty where they do, or where something is missing.
 QString contradiction(const Words& words, const bob_weights::Input& input);
 /// "Bob weight 1505.2 g", or what contradicts itself, or what is missing.
