@@ -12264,8 +12264,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Отмена</translation>
     </message>
     <message>
-        <source>The report was not written.</source>
-        <translation>Отчёт не записан.</translation>
+        <source>Cancelled: the report was not written.</source>
+        <translation>Отменено: отчёт не записан.</translation>
     </message>
 </context>
 <context>

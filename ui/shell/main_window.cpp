@@ -12,6 +12,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -493,6 +494,8 @@ void MainWindow::exportReport() {
     QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 0, this);
     progress.setWindowTitle(tr("Report"));
     progress.setWindowModality(Qt::ApplicationModal);
+    // The Return that ended the dialog before, or one more, cancels nothing: Space and Escape do.
+    progress.findChild<QPushButton*>()->setAutoDefault(false);
     progress.show();
     // That, and what the file dialog lay over: nothing of this window is painted while its tabs are
     // gone through.
@@ -502,7 +505,7 @@ void MainWindow::exportReport() {
     const bool isCancelled = progress.wasCanceled();
     progress.reset();
     if (isCancelled) {
-        statusBar()->showMessage(tr("The report was not written."), 5000);
+        statusBar()->showMessage(tr("Cancelled: the report was not written."), 10'000);
     } else if (trouble.isEmpty()) {
         statusBar()->showMessage(tr("Report written: %1").arg(path), 5000);
     } else {

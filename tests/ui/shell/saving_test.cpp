@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -302,6 +303,23 @@ TEST_F(SavingTest, ADamagedCopyOfWhatWasRefusedChangesNothing) {
     typeAgain(page, parse_json(R"([{"field": "crank_radius_mm", "place": 0, "text": "50"}])"));
     EXPECT_EQ(model().inputJson(), before);
     EXPECT_EQ(test::named<NumberField>(page, "crank_radius_mm")->text(), QStringLiteral("46"));
+}
+
+TEST_F(SavingTest, ReturnDoesNotCancelAReport) {
+    const auto before = fileChoosers();
+    const QString path = folder.filePath(u"report.html"_s);
+    fileChoosers().save = [&](auto...) { return path; };
+    bool isCancelled = true;
+    test::whenModal<QProgressDialog>(&window, [&](QProgressDialog* dialog) {
+        QTest::keyClick(dialog->findChild<QPushButton*>(), Qt::Key_Return);
+        isCancelled = dialog->wasCanceled();
+        dialog->cancel();
+    });
+    press(Qt::Key_R);
+    EXPECT_FALSE(isCancelled);
+    EXPECT_FALSE(QFile::exists(path));
+    EXPECT_TRUE(window.statusBar()->currentMessage().contains(u"not written"_s));
+    fileChoosers() = before;
 }
 
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
