@@ -16,6 +16,12 @@ QString& installed() {
     return code;
 }
 
+/// Whether it was asked for by its code, whatever the settings say.
+bool& isForced() {
+    static bool forced = false;
+    return forced;
+}
+
 /// Loads a translation; the application owns it.
 void install(const QString& file, const QString& folder) {
     auto* translator = new QTranslator(QCoreApplication::instance());
@@ -55,6 +61,7 @@ std::vector<Language> availableLanguages() {
 
 void installLanguage(const QString& code) {
     removeAll();
+    isForced() = !code.isEmpty();
     QString wanted = code;
     if (wanted.isEmpty()) {
         wanted = chosenLanguage();
@@ -87,6 +94,10 @@ void installLanguage(const QString& code) {
 
 QString currentLanguage() {
     return installed();
+}
+
+QString wantedLanguage() {
+    return isForced() ? installed() : chosenLanguage();
 }
 
 QString chosenLanguage() {

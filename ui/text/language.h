@@ -20,6 +20,8 @@ std::vector<Language> availableLanguages();
 void installLanguage(const QString& code = {});
 /// The code that installLanguage() settled on.
 QString currentLanguage();
+/// The code that it was asked for, else the user's choice; empty: the desktop's.
+QString wantedLanguage();
 /// The user's choice, remembered for the next start; empty: the desktop's.
 QString chosenLanguage();
 void setChosenLanguage(const QString& code);

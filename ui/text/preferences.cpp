@@ -46,7 +46,7 @@ void Preferences::setDigits(int digits) {
 }
 
 QString Preferences::language() const {
-    return chosenLanguage();
+    return wantedLanguage();
 }
 
 void Preferences::setLanguage(const QString& code) {

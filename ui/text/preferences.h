@@ -41,7 +41,7 @@ class Preferences : public QObject {
     Units units(Quantity quantity) const { return units_[static_cast<std::size_t>(quantity)]; }
     void setUnits(Quantity quantity, Units units);
 
-    /// The language's code; empty: the desktop's.
+    /// The code of the language in use; empty: the desktop's.
     QString language() const;
     void setLanguage(const QString& code);
     /// Something else has changed that shows only in what is made anew, for example the size of the

@@ -165,6 +165,11 @@ TEST_F(Settings, TabsAreKeptAlsoAfterTheWindowWasNarrow) {
     dialog->close();
 }
 
+TEST_F(Settings, TheLanguageInUseIsShown) {
+    installLanguage(u"ru"_s);  // as by --language
+    EXPECT_EQ(test::named<QComboBox>(*open(), "language")->currentData(), u"ru"_s);
+}
+
 TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
     for (const SceneInfo& info : sceneList()) {
         window.showScene(info.name);
