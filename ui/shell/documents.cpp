@@ -475,8 +475,17 @@ bool Documents::close(OpenDocument& document) {
 }
 
 bool Documents::mayGo() {
-    return std::all_of(documents_.begin(), documents_.end(),
-                       [](const auto& each) { return each->document->mayGo(); });
+    OpenDocument* const front = current_;
+    for (const auto& each : documents_) {
+        if (!each->document->mayGo()) {
+            // Where entries were refused, one stays at them.
+            if (front != nullptr && each->document->needsSaving()) {
+                bringToFront(*front);
+            }
+            return false;
+        }
+    }
+    return true;
 }
 
 // ------------------------------------------------------------------------------------- tabs

@@ -537,7 +537,11 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    const bool wasAtStart = isAtStart();
     if (!documents_->mayGo()) {
+        if (wasAtStart) {
+            showStart();
+        }
         event->ignore();
         return;
     }
