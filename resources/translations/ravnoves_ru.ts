@@ -9000,16 +9000,16 @@ but nothing can be built</source>
         <translation>Один груз — на два шатуна, а %1 — нечётное число: сначала выберите один шатун на грузе.</translation>
     </message>
     <message>
-        <source>From the job before: engine, factor, planes, drills and limits.</source>
-        <translation>Из предыдущей работы: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
-    </message>
-    <message>
         <source>Counts once every cylinder is weighed.</source>
         <translation>Считается, когда взвешены все цилиндры.</translation>
     </message>
     <message>
         <source>Mass, the cone of the point included; negative: a slug adds its own weight, which stands beside its diameter, less what its hole took off</source>
         <translation>Масса вместе с конусом; отрицательна: вставка прибавляет собственную массу, которая стоит рядом с диаметром, за вычетом того, что сняло её отверстие</translation>
+    </message>
+    <message>
+        <source>Kept: engine, factor, planes, drills and limits.</source>
+        <translation>Оставлено: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
     </message>
 </context>
 <context>
@@ -17147,10 +17147,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа %1 в журнале закончена, её заключение: %2. На листе показания не с тем грузом или не с того вала, которые указаны; если сохранить так, заключение будет: %3.</translation>
     </message>
     <message>
-        <source>The sheet is empty for the next job.</source>
-        <translation>Лист пуст для следующей работы.</translation>
-    </message>
-    <message>
         <source>The journal has a job of %1 and this day already, saved on %2.</source>
         <translation>В журнале уже есть работа %1 за этот день, записанная %2.</translation>
     </message>
@@ -17161,6 +17157,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Save as &amp;another</source>
         <translation>Записать как &amp;другую</translation>
+    </message>
+    <message>
+        <source>The sheet is empty.</source>
+        <translation>Лист пуст.</translation>
     </message>
 </context>
 <context>

@@ -82,12 +82,12 @@ MainWindow::MainWindow(First first) {
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
-            hint_->setText(documents_->currentScene().summary);  // what was said is of before
+            showHint(documents_->currentScene().summary);  // what was said is of before
         }
     });
     connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
     connect(documents_, &Documents::status, this, [this](const QString& text) {
-        hint_->setText(text.isEmpty() ? documents_->currentScene().summary : text);
+        showHint(text.isEmpty() ? documents_->currentScene().summary : text);
     });
     connect(documents_, &Documents::saved, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
@@ -332,7 +332,7 @@ void MainWindow::offerRecovered() {
 void MainWindow::showCurrent() {
     const bool atStart = isAtStart();
     (atStart ? startAction_ : scenes_[documents_->current().scene])->setChecked(true);
-    hint_->setText(atStart ? QString() : documents_->currentScene().summary);
+    showHint(atStart ? QString() : documents_->currentScene().summary);
     statusBar()->findChild<BandProgress*>()->follow(atStart ? nullptr : currentPage());
     for (QAction* action : pageActions_) {
         action->setEnabled(!atStart);
@@ -341,6 +341,11 @@ void MainWindow::showCurrent() {
     updateHistoryActions();
     updateSceneActions();
     updateTitle();
+}
+
+void MainWindow::showHint(const QString& text) {
+    hint_->setText(text);
+    hint_->setToolTip(text);  // a narrow window cuts it
 }
 
 void MainWindow::updateCaseActions() {

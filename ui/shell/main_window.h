@@ -98,6 +98,8 @@ class MainWindow : public QMainWindow {
     void updateSceneActions();
     /// Brings a toolbar that shows all its rows back to one.
     void foldToolBar();
+    /// In the status bar, while nothing else is said there.
+    void showHint(const QString& text);
     void updateCaseActions();
     void updateHistoryActions();
     void showHelp(const QString& topic);

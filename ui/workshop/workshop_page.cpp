@@ -503,7 +503,7 @@ void WorkshopPage::newJob() {
         sheets_->setCurrentIndex(0);
         const QString kept = emptySheet();
         firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
-        const QString said = tr("The sheet is empty for the next job.") + QLatin1Char(' ') + kept;
+        const QString said = tr("The sheet is empty.") + QLatin1Char(' ') + kept;
         Q_EMIT status(said.trimmed());
     }
 }

@@ -119,9 +119,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
     void newJob();
     /// What newJob() keeps.
-    static QString carriedOver() {
-        return tr("From the job before: engine, factor, planes, drills and limits.");
-    }
+    static QString carriedOver() { return tr("Kept: engine, factor, planes, drills and limits."); }
 
   Q_SIGNALS:
     /// Which sheet of the form to show: job, parts, weigh-in, machine, drills.
