@@ -25,6 +25,7 @@
 #include "methods_support.h"
 #include "plot/picture_file.h"
 #include "shell/main_window.h"
+#include "text/csv_format.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
@@ -121,7 +122,7 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
             EXPECT_GT(point.result.error, low);
             EXPECT_LT(point.result.error, high);
         }
-        drawn += csv.contains(QString::number(point.timing.median, 'g', 17)) ? 1 : 0;
+        drawn += csv.contains(CsvFormat().number(point.timing.median)) ? 1 : 0;
     }
     EXPECT_EQ(drawn, shown.work.points.size());
 }
@@ -159,7 +160,7 @@ TEST_F(MethodsPageTest, ZeroAndRefusalHaveRowsOfTheirOwn) {
     ASSERT_TRUE(refused);
     const QString csv = page.plots()->workPlot()->dataAsCsv();
     for (const auto& point : shown.work.points) {
-        EXPECT_TRUE(csv.contains(QString::number(point.timing.median, 'g', 17)));
+        EXPECT_TRUE(csv.contains(CsvFormat().number(point.timing.median)));
     }
     bool said = false;
     for (int row = 0; row < page.table()->rowCount(); ++row) {

@@ -480,7 +480,7 @@ TEST_P(EveryPage, ResetsTheZoomOfEveryPlot) {
     EXPECT_FALSE(plots.isEmpty());
     bool zoomed = false;
     for (PlotView* plot : plots) {
-        test::turnWheel(plot, plot->plotArea().center().toPoint(), 2);
+        test::turnWheel(plot, plot->plotArea().center().toPoint(), 2, Qt::ControlModifier);
         zoomed = zoomed || plot->isZoomed();
     }
     EXPECT_TRUE(zoomed);
