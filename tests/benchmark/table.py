@@ -4,7 +4,7 @@
     tests/benchmark/table.py [BUILD] [--quick | --long]     BUILD: build/benchmark, of the preset
                                                             `benchmark`
 --long: batches of a million cases and studies of a hundred million samples, some ten minutes more.
-Frames are timed five times; the run of the middle share counts.
+Frames are timed three times; the run of the middle share counts.
 
 Absolute times move by a factor of two on a shared machine; the shares, each of two times of one
 run, do not. Every program of PROGRAMS prints lines `name | value | rival | share`; PAIRS are two
@@ -26,7 +26,7 @@ BUILD = next((word for word in sys.argv[1:] if not word.startswith("-")), "build
 LONG = "--long" in sys.argv
 STEPS = "60" if QUICK else "300"
 RUNS = 5 if QUICK else 21
-FRAME_TURNS = 1 if QUICK else 5
+FRAME_TURNS = 1 if QUICK else 3
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 # Two benchmarks of one program, by what they took: what it is, the program, here, the rival.
