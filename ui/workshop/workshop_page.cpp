@@ -61,9 +61,13 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
     beginSheets();
     connect(model(), &SceneModel::begunAnew, this, &WorkshopPage::beginSheets);
     connect(sheets_, &QTabWidget::currentChanged, this, [this](int sheet) {
-        // Qt has given the focus to where the sheet had it last.
-        if (sheets_->currentWidget()->isAncestorOf(window()->focusWidget()) &&
-            unseen_.remove(sheet)) {
+        // Qt has given the focus to where the sheet had it last; where that is gone, elsewhere.
+        const QWidget* at = window()->focusWidget();
+        if (!isVisible() || at == sheets_->tabBar()) {
+            return;
+        }
+        const bool isThere = sheets_->currentWidget()->isAncestorOf(at) && at->isVisible();
+        if (unseen_.remove(sheet) || !isThere) {
             firstEmpty(*forms_.at(sheet))->setFocus(Qt::TabFocusReason);
         }
     });
@@ -516,7 +520,14 @@ void WorkshopPage::showJournal() {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    if (dialog.exec() != QDialog::Accepted) {
+    const bool isChosen = dialog.exec() == QDialog::Accepted;
+    if (const qint64 before = desk()->jobId(); before != 0) {
+        desk()->missJob();
+        if (desk()->jobId() == 0) {
+            Q_EMIT status({});  // it is not saved in the journal any more
+        }
+    }
+    if (!isChosen) {
         return;
     }
     // One that is open beside this one is not opened twice: the later saving would be a copy.

@@ -67,6 +67,24 @@ TEST_F(MainWindowTest, EverySceneOpensByKeyAndByName) {
     EXPECT_FALSE(window.showScene(QStringLiteral("balance-shift")));
 }
 
+TEST_F(MainWindowTest, TypingGoesToThePageThatIsSeen) {
+    window.show();
+    window.activateWindow();
+    window.showScene(QStringLiteral("balance-shaft"));
+    window.showScene(QStringLiteral("bob-weights"));
+    QApplication::processEvents();
+    auto* field = window.currentPage()->findChild<QLineEdit*>(QStringLiteral("engine_number"));
+    ASSERT_NE(field, nullptr);
+    field->setFocus();
+    window.showStart();
+    QApplication::processEvents();
+    window.showScene(QStringLiteral("balance-shaft"));
+    QApplication::processEvents();
+    const QWidget* focus = QApplication::focusWidget();
+    EXPECT_TRUE(focus == nullptr || focus->isVisible());
+    EXPECT_FALSE(field->hasFocus());
+}
+
 TEST_F(MainWindowTest, OpensSavesAndOpensAgain) {
     EXPECT_EQ(window.openCase(example()), QString());
     EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("tmz-650d.case.json")));

@@ -120,6 +120,18 @@ TEST_F(V8PageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
     EXPECT_EQ(model->desk()->otherEngine(), u"53-11"_s);
 }
 
+TEST_F(V8PageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
+    type("engine_number", u"53-11"_s);
+    press(Qt::Key_F2);
+    ASSERT_FALSE(model->hasChanges());
+    model->desk()->missJob();  // it is there
+    EXPECT_FALSE(model->hasChanges());
+    ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
+    model->desk()->missJob();
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_TRUE(model->hasChanges()) << "asked about before the sheet is emptied";
+}
+
 TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     type("engine_number", u"53-11"_s);
     type("technician", u"O. Bauer"_s);

@@ -162,6 +162,13 @@ void JobDesk::forgetJob() {
     putJobId(0, 0);
 }
 
+void JobDesk::missJob() {
+    if (jobId_ != 0 && isOpen() && !journal_->job(jobId_)) {
+        putJobId(0, 0);
+        model_->history()->resetClean();
+    }
+}
+
 void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {
     const auto before = std::pair(jobId_, jobRevision_);
     putJobId(id, revision);
