@@ -210,7 +210,8 @@ std::string watch_place(const std::string& pointer) {
 
 std::optional<double> upper_across_zero(const Watched& watched) {
     if (!watched.min || !watched.max || *watched.max >= *watched.min ||
-        unit_at(watched.pointer) != units::degree) {
+        unit_at(watched.pointer) != units::degree ||
+        watched.pointer.find("crank_angle") != std::string::npos) {  // of one turn or two
         return std::nullopt;
     }
     constexpr double turn = 360.0;

@@ -41,7 +41,8 @@ struct Watched {
 };
 
 /// The upper limit of an angle that is meant across 0°, from 355 to 3: so many turns on that it
-/// lies above the lower one, 363; nothing where it does so already, or of what is no angle.
+/// lies above the lower one, 363; nothing where it does so already, of what is no angle, and of
+/// crank angles, whose cycle may have two turns.
 std::optional<double> upper_across_zero(const Watched& watched);
 
 enum class Method {

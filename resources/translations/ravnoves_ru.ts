@@ -13727,8 +13727,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Не учитывается: вместо этого — массы деталей</translation>
     </message>
     <message>
-        <source>Not in the case, and taken as: %1.</source>
-        <translation>Не задано и принято: %1.</translation>
+        <source>Not in the case</source>
+        <translation>Не задано</translation>
+    </message>
+    <message>
+        <source>Taken as</source>
+        <translation>Принято</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 #include <QLabel>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "elastic-hinge/hinge_plots.h"
 #include "elastic-hinge/model/guide_picture.h"
@@ -182,22 +184,27 @@ void GuideTab::nameGuidePoints() {
     const std::vector<double>& phi = model_->result().crank_angle_deg;
     const QLocale locale;
     for (const Branch branch : branches) {
+        const int number = firstGuide + static_cast<int>(branch);
         QStringList texts;
-        const bool isCompressed = branch == Branch::compressed;
-        const std::vector<double>& radius =
-            isCompressed ? guide.radius_compressed : guide.radius_stretched;
-        // While something moves nobody reads.
-        for (std::size_t i = 0; i < radius.size() && !model_->isMoved(); ++i) {
-            if (std::isfinite(radius[i])) {
-                const PlotCurve& curve =
-                    guide_->data().curve(firstGuide + static_cast<int>(branch));
+        if (!model_->isMoved()) {  // while something moves nobody reads
+            // The curve leaves out what does not exist and may begin after it.
+            const GuidePicture::Path path = shown().path(branch);
+            std::map<std::pair<double, double>, std::size_t> places;
+            for (std::size_t i = 0; i < path.x.size(); ++i) {
+                places.try_emplace({path.x[i], path.y[i]}, i);
+            }
+            const PlotCurve& curve = guide_->data().curve(number);
+            const std::vector<double>& radius =
+                branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+            for (std::size_t k = 0; k < curve.x.size(); ++k) {
+                const std::size_t i = places.at({curve.x[k], curve.y[k]});
                 texts << QStringList{curve.style.name,
                                      QStringLiteral("φ = %1°").arg(fixedNumber(phi[i], 1, locale)),
                                      QStringLiteral("ρ = ") + shownNumber(radius[i], units::mm, 4)}
                              .join(QLatin1Char('\n'));
             }
         }
-        guide_->setPointTexts(firstGuide + static_cast<int>(branch), texts);
+        guide_->setPointTexts(number, texts);
     }
 }
 

@@ -330,11 +330,8 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
     for (Table& table : inputTables(model)) {
         report.items.push_back(std::move(table));
     }
-    if (const QStringList missing = leftOut(model); !missing.isEmpty()) {
-        report.items.push_back(Paragraph{ReportWords::tr("Not in the case, and taken as: %1.")
-                                             .arg(missing.join(QStringLiteral("; ")))
-                                             .toHtmlEscaped(),
-                                         Paragraph::Kind::Muted});
+    if (std::optional<Table> missing = leftOut(model)) {
+        report.items.push_back(std::move(*missing));
     }
     addVariants(report, model);
     addTolerances(report, model, patience);

@@ -371,11 +371,13 @@ std::vector<Table> inputTables(const SceneModel& model) {
     return Inputs(model).take();
 }
 
-QStringList leftOut(const SceneModel& model) {
+std::optional<Table> leftOut(const SceneModel& model) {
     const Json input = model.inputJson();
     const std::vector<std::string> replaced = model.replacedInputs();
     const std::vector<std::string> usual = model.usualObjects();
-    QStringList texts;
+    Table table;
+    table.headings = {ReportWords::tr("Not in the case"), ReportWords::tr("Taken as")};
+    table.numbers = {false, false};
     for (const FieldEntry& entry : model.fields()) {
         const Json::json_pointer object = Json::json_pointer(entry.pointer).parent_pointer();
         if (!input.contains(object) &&
@@ -392,13 +394,14 @@ QStringList leftOut(const SceneModel& model) {
         const QString name = capitalised(fieldName(entry.field));
         if (number != nullptr) {
             const ShownUnit unit = shownUnit(entry.field);
-            texts << QStringLiteral("%1: %2").arg(name,
-                                                  withUnit(numberText(*number, unit), unit.name));
+            table.rows << QStringList{name.toHtmlEscaped(),
+                                      withUnit(numberText(*number, unit), unit.name)};
         } else if (isEmpty && !entry.field.if_empty.empty()) {
-            texts << QStringLiteral("%1: %2").arg(name, shownText(entry.field.if_empty));
+            table.rows << QStringList{name.toHtmlEscaped(),
+                                      shownText(entry.field.if_empty).toHtmlEscaped()};
         }
     }
-    return texts;
+    return table.rows.isEmpty() ? std::nullopt : std::optional(std::move(table));
 }
 
 QString shownEquation(std::string_view equation) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QStringList>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +15,7 @@ class SceneModel;
 std::vector<report::Table> inputTables(const SceneModel& model);
 
 /// What the case leaves out and what stands for it, each with the name that the form has for it.
-QStringList leftOut(const SceneModel& model);
+std::optional<report::Table> leftOut(const SceneModel& model);
 
 /// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
 QString shownEquation(std::string_view equation);

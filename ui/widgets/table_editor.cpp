@@ -91,11 +91,14 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);
-    // A table that is shown anew keeps its current cell.
+    // A table that is shown anew keeps its current cell, unless another was chosen meanwhile.
     connect(table_, &EditableTable::modelAboutToBeReset, this, [this] {
         const QModelIndex at = view_->currentIndex();
         const auto restore = [this, row = at.row(), column = at.column()] {
-            view_->setCurrentIndex(table_->index(std::min(row, table_->rowCount() - 1), column));
+            if (!view_->currentIndex().isValid()) {
+                view_->setCurrentIndex(
+                    table_->index(std::min(row, table_->rowCount() - 1), column));
+            }
         };
         if (at.isValid()) {
             connect(table_, &EditableTable::modelReset, this, restore,

@@ -300,7 +300,8 @@ void ValueSlider::setValue(double value) {
 
 int ValueSlider::decimalsOf(double shown) const {
     constexpr int more = 5;
-    const double rounding = 1e-12 * std::max(std::abs(shown), 1e-3);
+    // Values have 12 digits.
+    const double rounding = 6e-12 * std::max(std::abs(shown), 1e-3);
     double parts = std::pow(10.0, decimals_);
     for (int decimals = decimals_; decimals <= decimals_ + more; ++decimals, parts *= 10.0) {
         if (std::abs(std::round(shown * parts) / parts - shown) <= rounding) {

@@ -449,7 +449,13 @@ TEST_F(Tolerances, NothingIsWatchedByTheWay) {
     QTest::keyClick(box, Qt::Key_Down);
     QTest::keyClick(box->view(), Qt::Key_Down);
     QTest::keyClick(box->view(), Qt::Key_Return);
-    EXPECT_EQ(study().watch.size(), 2U);
+    ASSERT_EQ(study().watch.size(), 2U);
+    // What is typed next is a limit of that one.
+    QApplication::processEvents();
+    const QModelIndex at = tolerances->watched()->view()->currentIndex();
+    ASSERT_TRUE(at.isValid());
+    EXPECT_EQ(at.column(), WatchTable::Least);
+    EXPECT_NE(study().watch[static_cast<std::size_t>(at.row())].pointer, "/metrics/M_ups/range_Nm");
 }
 
 TEST_F(Tolerances, WhatMayBeThousandsIsAskedFor) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "events.h"
 #include "text/number_text.h"
@@ -330,6 +331,9 @@ TEST_F(ValueSliderTest, WhatIsTypedKeepsItsDecimals) {
     QTest::keyClick(slider.slider(), Qt::Key_Right);
     EXPECT_EQ(slider.value(), 10.7);
     EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("10.7"));
+    slider.setValue(rounded_to_digits(43.25 * std::numbers::pi / 30.0, 12) * 30.0 /
+                    std::numbers::pi);
+    EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("43.25"));
     slider.setValue(100.0 / 3.0);  // computed
     EXPECT_EQ(slider.box()->cleanText(), QStringLiteral("33.3"));
     slider.box()->setFocus();
