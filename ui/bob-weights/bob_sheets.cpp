@@ -168,7 +168,7 @@ void BobMachineSheet::buildPlanes() {
     const auto row = [&](const char* key, const Field& field, auto get) {
         const int at = grid->rowCount();
         const QString unit = shownUnit(field.unit).name;
-        auto* label = new QLabel(fieldName(field) + QStringLiteral(", ") + unit);
+        auto* label = new QLabel(titleWithUnit(fieldName(field), unit));
         label->setFont(Theme::font(Theme::smallSize));
         grid->addWidget(label, at, 0);
         for (std::size_t plane = 0; plane < 2; ++plane) {

@@ -220,8 +220,7 @@ class Inputs {
                 for (const std::string& key : keys) {
                     const QString unit = unitOf(pointer + "/" + key).name;
                     const QString name = nameOf(pointer + "/" + key, key);
-                    table.headings << (unit.isEmpty() ? name : name + QStringLiteral(", ") + unit)
-                                          .toHtmlEscaped();
+                    table.headings << titleWithUnit(name, unit).toHtmlEscaped();
                     table.numbers << true;
                 }
             }
@@ -271,8 +270,7 @@ class Inputs {
             const std::string at = row + path;
             const QString name = nameOf(at, path.substr(path.rfind('/') + 1));
             const QString unit = unitOf(at).name;
-            table.headings
-                << (unit.isEmpty() ? name : name + QStringLiteral(", ") + unit).toHtmlEscaped();
+            table.headings << titleWithUnit(name, unit).toHtmlEscaped();
             table.numbers << true;
         }
     }

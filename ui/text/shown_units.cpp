@@ -95,6 +95,10 @@ Unit shownAs(const Field& field) {
     return staysInKilograms(field) ? field.unit : shownAs(field.unit);
 }
 
+QString titleWithUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : name + QStringLiteral(", ") + unit;
+}
+
 QString unitOfTitle(const QString& title) {
     const qsizetype comma = title.lastIndexOf(QStringLiteral(", "));
     if (comma >= 0) {

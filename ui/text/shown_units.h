@@ -35,6 +35,8 @@ struct ShownTitle {
     int decimals = 0;
 };
 ShownTitle shownTitle(const QString& title);
+/// A title that ends in a unit: "l, mm"; without one the name alone.
+QString titleWithUnit(const QString& name, const QString& unit);
 /// The unit that a title ends in, as it stands there; empty where there is none.
 QString unitOfTitle(const QString& title);
 

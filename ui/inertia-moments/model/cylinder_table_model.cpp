@@ -391,7 +391,7 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
             const QString symbol =
                 QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
             const QString unit = shownUnit(field.unit).name;
-            return unit.isEmpty() ? symbol : symbol + QStringLiteral(", ") + unit;
+            return titleWithUnit(symbol, unit);
         }
         case Qt::ToolTipRole:
             return fieldHint(field);

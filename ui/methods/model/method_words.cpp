@@ -46,9 +46,7 @@ QString methodText(const Message& message) {
 }
 
 QString sweepTitle(const methods::SweepInfo& sweep) {
-    const QString title = shownText(sweep.title);
-    return sweep.unit == units::none ? title
-                                     : title + QStringLiteral(", ") + unitText(sweep.unit.name);
+    return titleWithUnit(shownText(sweep.title), unitText(sweep.unit.name));
 }
 
 QString sweepNumber(const methods::SweepInfo& sweep, double value) {

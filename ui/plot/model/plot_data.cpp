@@ -476,9 +476,8 @@ QString PlotData::csv(const CsvFormat& format) const {
                 columns.back().cells.push_back(text(value(i), y));
             }
         };
-        const QString heading = style.name.isEmpty() ? y.spec.title
-                                : unit.isEmpty()     ? style.name
-                                                     : style.name + QStringLiteral(", ") + unit;
+        const QString heading =
+            style.name.isEmpty() ? y.spec.title : titleWithUnit(style.name, unit);
         add(heading, [&](std::size_t i) { return curve.y[i]; });
         if (before.isEmpty() && showsSpread(curve)) {
             add(heading + QStringLiteral(", 5 %"),

@@ -17,7 +17,7 @@ struct ResultName {
     /// With the unit that is shown.
     QString withUnit() const { return shownTitle(ownTitle()).text; }
     /// With that of its key: of an axis, which shows another one itself.
-    QString ownTitle() const { return unit.isEmpty() ? text : text + QStringLiteral(", ") + unit; }
+    QString ownTitle() const { return titleWithUnit(text, unit); }
 };
 
 /// @param pointer  below "result", for example "/metrics/M_ups/range_Nm"

@@ -250,9 +250,7 @@ ShownTitle StudyModel::inputTitle(const std::string& pointer) const {
     if (found == inputs_.end()) {
         return {inputName(pointer)};
     }
-    const QString& unit = found->shown.name;
-    return {unit.isEmpty() ? found->name : found->name + QStringLiteral(", ") + unit,
-            found->shown.factor};
+    return {titleWithUnit(found->name, found->shown.name), found->shown.factor};
 }
 
 QString StudyModel::named(QString text) const {
