@@ -205,7 +205,6 @@ class PlotView : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:
@@ -259,7 +258,7 @@ class PlotView : public QWidget {
     int number_;
     bool pickable_ = false;
     bool picking_ = false;
-    bool wentTo_ = false;  ///< has the focus because the user went to it
+    bool wentTo_ = false;  ///< the focus came, when it last did, because the user went to it
     std::optional<QPointF> panFrom_;
 
     QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move

@@ -6,10 +6,10 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "plot/plot_view.h"
+#include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 
@@ -109,18 +109,9 @@ void PlotView::leaveEvent(QEvent* /*event*/) {
 }
 
 void PlotView::focusInEvent(QFocusEvent* event) {
-    constexpr std::array ways{Qt::MouseFocusReason, Qt::TabFocusReason, Qt::BacktabFocusReason,
-                              Qt::ShortcutFocusReason};
-    wentTo_ = wentTo_ || std::find(ways.begin(), ways.end(), event->reason()) != ways.end();
+    const FocusWay way = focusWay(event->reason());
+    wentTo_ = way == FocusWay::went || (way == FocusWay::back && wentTo_);
     QWidget::focusInEvent(event);
-}
-
-void PlotView::focusOutEvent(QFocusEvent* event) {
-    constexpr std::array comesBack{Qt::ActiveWindowFocusReason, Qt::PopupFocusReason,
-                                   Qt::MenuBarFocusReason};
-    wentTo_ = wentTo_ &&
-              std::find(comesBack.begin(), comesBack.end(), event->reason()) != comesBack.end();
-    QWidget::focusOutEvent(event);
 }
 
 bool PlotView::scrollsWithin() const {
@@ -135,7 +126,7 @@ bool PlotView::scrollsWithin() const {
 
 void PlotView::wheelEvent(QWheelEvent* event) {
     // A page that is scrolled goes on where a plot comes under the pointer.
-    if (event->modifiers() == Qt::NoModifier && !wentTo_ && scrollsWithin()) {
+    if (event->modifiers() == Qt::NoModifier && !(hasFocus() && wentTo_) && scrollsWithin()) {
         event->ignore();
         return;
     }

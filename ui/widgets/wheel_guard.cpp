@@ -60,18 +60,13 @@ class WheelGuard : public QObject {
 
   private:
     void noteFocus(QWidget* widget, Qt::FocusReason reason) {
-        switch (reason) {
-            case Qt::MouseFocusReason:
-            case Qt::TabFocusReason:
-            case Qt::BacktabFocusReason:
-            case Qt::ShortcutFocusReason:
+        switch (focusWay(reason)) {
+            case FocusWay::went:
                 chosen_ = widget;
                 break;
-            case Qt::ActiveWindowFocusReason:
-            case Qt::PopupFocusReason:
-            case Qt::MenuBarFocusReason:
-                break;  // it comes back to where it was
-            default:
+            case FocusWay::back:
+                break;
+            case FocusWay::other:
                 chosen_.clear();
         }
     }
@@ -80,6 +75,22 @@ class WheelGuard : public QObject {
 };
 
 }  // namespace
+
+FocusWay focusWay(Qt::FocusReason reason) {
+    switch (reason) {
+        case Qt::MouseFocusReason:
+        case Qt::TabFocusReason:
+        case Qt::BacktabFocusReason:
+        case Qt::ShortcutFocusReason:
+            return FocusWay::went;
+        case Qt::ActiveWindowFocusReason:
+        case Qt::PopupFocusReason:
+        case Qt::MenuBarFocusReason:
+            return FocusWay::back;
+        default:
+            return FocusWay::other;
+    }
+}
 
 void guardWheel() {
     filterApplication<WheelGuard>();
