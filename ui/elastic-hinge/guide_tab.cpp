@@ -3,8 +3,6 @@
 #include <QLabel>
 #include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "elastic-hinge/hinge_plots.h"
 #include "elastic-hinge/model/guide_picture.h"
@@ -39,8 +37,8 @@ class GuideTab : public HingePlotTab {
     GuidePicture shown() const { return {model_->shownGuide(), model_->exaggeration()}; }
     /// The guides' curves of a plot's data to scale.
     void putToScale(PlotData& data) const;
-    /// What is read at the points of the guides: their true place.
-    void nameGuidePoints();
+    /// What is read at a point of a guide: its true place.
+    QString pointText(Branch branch, std::size_t point) const;
     /// Sets a curve of the guides' plot and remembers how far it reaches.
     void setPath(int curve, GuidePicture::Path path);
     void showReach();
@@ -93,6 +91,9 @@ GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
                           .toolTip = tips[i],
                           .gaps = true,
                           .closed = true});
+        guide_->setPointText(
+            firstGuide + static_cast<int>(i),
+            [this, branch = branches[i]](std::size_t point) { return pointText(branch, point); });
         relief_->addCurve(
             {.name = names[i], .colour = colours[i], .width = i == 0 ? 1.8 : 1.4, .gaps = true});
     }
@@ -162,7 +163,6 @@ void GuideTab::showGuides() {
     GuidePicture::Path rollers = picture.profile(model_->input().roller_radius);
     guide_->setCurveName(profile, rollers.x.empty() ? QString() : HingePlots::tr("profile"));
     setPath(profile, std::move(rollers));
-    nameGuidePoints();
     showReach();
     showRelief();
 }
@@ -179,33 +179,25 @@ void GuideTab::putToScale(PlotData& data) const {
     put(profile, toScale.profile(model_->input().roller_radius));
 }
 
-void GuideTab::nameGuidePoints() {
+QString GuideTab::pointText(Branch branch, std::size_t point) const {
     const elastic_hinge::Guide& guide = model_->shownGuide();
-    const std::vector<double>& phi = model_->result().crank_angle_deg;
-    const QLocale locale;
-    for (const Branch branch : branches) {
-        const int number = firstGuide + static_cast<int>(branch);
-        QStringList texts;
-        if (!model_->isMoved()) {  // while something moves nobody reads
-            // The curve leaves out what does not exist and may begin after it.
-            const GuidePicture::Path path = shown().path(branch);
-            std::map<std::pair<double, double>, std::size_t> places;
-            for (std::size_t i = 0; i < path.x.size(); ++i) {
-                places.try_emplace({path.x[i], path.y[i]}, i);
-            }
-            const PlotCurve& curve = guide_->data().curve(number);
-            const std::vector<double>& radius =
-                branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
-            for (std::size_t k = 0; k < curve.x.size(); ++k) {
-                const std::size_t i = places.at({curve.x[k], curve.y[k]});
-                texts << QStringList{curve.style.name,
-                                     QStringLiteral("φ = %1°").arg(fixedNumber(phi[i], 1, locale)),
-                                     QStringLiteral("ρ = ") + shownNumber(radius[i], units::mm, 4)}
-                             .join(QLatin1Char('\n'));
-            }
-        }
-        guide_->setPointTexts(number, texts);
+    const PlotCurve& curve = guide_->data().curve(firstGuide + static_cast<int>(branch));
+    // The curve leaves out what does not exist and may begin after it.
+    const GuidePicture::Path path = shown().path(branch);
+    std::size_t i = 0;
+    while (i < path.x.size() && (path.x[i] != curve.x[point] || path.y[i] != curve.y[point])) {
+        ++i;
     }
+    if (i == path.x.size()) {
+        return curve.style.name;
+    }
+    const std::vector<double>& radius =
+        branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+    return QStringList{curve.style.name,
+                       QStringLiteral("φ = %1°").arg(
+                           fixedNumber(model_->result().crank_angle_deg[i], 1, QLocale())),
+                       QStringLiteral("ρ = ") + shownNumber(radius[i], units::mm, 4)}
+        .join(QLatin1Char('\n'));
 }
 
 void GuideTab::setPath(int curve, GuidePicture::Path path) {

@@ -383,9 +383,7 @@ void PlotPainter::paintPointReadout(QPainter& painter) const {
     if (curve.style.turn > 0.0) {
         rows = rowsOfPath(curve, data_.pointRead->second);
     } else {
-        for (const QString& text :
-             curve.texts[static_cast<qsizetype>(data_.pointRead->second)].split(
-                 QLatin1Char('\n'))) {
+        for (const QString& text : curve.text(data_.pointRead->second).split(QLatin1Char('\n'))) {
             rows.push_back({text, theme.text()});
         }
     }

@@ -316,9 +316,17 @@ void PlotView::setSpreadStale(bool stale) {
     }
 }
 
-void PlotView::setPointTexts(int number, QStringList texts) {
+void PlotView::setPointTexts(int number, const QStringList& texts) {
+    std::function<QString(std::size_t)> text;
+    if (!texts.isEmpty()) {
+        text = [texts](std::size_t point) { return texts.value(static_cast<qsizetype>(point)); };
+    }
+    setPointText(number, std::move(text));
+}
+
+void PlotView::setPointText(int number, std::function<QString(std::size_t)> text) {
     data_.pointRead.reset();
-    overlay(data_.curve(number).texts, std::move(texts));
+    overlay(data_.curve(number).text, std::move(text));
 }
 
 void PlotView::setCurveShown(int number, bool shown) {

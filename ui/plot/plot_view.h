@@ -84,7 +84,9 @@ class PlotView : public QWidget {
     void setSpreadStale(bool stale);
     /// What is read out of each point of the curve, as lines of text. In a plot with such texts the
     /// mouse and the arrow keys read points instead of the curves at an x.
-    void setPointTexts(int curve, QStringList texts);
+    void setPointTexts(int curve, const QStringList& texts);
+    /// The same, asked for when a point is read.
+    void setPointText(int curve, std::function<QString(std::size_t point)> text);
 
     /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
     /// image removes it. Row 0 of the image is the top.

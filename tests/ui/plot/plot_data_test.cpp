@@ -368,7 +368,7 @@ TEST_F(PlotDataTest, ReadsTheNearestPointAndStepsInARound) {
     EXPECT_FALSE(data.readsPoints());
     set({1, 5, 9}, {1, 5, 9});
     EXPECT_FALSE(data.nextPoint(1).has_value());
-    curve().texts = {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")};
+    curve().text = [](std::size_t) { return QStringLiteral("a"); };
     EXPECT_TRUE(data.readsPoints());
     EXPECT_EQ(data.nearestPoint(data.toPixel(5, 5) + QPointF(3, 4)), PlotData::Point(0, 1));
     EXPECT_FALSE(data.nearestPoint(data.toPixel(1, 9)).has_value());

@@ -386,9 +386,8 @@ std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const
 }
 
 bool PlotData::readsPoints() const {
-    return std::any_of(curves.begin(), curves.end(), [](const PlotCurve& curve) {
-        return curve.style.turn > 0.0 || !curve.texts.isEmpty();
-    });
+    return std::any_of(curves.begin(), curves.end(),
+                       [](const PlotCurve& curve) { return curve.style.turn > 0.0 || curve.text; });
 }
 
 std::optional<PlotData::Point> PlotData::nearestPoint(const QPointF& pixel, double reach) const {

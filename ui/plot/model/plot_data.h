@@ -5,8 +5,9 @@
 #include <QPointF>
 #include <QPolygonF>
 #include <QRectF>
-#include <QStringList>
+#include <QString>
 #include <algorithm>
+#include <functional>
 
 #include "plot/model/plot_scale.h"
 
@@ -101,8 +102,9 @@ struct PlotCurve {
     Qt::Orientation bars = Qt::Vertical;
     std::vector<double> below = {};  ///< of the spread, from each point; or none
     std::vector<double> above = {};
-    QStringList texts = {};  ///< read out, one for each point; or none
-    bool ascending = true;   ///< x never decreases, so the cursor may interpolate
+    /// What is read out of a point, as lines; null where nothing is.
+    std::function<QString(std::size_t point)> text = {};
+    bool ascending = true;  ///< x never decreases, so the cursor may interpolate
     bool shown = true;
     bool stale = true;                      ///< `stretches` are of other data
     std::vector<QPolygonF> stretches = {};  ///< the line as drawn, thinned, in pixels
@@ -116,9 +118,7 @@ struct PlotCurve {
         return style.shape == plot::Shape::Line || style.shape == plot::Shape::LineAndPoints;
     }
     bool hasSpread() const { return !below.empty() && below.size() == x.size(); }
-    bool isReadable() const {
-        return shown && (style.turn > 0.0 || texts.size() == static_cast<qsizetype>(x.size()));
-    }
+    bool isReadable() const { return shown && (style.turn > 0.0 || text); }
     /// φ of a point, degrees.
     double angleOf(std::size_t point) const {
         return style.turn * static_cast<double>(point) /
