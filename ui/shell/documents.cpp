@@ -257,6 +257,11 @@ void Documents::bringToFront(OpenDocument& document) {
     current_ = &document;
     document.shown = ++shows_;
     stack_->setCurrentWidget(document.page);
+    // While no page is seen Qt leaves the focus with the one before, and gives it back there.
+    if (QWidget* last = focusWidget();
+        last != nullptr && stack_->isAncestorOf(last) && !document.page->isAncestorOf(last)) {
+        last->clearFocus();
+    }
     arrangeTabs();
     document.document->disk().check();
     document.document->checkSources();

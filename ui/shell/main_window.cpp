@@ -200,12 +200,6 @@ void MainWindow::showStart() {
 
 void MainWindow::leaveStart() {
     if (isAtStart()) {
-        // Another page may have come to the front meanwhile, and Qt gives the focus back to where
-        // the one before it had it, unseen.
-        QWidget* last = documents_->focusWidget();
-        if (last != nullptr && !currentPage()->isAncestorOf(last)) {
-            last->clearFocus();
-        }
         front_->setCurrentWidget(documents_);
         if (QWidget* field = currentPage()->focusWidget()) {
             field->setFocus(Qt::OtherFocusReason);
