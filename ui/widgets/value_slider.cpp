@@ -93,13 +93,8 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
-    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double shown) {
-        // The ends of the box are rounded, those of the value are not.
-        edit(factor_ == 1.0             ? shown
-             : shown == box_->minimum() ? min_
-             : shown == box_->maximum() ? max_
-                                        : shown / factor_);
-    });
+    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double shown) { edit(valueOf(shown)); });
     connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
     connect(box_, &DecimalSpinBox::refused, this, &ValueSlider::sayOutOfRange);
     connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] {
@@ -114,7 +109,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
         }
         // Typed as the box shows a number that has no end: that number is meant.
         if (value_ == typedOver_) {
-            edit(box_->value() / factor_);
+            edit(valueOf(box_->value()));
         }
         if (!isGiven_) {
             const QScopedValueRollback passing(isPassing_, true);
@@ -296,6 +291,14 @@ void ValueSlider::setValue(double value) {
     if (shown != box_->value() || box_->cleanText() != box_->textFromValue(shown)) {
         box_->setValue(value * factor_);
     }
+}
+
+double ValueSlider::valueOf(double shown) const {
+    // The ends of the box are rounded, those of the value are not.
+    return factor_ == 1.0             ? shown
+           : shown == box_->minimum() ? min_
+           : shown == box_->maximum() ? max_
+                                      : shown / factor_;
 }
 
 int ValueSlider::decimalsOf(double shown) const {

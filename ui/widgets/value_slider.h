@@ -63,6 +63,8 @@ class ValueSlider : public QWidget {
     int widthInOneRow() const;
     void sayOutOfRange(const QString& typed);
     void edit(double value);
+    /// Of a number in the box.
+    double valueOf(double shown) const;
     /// Decimals with which the box shows a number: more where it was given with more.
     int decimalsOf(double shown) const;
     void showRange();
