@@ -374,7 +374,11 @@ void JournalDialog::removeSelected() {
             tr("Remove job %1 of %2 from the journal for good?")
                 .arg(JobDesk::numbersOf(job), day.isEmpty() ? QStringLiteral("–") : day),
             QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes) {
-        journal_->remove(id);
+        if (!journal_->remove(id)) {
+            message_->setText(journal_->lastError());
+            return;
+        }
+        Q_EMIT removed(id);
         search();
     }
 }

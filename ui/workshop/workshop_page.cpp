@@ -520,14 +520,13 @@ void WorkshopPage::showJournal() {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    const bool isChosen = dialog.exec() == QDialog::Accepted;
-    if (const qint64 before = desk()->jobId(); before != 0) {
-        desk()->missJob();
-        if (desk()->jobId() == 0) {
-            Q_EMIT status({});  // it is not saved in the journal any more
+    connect(&dialog, &JournalDialog::removed, this, [this](qint64 id) {
+        if (id == desk()->jobId()) {
+            Q_EMIT status({});  // that it is in the journal was said before
         }
-    }
-    if (!isChosen) {
+        desk()->missJob(id);
+    });
+    if (dialog.exec() != QDialog::Accepted) {
         return;
     }
     // One that is open beside this one is not opened twice: the later saving would be a copy.

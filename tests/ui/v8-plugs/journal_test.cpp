@@ -124,10 +124,16 @@ TEST_F(V8PageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
     type("engine_number", u"53-11"_s);
     press(Qt::Key_F2);
     ASSERT_FALSE(model->hasChanges());
-    model->desk()->missJob();  // it is there
+    model->desk()->missJob(model->desk()->jobId() + 1);  // another
     EXPECT_FALSE(model->hasChanges());
-    ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
-    model->desk()->missJob();
+    const qint64 id = model->desk()->jobId();
+    answer(QMessageBox::Yes);
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        test::named<QPushButton>(*dialog, "journal_remove")->click();
+        dialog->reject();
+    });
+    press(Qt::Key_F3);
+    EXPECT_FALSE(model->desk()->journal()->job(id).has_value());
     EXPECT_EQ(model->desk()->jobId(), 0);
     EXPECT_TRUE(model->hasChanges()) << "asked about before the sheet is emptied";
 }

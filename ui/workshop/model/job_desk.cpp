@@ -162,8 +162,8 @@ void JobDesk::forgetJob() {
     putJobId(0, 0);
 }
 
-void JobDesk::missJob() {
-    if (jobId_ != 0 && isOpen() && !journal_->job(jobId_)) {
+void JobDesk::missJob(qint64 removed) {
+    if (removed == jobId_) {
         putJobId(0, 0);
         model_->history()->resetClean();
     }

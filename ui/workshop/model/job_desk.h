@@ -69,8 +69,8 @@ class JobDesk : public QObject {
     /// from elsewhere: from a file, or after a crash. One that is as the sheet is needs no question
     /// and becomes the sheet's.
     std::optional<JournalJob> sameJob();
-    /// Where the journal no longer has the sheet's job, what is on the sheet is saved nowhere.
-    void missJob();
+    /// A job was removed from the journal: where it is the sheet's, that is saved nowhere now.
+    void missJob(qint64 removed);
     /// Saving takes the place of that one.
     void replaceInJournal(const JournalJob& job) { putJobId(job.id, job.revision); }
     /// The verdict of the job in the journal that saving would put "another bob weight" or
