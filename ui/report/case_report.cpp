@@ -239,7 +239,7 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
                                  Group{.place = place, .verdict = verdict, .difference = {}});
         }
         ++group->count;
-        // Of one or two units of the last digit that is printed a part says nothing.
+        // Of a few units of the last digit that is printed a part says nothing.
         constexpr double fewUnits = 5.0;
         const bool says = std::abs(number.printed) > fewUnits * number.last_digit;
         const auto difference = number.relative_difference();

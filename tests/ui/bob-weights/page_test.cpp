@@ -63,6 +63,14 @@ class BobPageTest : public test::WorkshopPageTest<BobWeightsPage> {
             type(key, QString::fromLatin1(mass));
         }
     }
+    /// Where no hole has a place.
+    void typeSlugAlone(const QString& diameter) {
+        typeReadings();
+        type("from_1", u"180"_s);
+        type("to_1", u"300"_s);
+        type("slug_diameter_mm", diameter);
+        type("slug_density_kg_m3", u"17500"_s);
+    }
     void typeReadings() {
         const std::pair<const char*, const char*> values[] = {
             {"position_1", "60"}, {"radius_1", "85"},      {"unbalance_1", "2600"},
@@ -213,11 +221,7 @@ TEST_F(BobPageTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
 
 TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
     typeShopCard();
-    typeReadings();
-    type("from_1", u"180"_s);
-    type("to_1", u"300"_s);
-    type("slug_diameter_mm", u"20"_s);
-    type("slug_density_kg_m3", u"17500"_s);
+    typeSlugAlone(u"20"_s);
     const auto& plane = (*model->solution().correction)[0];
     ASSERT_EQ(plane.slugs.size(), 1u);
     const QString grams = Words().number(plane.slugs[0].slug, units::gram, 1);
@@ -240,11 +244,7 @@ TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
 
 TEST_F(BobPageTest, WhatStandsBesideEachOtherOnTheCardIsOfOneSize) {
     typeShopCard();
-    typeReadings();
-    type("from_1", u"180"_s);
-    type("to_1", u"300"_s);
-    type("slug_diameter_mm", u"20.25"_s);
-    type("slug_density_kg_m3", u"17500"_s);
+    typeSlugAlone(u"20.25"_s);
     card();
     const auto size = [this](const QString& text) {
         const auto found = std::ranges::find_if(
