@@ -135,7 +135,10 @@ TEST_F(V8PageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
     press(Qt::Key_F3);
     EXPECT_FALSE(model->desk()->journal()->job(id).has_value());
     EXPECT_EQ(model->desk()->jobId(), 0);
-    EXPECT_TRUE(model->hasChanges()) << "asked about before the sheet is emptied";
+    EXPECT_TRUE(model->hasChanges());
+    answer(QMessageBox::Cancel);  // whether to save it, before the sheet is emptied
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.engine_number, "53-11");
 }
 
 TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {

@@ -165,6 +165,7 @@ void JobDesk::forgetJob() {
 void JobDesk::missJob(qint64 removed) {
     if (removed == jobId_) {
         putJobId(0, 0);
+        isJournaled_ = false;
         model_->history()->resetClean();
     }
 }
