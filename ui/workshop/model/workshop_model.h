@@ -66,7 +66,9 @@ class WorkshopModel : public CaseModel<Scene> {
     JobDesk* desk() { return &desk_; }
     QString jobName() const override {
         const JournalJob job = JobDesk::entryOf(this->input().job);
-        return job.engineNumber.isEmpty() ? job.customer : job.engineNumber;
+        return !job.engineNumber.isEmpty()       ? job.engineNumber
+               : !job.crankshaftNumber.isEmpty() ? job.crankshaftNumber
+                                                 : job.customer;
     }
 
     // In workshop_model_json.h.
