@@ -65,7 +65,8 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
-    column->addWidget(buildBar());
+    bar_ = buildBar();
+    column->addWidget(bar_);
 
     auto* body = new QHBoxLayout;
     body->setSpacing(Theme::space);
@@ -270,6 +271,11 @@ void ShaftMapView::arrange() {
         tabs_->addTab(sizes_, tr("Pareto"));
     }
     side_->setVisible(wide);
+}
+
+QSize ShaftMapView::minimumSizeHint() const {
+    return {std::max(bar_->minimumSizeHint().width(), tabs_->minimumSizeHint().width()),
+            QWidget::minimumSizeHint().height()};
 }
 
 void ShaftMapView::showEvent(QShowEvent* event) {

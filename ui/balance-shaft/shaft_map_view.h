@@ -38,6 +38,9 @@ class ShaftMapView : public QWidget {
     ChangingLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 
+    /// That of the map without charts beside it: they go to tabs where there is no room.
+    QSize minimumSizeHint() const override;
+
   protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -63,6 +66,7 @@ class ShaftMapView : public QWidget {
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
+    QWidget* bar_;
     FieldSlider* distance_;
     QComboBox* criterion_;
     ValueSlider* weight_;

@@ -461,6 +461,24 @@ TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
     }
 }
 
+TEST_F(ShaftMapTest, ResultsFoldByTheWidthAloneNotByTheOneBefore) {
+    const auto* columns = page.findChild<PageColumns*>();
+    const auto foldedAt = [&](int width) {
+        page.resize(width, 800);
+        QApplication::processEvents();
+        return columns->isFolded();
+    };
+    for (int width = 1100; width <= 1300; width += 25) {
+        foldedAt(1600);
+        const bool isFolded = foldedAt(width);
+        for (const int before : {900, 1100, 1400}) {
+            foldedAt(900);
+            foldedAt(before);
+            EXPECT_EQ(foldedAt(width), isFolded) << before << " to " << width;
+        }
+    }
+}
+
 TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     view->charts()->setCurrentIndex(1);
     QApplication::processEvents();
