@@ -192,9 +192,9 @@ bool ShaftMapPlot::event(QEvent* event) {
     return PlotView::event(event);
 }
 
-void ShaftMapPlot::leaveEvent(QEvent* event) {
+void ShaftMapPlot::stopReading() {
     Q_EMIT hovered({});
-    PlotView::leaveEvent(event);
+    PlotView::stopReading();
 }
 
 void ShaftMapPlot::focusOutEvent(QFocusEvent* event) {

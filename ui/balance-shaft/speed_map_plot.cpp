@@ -216,9 +216,9 @@ void SpeedMapPlot::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
-void SpeedMapPlot::leaveEvent(QEvent* event) {
+void SpeedMapPlot::stopReading() {
     Q_EMIT hovered({});
-    PlotView::leaveEvent(event);
+    PlotView::stopReading();
 }
 
 QString SpeedMapPlot::csv(const CsvFormat& format) const {

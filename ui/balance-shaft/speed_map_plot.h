@@ -33,7 +33,7 @@ class SpeedMapPlot : public PlotView {
     double keyHeight() const override;
     bool event(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void leaveEvent(QEvent* event) override;
+    void stopReading() override;
 
   private:
     struct Tick {

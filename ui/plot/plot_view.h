@@ -193,6 +193,8 @@ class PlotView : public QWidget {
     virtual bool readsUnderPointer() const { return true; }
     /// Height of a key of its own between title and chart, pixels.
     virtual double keyHeight() const { return 0.0; }
+    /// The pointer is no longer where it read something.
+    virtual void stopReading();
     double keyTop() const { return data_.headerHeight - keyHeight(); }
     /// All but title and legend.
     QRect chartRect() const { return rect().adjusted(0, static_cast<int>(keyTop()), 0, 0); }
@@ -205,7 +207,7 @@ class PlotView : public QWidget {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void leaveEvent(QEvent* event) override;
+    void leaveEvent(QEvent* event) final;
     void focusInEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 

@@ -103,9 +103,13 @@ void PlotView::leaveCursor() {
     }
 }
 
-void PlotView::leaveEvent(QEvent* /*event*/) {
+void PlotView::stopReading() {
     readPoint(std::nullopt);
     leaveCursor();
+}
+
+void PlotView::leaveEvent(QEvent* /*event*/) {
+    stopReading();
 }
 
 void PlotView::focusInEvent(QFocusEvent* event) {
@@ -127,6 +131,7 @@ bool PlotView::scrollsWithin() const {
 void PlotView::wheelEvent(QWheelEvent* event) {
     // A page that is scrolled goes on where a plot comes under the pointer.
     if (event->modifiers() == Qt::NoModifier && !(hasFocus() && wentTo_) && scrollsWithin()) {
+        stopReading();  // the plot goes away from under the pointer
         event->ignore();
         return;
     }

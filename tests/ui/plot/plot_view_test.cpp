@@ -132,10 +132,12 @@ TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
     const auto [low, high] = plot->xInterval();
     // What a test sends is not passed on by itself.
     const QPointF at(150, 100);
+    plot->setCursorX(180.0);
     QWheelEvent down(at, plot->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(plot, &down);
     EXPECT_FALSE(down.isAccepted()) << "left to the page";
+    EXPECT_FALSE(plot->data().cursorX) << "the plot has gone from under the pointer";
     EXPECT_EQ(plot->xInterval(), std::pair(low, high));
     QTest::mouseClick(plot, Qt::LeftButton, {}, {150, 150});
     test::turnWheel(plot, {150, 150}, 1);
