@@ -36,6 +36,13 @@ struct Metal {
     bool empty() const { return holes.empty() && slugs.empty(); }
 };
 
+/// What was drilled after one run, where the next says that it did something else than it was to.
+struct OtherEffect {
+    double expected;        ///< unbalance that it was to leave, kg·m
+    double expected_angle;  ///< rad, 0…2π
+    bool is_opposite;       ///< it acted the other way: the unbalance grew
+};
+
 /// A run of the machine: its readings taken to the correction planes.
 struct RunResult {
     struct InPlane {
@@ -52,6 +59,9 @@ struct RunResult {
 
     /// Of an earlier run: what was planned in each plane, taken as drilled as planned.
     std::array<Metal, 2> drilled;
+
+    /// In each plane, of what was drilled after the run before this one.
+    std::array<std::optional<OtherEffect>, 2> other_effect;
 
     bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }
     bool holds() const { return !read_with && !read_on; }

@@ -64,6 +64,11 @@ Json runs_json(const std::vector<RunResult>& runs) {
             planes.push_back({{"unbalance_g_mm", plane.unbalance / units::gram_mm},
                               {"angle_deg", plane.angle / units::degree},
                               {"within_tolerance", known(plane.within_tolerance)}});
+            if (const auto& other = run.other_effect[i]) {
+                planes.back()["expected"] = {{"unbalance_g_mm", other->expected / units::gram_mm},
+                                             {"angle_deg", other->expected_angle / units::degree},
+                                             {"drilling_acted_opposite", other->is_opposite}};
+            }
             if (&run != &runs.back()) {
                 planes.back()["drilled_holes"] = holes_json(run.drilled[i].holes, false);
                 planes.back()["drilled_slugs"] = holes_json(run.drilled[i].slugs, true);

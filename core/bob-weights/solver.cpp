@@ -374,6 +374,41 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
     return drilled;
 }
 
+/// What the metal of a plane adds to its unbalance.
+Vector effect_of(const Metal& metal) {
+    Vector sum;
+    for (const Hole& hole : metal.holes) {
+        sum -= std::polar(hole.unbalance, hole.angle);
+    }
+    for (const Hole& slug : metal.slugs) {
+        sum += std::polar(slug.unbalance, slug.angle);
+    }
+    return sum;
+}
+
+/// Whether the run after says that what was drilled did something else than it was to: by more than
+/// half of that and by more than the limit, beyond which it is still.
+std::optional<OtherEffect> other_effect(const RunResult& before, const RunResult& after,
+                                        std::size_t plane,
+                                        const std::optional<double>& permissible) {
+    const Vector meant = effect_of(before.drilled[plane]);
+    if (!before.planes || !after.planes || !before.holds() || !after.holds() || meant == 0.0) {
+        return std::nullopt;
+    }
+    const auto vector = [plane](const RunResult& run) {
+        return std::polar((*run.planes)[plane].unbalance, (*run.planes)[plane].angle);
+    };
+    const Vector expected = vector(before) + meant;
+    const double off = std::abs(vector(after) - expected);
+    if (off <= std::max(0.5 * std::abs(meant), permissible.value_or(0.0)) ||
+        std::abs(vector(after)) <= permissible.value_or(0.0)) {
+        return std::nullopt;
+    }
+    const double along = std::real((vector(after) - vector(before)) / meant);
+    const bool has_grown = std::abs(vector(after)) > std::abs(vector(before));
+    return OtherEffect{std::abs(expected), turn_of(std::arg(expected)), along < -0.5 && has_grown};
+}
+
 void solve_correction(const Input& input, Result& result) {
     if (!input.correction) {
         return;
@@ -406,6 +441,9 @@ void solve_correction(const Input& input, Result& result) {
             if (!run.read_on) {
                 run.read_on = workshop::other_shaft(reading.shaft, input.job);
             }
+        }
+        for (std::size_t i = 0; i < 2 && !result.runs.empty(); ++i) {
+            run.other_effect[i] = other_effect(result.runs.back(), run, i, limit(i));
         }
         result.runs.push_back(std::move(run));
     };

@@ -47,7 +47,6 @@ double median(std::vector<double> values) {
 
 std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses) {
-    constexpr double most = 3.0;
     std::optional<OddMass> found;
     double farthest = 0.0;
     for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -61,6 +60,7 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
             continue;
         }
         const double usual = median(others);
+        const double most = others.size() < 3 ? 3.0 : 1.1;
         const double away = std::abs(std::log(*masses[i] / usual));
         if (away <= std::log(most)) {
             continue;
@@ -76,6 +76,17 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
         }
     }
     return found;
+}
+
+std::vector<std::size_t> swapped_rod_ends(std::span<const Weighed> big_ends,
+                                          std::span<const Weighed> small_ends) {
+    std::vector<std::size_t> swapped;
+    for (std::size_t i = 0; i < std::min(big_ends.size(), small_ends.size()); ++i) {
+        if (big_ends[i] && *big_ends[i] > 0.0 && small_ends[i] && *small_ends[i] > *big_ends[i]) {
+            swapped.push_back(i);
+        }
+    }
+    return swapped;
 }
 
 }  // namespace ravnoves::workshop

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "workshop/weigh_in.h"
 
@@ -19,11 +20,16 @@ struct OddMass {
     double mass;           ///< kg
     double usual;          ///< median of the others, kg
 };
-/// The mass that is farthest from the others, where that is by a factor of more than 3: parts of
-/// one engine differ by a few percent, a decimal sign in the wrong place makes it ten times. Of two
-/// the one that is farther from the nominal mass, or the heavier one. Nothing where there is none;
-/// 0 is no mass.
+/// The mass that is farthest from the others, where that is by more than a tenth: parts of one
+/// engine differ by a few percent. Of two or three, whose median says little, by a factor of more
+/// than 3, as a decimal sign in the wrong place makes it; of two the one that is farther from the
+/// nominal mass, or the heavier one. Nothing where there is none; 0 is no mass.
 std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses);
+
+/// Cylinders, counted from 0, whose rod weighs less at its big end than at its small one: no rod
+/// does, the two were typed into each other's column.
+std::vector<std::size_t> swapped_rod_ends(std::span<const Weighed> big_ends,
+                                          std::span<const Weighed> small_ends);
 
 }  // namespace ravnoves::workshop

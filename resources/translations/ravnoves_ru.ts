@@ -324,6 +324,18 @@
         <source>A slug is as long as its hole is deep; its own weight stands beside its diameter, and the cone beneath it, which stays empty, is counted.</source>
         <translation>Длина вставки равна глубине её отверстия; собственная масса стоит рядом с диаметром, а конус под вставкой, который остаётся пустым, учтён.</translation>
     </message>
+    <message>
+        <source>The rod&apos;s big end, %1, weighs less than its small end, %2; are the two swapped?</source>
+        <translation>Нижняя головка шатуна, %1, легче верхней, %2: не перепутаны ли они?</translation>
+    </message>
+    <message>
+        <source>%1: the unbalance has grown by the drilling, to %2 instead of %3. Was the wrong side drilled, or does the machine show the light spot? Drill no more before that is known.</source>
+        <translation>%1: от сверления дисбаланс вырос: %2 вместо %3. Сверлили не с той стороны или станок показывает лёгкое место? Пока не выяснено, больше не сверлить.</translation>
+    </message>
+    <message>
+        <source>%1: the drilling has left %2 instead of %3. Were the holes drilled as planned, from the same zero and in the same direction as the machine counts?</source>
+        <translation>%1: после сверления осталось %2 вместо %3. Сверлили ли по плану, от того же нуля и в ту же сторону, в какую считает станок?</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2130,6 +2142,14 @@
     <message>
         <source>%1: %2 looks like kilograms; masses are in %3.</source>
         <translation>%1: %2 похоже на килограммы; массы вводятся в %3.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; is it mistyped?</source>
+        <translation>%1: цилиндр %2 – %3, остальные около %4; нет ли опечатки?</translation>
+    </message>
+    <message>
+        <source>Rod of cylinder %1: the big end weighs less than the small end; are the two swapped?</source>
+        <translation>Шатун цилиндра %1: нижняя головка легче верхней; не перепутаны ли они?</translation>
     </message>
 </context>
 <context>

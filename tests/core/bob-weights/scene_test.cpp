@@ -443,6 +443,46 @@ TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
                 1e-12);
 }
 
+TEST(Correction, DrillingThatActedOtherwiseIsFound) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 50}};
+    Json& correction = input["correction"];
+    const Json first = correction["readings"];
+    correction["earlier_runs"] = Json::array({{{"readings", first}}});
+    const Json planned = [&] {
+        Json alone = with_correction();
+        alone["tolerance"] = {{"g_mm", 50}};
+        return solved(alone).at("correction").at("planes");
+    }();
+    // What is left where each hole takes off `acted` times what it was to.
+    const auto after = [&](double acted) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double read = first[i].at("unbalance_g_mm").get<double>();
+            const double left = planned[i].at("remaining_g_mm").get<double>();
+            const std::complex<double> before =
+                std::polar(read, first[i].at("angle_deg").get<double>() * degree);
+            const std::complex<double> meant =
+                std::polar(left, planned[i].at("remaining_angle_deg").get<double>() * degree) -
+                before;
+            const std::complex<double> now = before + acted * meant;
+            correction["readings"][i] = {{"unbalance_g_mm", std::abs(now)},
+                                         {"angle_deg", std::arg(now) / degree}};
+        }
+        return solved(input).at("correction").at("runs")[1].at("planes");
+    };
+    for (const double well : {0.7, 1.0, 1.3}) {
+        EXPECT_FALSE(after(well)[0].contains("expected")) << well;
+    }
+    for (const double badly : {-1.0, 0.0, 2.0}) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Json found = after(badly)[i].at("expected");
+            EXPECT_NEAR(found.at("unbalance_g_mm").get<double>(),
+                        planned[i].at("remaining_g_mm").get<double>(), 1e-6);
+            EXPECT_EQ(found.at("drilling_acted_opposite"), badly < 0.0);
+        }
+    }
+}
+
 TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     Json input = with_correction();
     input["job"] = {{"engine_number", "2"}};

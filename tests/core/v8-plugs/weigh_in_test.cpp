@@ -118,9 +118,19 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     EXPECT_NEAR(heavy->mass, 5840 * gram, 1e-12);
     EXPECT_NEAR(heavy->usual, 584 * gram, 1e-12);
     EXPECT_EQ(odd_mass({}, grams({58.4, 583, 584, 0}))->cylinder, 0U);
+    // Of four and more the others agree to a few percent.
+    EXPECT_EQ(odd_mass({}, grams({587, 688.1, 585, 590}))->cylinder, 1U);
+    EXPECT_FALSE(odd_mass({}, grams({587, 612, 585, 560})));
     // Of two the nominal mass says which is right.
     EXPECT_EQ(odd_mass(584 * gram, grams({584, 58.4}))->cylinder, 1U);
     EXPECT_EQ(odd_mass(58 * gram, grams({584, 58.4}))->cylinder, 0U);
+}
+
+TEST(WeighInSheet, ARodHeavierAtItsSmallEndWasTypedTheWrongWayRound) {
+    const std::vector<workshop::Weighed> big{431 * gram, 180 * gram, std::nullopt, 430 * gram};
+    const std::vector<workshop::Weighed> small{180 * gram, 431 * gram, 181 * gram, std::nullopt};
+    EXPECT_EQ(workshop::swapped_rod_ends(big, small), std::vector<std::size_t>{1});
+    EXPECT_TRUE(workshop::swapped_rod_ends(big, std::vector<workshop::Weighed>{}).empty());
 }
 
 TEST(WeighInSheet, StatisticsOfAColumn) {

@@ -851,6 +851,10 @@ TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
     typeShopCard();
     EXPECT_EQ(label("troubles"), QString());
     EXPECT_FALSE(isAmber("headline"));
+    type("big_end", u"60"_s);
+    EXPECT_TRUE(label("troubles").contains(u"are the two swapped?"_s))
+        << qPrintable(label("troubles"));
+    type("big_end", u"229.8"_s);
     type("locks", QString());
     EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: locks."_s)) << qPrintable(card());
     type("locks", u"0"_s);
@@ -983,6 +987,27 @@ TEST_F(BobPageTest, ARefusedEntryMakesTheAnswerStale) {
     EXPECT_FALSE(isAmber("headline"));
     save();
     EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(BobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(3);
+    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
+    type("g_mm", u"300"_s);
+    type("run_1_unbalance_1", u"5100"_s);
+    type("run_1_angle_1", u"75"_s);
+    type("run_1_unbalance_2", u"1450"_s);
+    type("run_1_angle_2", u"210"_s);
+    const QString said = label("troubles");
+    EXPECT_TRUE(
+        said.contains(u"Front plane: the unbalance has grown by the drilling, to "
+                      "5100.0 g·mm ∠ 75.0° instead of "_s))
+        << qPrintable(said);
+    EXPECT_TRUE(said.contains(u"Rear plane: the drilling has left 1450.0 g·mm ∠ 210.0°"_s))
+        << qPrintable(said);
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: fails."_s);
+    EXPECT_TRUE(card().contains(u"has grown by the drilling"_s)) << qPrintable(card());
 }
 
 TEST_F(BobPageTest, RunsFollowOneAnother) {

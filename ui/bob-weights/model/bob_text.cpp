@@ -189,7 +189,11 @@ QString verdict(const Words& words, const Result& result) {
                        .arg(runName(words, result.runs.size() - 1),
                             verdictText(words, readWord(result.runs.back(), measured)));
     const auto after = result.passes_after();
-    if (result.holds() && !*measured && after) {
+    // What is planned rests on that the holes before acted as they were to.
+    const bool actedAsMeant =
+        std::none_of(result.newest()->other_effect.begin(), result.newest()->other_effect.end(),
+                     [](const auto& other) { return other.has_value(); });
+    if (result.holds() && !*measured && after && actedAsMeant) {
         said += QLatin1Char(' ') + words.translate("BobWeights", "After the correction: %1.")
                                        .arg(verdictText(words, verdictWord(after, std::nullopt)));
     }
@@ -241,6 +245,21 @@ QStringList bearingTexts(const Words& words, const Input& input) {
     return {};
 }
 
+/// Of a rod whose ends were typed without a weigh-in.
+QStringList swappedRodText(const Words& words, const Parts& parts) {
+    const workshop::Weighed big[] = {parts.big_end};
+    const workshop::Weighed small[] = {parts.small_end};
+    if (workshop::swapped_rod_ends(big, small).empty()) {
+        return {};
+    }
+    return {words
+                .translate("BobWeights",
+                           "The rod's big end, %1, weighs less than its small end, %2; are the two "
+                           "swapped?")
+                .arg(words.plainWithUnit(*parts.big_end, units::gram, 3),
+                     words.plainWithUnit(*parts.small_end, units::gram, 3))};
+}
+
 }  // namespace
 
 QStringList doubts(const Words& words, const Input& input, const Result& result) {
@@ -251,6 +270,7 @@ QStringList doubts(const Words& words, const Input& input, const Result& result)
     if (const auto sheet = fitted(input).weigh_in) {
         list << oddMassTexts(words, *sheet);
     }
+    list << swappedRodText(words, input.parts);
     if (is_share_of_one(input.factor)) {
         list << words
                     .translate("BobWeights",
@@ -265,8 +285,41 @@ QStringList doubts(const Words& words, const Input& input, const Result& result)
     return list << bearingTexts(words, input);
 }
 
-QStringList warnings(const Words& words, const Input& input, const Result& result) {
+namespace {
+
+/// What the newest run says of the drilling before it.
+QStringList otherEffects(const Words& words, const Result& result) {
     QStringList list;
+    for (std::size_t i = 0; i < 2 && result.newest() != nullptr; ++i) {
+        const RunResult& run = *result.newest();
+        const auto& other = run.other_effect[i];
+        if (!other) {
+            continue;
+        }
+        const RunResult::InPlane& now = run.planes.value()[i];
+        const QString said =
+            other->is_opposite
+                ? words.translate("BobWeights",
+                                  "%1: the unbalance has grown by the drilling, to %2 instead of "
+                                  "%3. Was the wrong side drilled, or does the machine show the "
+                                  "light spot? Drill no more before that is known.")
+                : words.translate("BobWeights",
+                                  "%1: the drilling has left %2 instead of %3. Were the holes "
+                                  "drilled as planned, from the same zero and in the same "
+                                  "direction as the machine counts?");
+        list << said.arg(
+            planeName(words, i),
+            atAngle(words, unbalanceOf(words, now.unbalance), now.unbalance, now.angle),
+            atAngle(words, unbalanceOf(words, other->expected), other->expected,
+                    other->expected_angle));
+    }
+    return list;
+}
+
+}  // namespace
+
+QStringList warnings(const Words& words, const Input& input, const Result& result) {
+    QStringList list = otherEffects(words, result);
     if (result.bob_weight && !result.not_given.empty()) {
         QStringList names;
         for (const PartField* part : result.not_given) {

@@ -29,13 +29,34 @@ QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_ma
 }
 
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd) {
-    return words
-        .translate("Workshop",
-                   "%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.")
-        .arg(words.text(workshop::part_word(part).label))
+    const double ratio = odd.mass / odd.usual;
+    const QString said =
+        ratio > 3.0 || ratio < 1.0 / 3.0
+            ? words.translate(
+                  "Workshop",
+                  "%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.")
+            : words.translate("Workshop",
+                              "%1: cylinder %2 weighs %3, the others about %4; is it mistyped?");
+    return said.arg(words.text(workshop::part_word(part).label))
         .arg(odd.cylinder + 1)
         .arg(words.plainWithUnit(odd.mass, units::gram, 3),
              words.plainWithUnit(odd.usual, units::gram, 3));
+}
+
+QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,
+                             std::span<const workshop::Weighed> small_ends) {
+    QStringList cylinders;
+    for (const std::size_t cylinder : workshop::swapped_rod_ends(big_ends, small_ends)) {
+        cylinders << QString::number(cylinder + 1);
+    }
+    if (cylinders.isEmpty()) {
+        return {};
+    }
+    return {words
+                .translate("Workshop",
+                           "Rod of cylinder %1: the big end weighs less than the small end; are "
+                           "the two swapped?")
+                .arg(cylinders.join(QStringLiteral(", ")))};
 }
 
 }  // namespace ravnoves

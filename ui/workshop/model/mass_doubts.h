@@ -13,13 +13,17 @@ QString kilogramText(const Words& words, const QString& name, double mass);
 /// "Piston: cylinder 3 weighs 5840 g, the others about 584 g; look at the decimal sign."
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd);
 
+/// "Rod of cylinder 3: the big end weighs less than the small end; are the two swapped?"
+QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,
+                             std::span<const workshop::Weighed> small_ends);
+
 /// What of a crankshaft's mass, kg, and its speed in service, rad/s, was mistyped, as it seems;
 /// then more may remain than is meant.
 QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,
                        const std::optional<double>& service_speed);
 
-/// Weights of a sheet that are unlike the others of their column; one that looks like kilograms is
-/// said as such.
+/// Weights of a sheet that are unlike the others of their column, or in the other end's; one that
+/// looks like kilograms is said as such.
 template <typename Sheet>
 QStringList oddMassTexts(const Words& words, const Sheet& sheet) {
     QStringList list;
@@ -30,7 +34,8 @@ QStringList oddMassTexts(const Words& words, const Sheet& sheet) {
             list << oddMassText(words, part, *odd);
         }
     }
-    return list;
+    return list + swappedEndsTexts(words, sheet[workshop::Part::rod_big_end].mass,
+                                   sheet[workshop::Part::rod_small_end].mass);
 }
 
 }  // namespace ravnoves

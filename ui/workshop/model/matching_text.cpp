@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "workshop/kilograms.h"
+
 namespace ravnoves::matching_text {
 
 using namespace workshop;
@@ -240,6 +242,9 @@ Results assignment(const Words& words, const Shown& shown) {
 
 ResultRow takeOff(const Words& words, std::span<const Weighed> masses) {
     constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
+    if (odd_mass(std::nullopt, masses)) {
+        return ResultRow(masses.size());  // nobody is told to grind parts to a slip of the keys
+    }
     ResultRow cells;
     for (const Weighed& mass : take_off(masses)) {
         cells << (!mass              ? ResultCell()
