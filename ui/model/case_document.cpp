@@ -136,8 +136,9 @@ QString CaseDocument::name() const {
     if (!path_.isEmpty()) {
         return QFileInfo(path_).fileName();
     }
-    const QString title = model_->titleShown();
-    return title.isEmpty() ? model_->jobName() : title;
+    // A job's title is that of the engine it was begun from, and jobs of one engine have the same.
+    const QString job = model_->jobName();
+    return job.isEmpty() ? model_->titleShown() : job;
 }
 
 OpenCase CaseDocument::asOpenCase() const {

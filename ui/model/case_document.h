@@ -52,7 +52,7 @@ class CaseDocument : public QObject {
     SceneModel* model() const { return model_; }
     /// Of the file, absolute; empty while there is none.
     QString path() const { return path_; }
-    /// The file's name, else the case's title, else that of its job; may be empty.
+    /// The file's name, else what its job is known by, else the case's title; may be empty.
     QString name() const;
     /// Also a case whose file is gone, or is no case file any more: this is the last copy.
     bool needsSaving() const { return model_->hasChanges() || isLastCopy_; }

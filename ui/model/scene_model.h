@@ -113,7 +113,7 @@ class SceneModel : public QObject {
     /// A title as the user reads it.
     static QString titleText(const QString& title);
     QString titleShown() const { return titleText(title_); }
-    /// What a case without a file and a title is known by: the number of a job's engine.
+    /// What a case without a file is known by before its title: the number of a job's engine.
     virtual QString jobName() const { return {}; }
     void setTitle(const QString& title);
     QString notes() const { return notes_; }

@@ -359,6 +359,20 @@ TEST_F(DocumentsTest, SeveralJobsOfTheWorkshopAreOpen) {
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-1");
 }
 
+TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
+    const CaseFile v8 = CaseDocument::read(example(u"bob-weights-v8"_s));
+    ASSERT_EQ(window.newCase(v8), QString());
+    const QString title = QString::fromStdString(v8.title);
+    EXPECT_TRUE(window.windowTitle().startsWith(title));
+    set(u"job/customer=Smith"_s);
+    EXPECT_TRUE(window.windowTitle().startsWith(u"Smith[*]"_s));
+    set(u"job/engine_number=A-1"_s);
+    press(Qt::Key_N);
+    EXPECT_EQ(tabs().constFirst(), u"A-1 *"_s);
+    press(Qt::Key_Tab);
+    EXPECT_TRUE(window.windowTitle().startsWith(u"A-1[*] – "_s + title));
+}
+
 TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
     QFile::remove(Journal::defaultPath());
     press(Qt::Key_3);
