@@ -11879,8 +11879,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Понятно</translation>
     </message>
     <message>
-        <source>The program ended unexpectedly on %1 with an unfinished job (engine number: %2).</source>
-        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа (номер двигателя: %2).</translation>
+        <source>Unfinished job</source>
+        <translation>Незаконченная работа</translation>
+    </message>
+    <message>
+        <source>Throw away the unfinished job %1 of %2? It is gone for good then.</source>
+        <translation>Выбросить незаконченную работу %1 от %2? Вернуть её будет нельзя.</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly on %1 with an unfinished job: %2.</source>
+        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа: %2.</translation>
+    </message>
+    <message>
+        <source>Others are offered after it: %1.</source>
+        <translation>Затем будут предложены и другие: %1.</translation>
     </message>
 </context>
 <context>
@@ -17185,6 +17197,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The sheet is empty.</source>
         <translation>Лист пуст.</translation>
+    </message>
+    <message>
+        <source>The job on the sheet was removed from the journal.</source>
+        <translation>Работа с этого листа удалена из журнала.</translation>
+    </message>
+    <message>
+        <source>It is saved nowhere now.</source>
+        <translation>Теперь она нигде не сохранена.</translation>
+    </message>
+    <message>
+        <source>Save the job “%1” in the journal?</source>
+        <translation>Сохранить работу «%1» в журнале?</translation>
     </message>
 </context>
 <context>

@@ -15,27 +15,11 @@
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
-#include "workshop/job_header.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 
 namespace {
-
-/// What a job of the workshop is known by; empty for other cases.
-QStringList jobWords(const Json& input) {
-    QStringList words;
-    const std::string head(workshop::field::job.key);
-    if (input.is_object() && input.contains(head) && input.at(head).is_object()) {
-        for (const Field& field : {workshop::field::engine_number,
-                                   workshop::field::crankshaft_number, workshop::field::customer}) {
-            const auto found = input.at(head).find(std::string(field.key));
-            if (found != input.at(head).end() && found->is_string()) {
-                words << QString::fromStdString(found->get<std::string>());
-            }
-        }
-    }
-    return words;
-}
 
 QLabel* recoveryText(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -64,7 +48,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         const std::vector<SceneInfo> scenes = sceneList();
         for (const RecoveredCase& each : cases_) {
             QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
-            names << jobWords(each.content.input);
+            names << JobDesk::wordsOf(each.content);
             names.removeAll(QString());
             QString name = names.join(QStringLiteral(", "));
             for (const SceneInfo& scene : scenes) {

@@ -1,6 +1,7 @@
 #include "workshop/journal_banner.h"
 
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
 
@@ -33,10 +34,10 @@ JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), de
         }
     });
     connect(discard_, &QPushButton::clicked, this, [this] {
-        if (!crashed_.isEmpty()) {
+        if (!crashed_.isEmpty() && mayThrowAway(crashed_.constFirst())) {
             desk_->discardDraft(crashed_.constFirst().session);
+            next();
         }
-        next();
     });
     connect(close_, &QPushButton::clicked, this, [this] {
         said_.clear();
@@ -48,6 +49,14 @@ JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), de
 void JournalBanner::offer(const QList<JournalDraft>& crashed) {
     crashed_ = crashed;
     showText();
+}
+
+bool JournalBanner::mayThrowAway(const JournalDraft& draft) {
+    return QMessageBox::question(
+               this, tr("Unfinished job"),
+               tr("Throw away the unfinished job %1 of %2? It is gone for good then.")
+                   .arg(JobDesk::nameOf(draft), timeText(draft.saved)),
+               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
 void JournalBanner::keepOnly(const QList<JournalDraft>& crashed) {
@@ -80,10 +89,16 @@ void JournalBanner::showText() {
     const QString trouble = said_.isEmpty() ? desk_->journalTrouble() : said_;
     if (draft) {
         const JournalDraft& first = crashed_.constFirst();
-        text_->setText(
-            tr("The program ended unexpectedly on %1 with an unfinished job (engine number: %2).")
-                .arg(timeText(first.saved),
-                     first.engineNumber.isEmpty() ? QStringLiteral("–") : first.engineNumber));
+        QStringList said{tr("The program ended unexpectedly on %1 with an unfinished job: %2.")
+                             .arg(timeText(first.saved), JobDesk::nameOf(first))};
+        QStringList others;
+        for (const JournalDraft& other : crashed_.mid(1)) {
+            others << JobDesk::nameOf(other);
+        }
+        if (!others.isEmpty()) {
+            said << tr("Others are offered after it: %1.").arg(others.join(QStringLiteral("; ")));
+        }
+        text_->setText(said.join(QLatin1Char(' ')));
     } else {
         text_->setText(trouble);
     }

@@ -35,6 +35,7 @@ class JournalBanner : public Panel {
 
   private:
     void showText();
+    bool mayThrowAway(const JournalDraft& draft);
 
     JobDesk* desk_;
     QList<JournalDraft> crashed_;

@@ -85,6 +85,15 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
         }
     });
     connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
+    connect(desk(), &JobDesk::jobRemoved, this, [this] {
+        Q_EMIT status({});  // that it is in the journal was said before
+        QString said = tr("The job on the sheet was removed from the journal.");
+        if (model()->hasChanges()) {
+            said += QLatin1Char(' ') + tr("It is saved nowhere now.");
+        }
+        banner_->say(said);
+    });
+    connect(model(), &SceneModel::begunAnew, this, [this] { banner_->say({}); });
 }
 
 void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
@@ -378,7 +387,10 @@ bool WorkshopPage::leaveJob() {
     if (!hasUnsavedJob()) {
         return true;
     }
-    QStringList said{tr("Save the job on the sheet in the journal?"), refusedWords(this)};
+    const QString name = model()->jobName();
+    QStringList said{name.isEmpty() ? tr("Save the job on the sheet in the journal?")
+                                    : tr("Save the job “%1” in the journal?").arg(name),
+                     refusedWords(this)};
     said.removeAll(QString());
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"), said.join(QStringLiteral("\n\n")),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
@@ -448,7 +460,9 @@ void WorkshopPage::saveJob(bool isFinished) {
         }
         page->wait_.stop();
         Q_EMIT page->status(saved ? text : QString());
-        if (!saved) {
+        if (saved) {
+            page->banner_->say({});
+        } else {
             QMessageBox::warning(page, tr("Journal"), text);
         }
     });
@@ -520,12 +534,7 @@ void WorkshopPage::showJournal() {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    connect(&dialog, &JournalDialog::removed, this, [this](qint64 id) {
-        if (id == desk()->jobId()) {
-            Q_EMIT status({});  // that it is in the journal was said before
-        }
-        desk()->missJob(id);
-    });
+    connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }

@@ -373,6 +373,34 @@ TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
     EXPECT_TRUE(window.windowTitle().startsWith(u"A-1[*] – "_s + title));
 }
 
+TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
+    QFile::remove(Journal::defaultPath());
+    press(Qt::Key_3);
+    QTest::qWait(100);  // until the page is there for its keys
+    set(u"job/engine_number=A-1"_s);
+    press(Qt::Key_F2, {});
+    const ScenePage* page = window.currentPage();
+    JobDesk* desk = page->findChild<JobDesk*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    press(Qt::Key_N);
+    QTest::qWait(100);
+    EXPECT_EQ(tabs(), (QStringList{u"A-1"_s, window.documents().currentScene().title}));
+    answer(QMessageBox::Yes);
+    test::whenModal<JournalDialog>(&window, [](JournalDialog* dialog) {
+        test::named<QAbstractButton>(*dialog, "journal_remove")->click();
+        dialog->reject();
+    });
+    press(Qt::Key_F3, {});
+    EXPECT_EQ(desk->jobId(), 0);
+    EXPECT_EQ(tabs().constFirst(), u"A-1 *"_s);
+    press(Qt::Key_Tab);
+    EXPECT_EQ(test::named<QLabel>(*page, "banner")->text(),
+              u"The job on the sheet was removed from the journal. It is saved nowhere now."_s);
+    press(Qt::Key_F2, {});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    EXPECT_FALSE(test::named<QLabel>(*page, "banner")->isVisible());
+}
+
 TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
     QFile::remove(Journal::defaultPath());
     press(Qt::Key_3);

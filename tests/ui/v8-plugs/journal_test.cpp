@@ -39,8 +39,13 @@ using units::gram;
 
 TEST_F(V8PageTest, TheWindowAsksForTheJournal) {
     type("engine_number", u"7"_s);
-    answer(QMessageBox::Save);
+    QString asked;
+    whenModal<QMessageBox>([&](QMessageBox* box) {
+        asked = box->text();
+        box->button(QMessageBox::Save)->click();
+    });
     EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(asked, u"Save the job “7” in the journal?"_s);
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     type("engine_number", u"8"_s);
     answer(QMessageBox::Cancel);
@@ -337,13 +342,17 @@ TEST_F(V8PageTest, CrashedDraftIsOffered) {
     lost.preset = "6 l";
     lost.engine = *find_preset("6 l");
     lost.job.engine_number = "99";
+    lost.job.customer = "Smith";
     draft.form = QByteArray::fromStdString(write_case({"v8-plugs", "", write_input(lost)}).dump());
     ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
     V8PlugsPage next(model->desk()->journal()->path(), nullptr);
     test::showAt(next, {1187, 712});
     auto* banner = next.findChild<QLabel*>(u"banner"_s);
     ASSERT_TRUE(banner->isVisible());
-    EXPECT_TRUE(banner->text().contains(u"99"_s));
+    EXPECT_TRUE(banner->text().endsWith(u"with an unfinished job: 99, Smith."_s));
+    answer(QMessageBox::No);
+    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_discard"_s), Qt::LeftButton);
+    EXPECT_TRUE(banner->isVisible());
     QTest::mouseClick(next.findChild<QPushButton*>(u"draft_continue"_s), Qt::LeftButton);
     EXPECT_FALSE(banner->isVisible());
     EXPECT_EQ(next.viewModel()->input().job.engine_number, "99");
@@ -352,6 +361,21 @@ TEST_F(V8PageTest, CrashedDraftIsOffered) {
     V8PlugsPage third(model->desk()->journal()->path(), nullptr);
     test::showAt(third, {1187, 712});
     EXPECT_FALSE(third.findChild<QLabel*>(u"banner"_s)->isVisible());
+}
+
+TEST_F(V8PageTest, ADraftIsThrownAwayWhenThatIsMeant) {
+    JournalDraft draft;
+    draft.session = u"crashed"_s;
+    draft.scene = u"v8-plugs"_s;
+    draft.engineNumber = u"99"_s;
+    draft.form = "{}";
+    ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
+    V8PlugsPage next(model->desk()->journal()->path(), nullptr);
+    test::showAt(next, {1187, 712});
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_discard"_s), Qt::LeftButton);
+    EXPECT_FALSE(next.findChild<QLabel*>(u"banner"_s)->isVisible());
+    EXPECT_TRUE(model->desk()->crashedDrafts().isEmpty());
 }
 
 TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {

@@ -33,10 +33,17 @@ bool isNamed(const JournalJob& job) {
            !job.customer.isEmpty();
 }
 
+/// Those that live.
+QList<JobDesk*>& desks() {
+    static QList<JobDesk*> all;
+    return all;
+}
+
 }  // namespace
 
 JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     : QObject(model), model_(model), scene_(std::move(scene)), journalPath_(journalPath) {
+    desks() << this;
     if (!journalPath_.isEmpty()) {
         const QSettings settings;
         cardLanguage_ =
@@ -76,6 +83,7 @@ void JobDesk::withoutChange(const std::function<void()>& follow) {
 }
 
 JobDesk::~JobDesk() {
+    desks().removeOne(this);
     // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
     if ((draftKept_ || draftUnderWay_) && isOpen()) {
         writer_->discardDraft(journal_->session());
@@ -163,10 +171,15 @@ void JobDesk::forgetJob() {
 }
 
 void JobDesk::missJob(qint64 removed) {
-    if (removed == jobId_) {
-        putJobId(0, 0);
-        isJournaled_ = false;
-        model_->history()->resetClean();
+    for (JobDesk* desk : QList(desks())) {
+        if (desk->journalPath_ == journalPath_ && desk->jobId_ == removed) {
+            desk->putJobId(0, 0);
+            desk->isJournaled_ = false;
+            if (!CaseDocument::hasFile(*desk->model_)) {
+                desk->model_->history()->resetClean();
+            }
+            Q_EMIT desk->jobRemoved();
+        }
     }
 }
 
@@ -221,6 +234,33 @@ QString JobDesk::numbersOf(const JournalJob& job) {
     QStringList numbers{job.engineNumber, job.crankshaftNumber};
     numbers.removeAll(QString());
     return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
+}
+
+QStringList JobDesk::wordsOf(const CaseFile& file) {
+    QStringList words;
+    const std::string head(workshop::field::job.key);
+    if (file.input.is_object() && file.input.contains(head) && file.input.at(head).is_object()) {
+        for (const Field& field : {workshop::field::engine_number,
+                                   workshop::field::crankshaft_number, workshop::field::customer}) {
+            const auto found = file.input.at(head).find(std::string(field.key));
+            if (found != file.input.at(head).end() && found->is_string()) {
+                words << QString::fromStdString(found->get<std::string>());
+            }
+        }
+    }
+    words.removeAll(QString());
+    return words;
+}
+
+QString JobDesk::nameOf(const JournalDraft& draft) {
+    QStringList words{draft.engineNumber};
+    try {
+        words = wordsOf(parse_case(draft.form.toStdString()));
+    } catch (const InputError&) {
+        // Going on with it says why.
+    }
+    words.removeAll(QString());
+    return words.isEmpty() ? QStringLiteral("–") : words.join(QStringLiteral(", "));
 }
 
 bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) const {

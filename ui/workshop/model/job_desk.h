@@ -69,7 +69,8 @@ class JobDesk : public QObject {
     /// from elsewhere: from a file, or after a crash. One that is as the sheet is needs no question
     /// and becomes the sheet's.
     std::optional<JournalJob> sameJob();
-    /// A job was removed from the journal: where it is the sheet's, that is saved nowhere now.
+    /// A job was removed from the journal: whose sheet it is on, there or elsewhere in the program,
+    /// is not in it any more and says so.
     void missJob(qint64 removed);
     /// Saving takes the place of that one.
     void replaceInJournal(const JournalJob& job) { putJobId(job.id, job.revision); }
@@ -113,6 +114,11 @@ class JobDesk : public QObject {
 
     /// Of engine and crankshaft; a dash where it has none.
     static QString numbersOf(const JournalJob& job);
+    /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
+    /// for other cases.
+    static QStringList wordsOf(const CaseFile& file);
+    /// The same of a draft; a dash where it has none.
+    static QString nameOf(const JournalDraft& draft);
     /// What the journal keeps of the head of a job card.
     static JournalJob entryOf(const workshop::JobHeader& head);
     /// The head of another engine's job, of today.
@@ -130,6 +136,8 @@ class JobDesk : public QObject {
     /// Another program is writing to the journal: what was asked for waits for it.
     void journalWaits();
     void journalTroubleChanged(const QString& text);
+    /// The job on the sheet was removed from the journal.
+    void jobRemoved();
 
   private:
     /// A name alone makes no other engine.
