@@ -8465,6 +8465,10 @@ but nothing can be built</source>
         <source>%2 less at %1° – cannot be built</source>
         <translation>на %2 меньше при&#xa0;%1° — построить нельзя</translation>
     </message>
+    <message>
+        <source>The front view has a bore of %1, the gas torque one of %2: which is the cylinder’s?</source>
+        <translation>У вида спереди диаметр цилиндра %1, у момента газов %2: какой из них верный?</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>

@@ -104,6 +104,7 @@ QTabWidget* BalanceShaftPage::buildInputs() {
           "/envelope/gear_tip_radius_mm", "/envelope/clearance_mm", "/envelope/wall_mm"}) {
         form->number(place);
     }
+    TorqueSourceEditor::addBores(model_, form, sizes);
     QLabel* assumed = captionLabel({}, sizes);
     sizes->addWide(assumed);
     form->follow([this, assumed] {

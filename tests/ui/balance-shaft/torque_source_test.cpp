@@ -71,6 +71,22 @@ TEST_F(TorqueSourceTest, InertiaTorqueFollowsTheSpeedAndGasTorqueDoesNot) {
     }
 }
 
+TEST_F(TorqueSourceTest, BoresThatDifferAreTold) {
+    choose(2);
+    EXPECT_EQ(model->boresText(), QString()) << "the cycle's is that of the front view";
+    model->edit(QStringLiteral("Bore"),
+                [](balance_shaft::Input& input) { input.torque.cylinder.bore = 0.08; });
+    const auto said = page.findChildren<QLabel*>(QStringLiteral("bores"));
+    ASSERT_EQ(said.size(), 3);
+    for (const QLabel* each : said) {
+        EXPECT_EQ(each->text(), QStringLiteral("The front view has a bore of 95.5\u00A0mm, the gas "
+                                               "torque one of 80\u00A0mm: which is the cylinder’s?"));
+    }
+    model->edit(QStringLiteral("Bore"),
+                [](balance_shaft::Input& input) { input.envelope.cylinder_bore.reset(); });
+    EXPECT_EQ(model->boresText(), QString());
+}
+
 TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
     choose(2);
     auto* ratio = source->findChild<NumberField*>(QStringLiteral("compression_ratio"));

@@ -132,6 +132,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double mass(const std::string& name) const;
     /// What the parts of field::mass_parts lack of the reciprocating mass, kg.
     double otherMasses() const;
+    /// That front view and computed torque have bores that differ; empty where they do not.
+    QString boresText() const;
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results criteria() const;
