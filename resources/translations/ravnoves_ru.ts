@@ -15513,6 +15513,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Job</source>
         <translation>Работа</translation>
     </message>
+    <message>
+        <source>Understood as %1 numbers: %2 %3</source>
+        <translation>Понято как несколько чисел (%1): %2 %3</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShiftPlot</name>

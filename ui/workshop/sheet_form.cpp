@@ -132,11 +132,21 @@ void SheetForm::numberList(const Field& description, std::function<std::vector<d
                    : QString();
     };
     checked(description,
-            {normal, trouble,
-             [&description, read = std::move(read)] { return numberListText(read(), description); },
+            {normal, trouble, [&description, read] { return numberListText(read(), description); },
              [&description, write = std::move(write)](const QString& name, const QString& typed) {
                  write(name, readNumberList(typed, description));
              }});
+    // "12, 5" is two numbers, and may have been meant as one.
+    QLabel* understood = line(Theme::smallSize, [&description, read] {
+        const std::vector<double> values = read();
+        return values.size() < 2
+                   ? QString()
+                   : tr("Understood as %1 numbers: %2 %3")
+                         .arg(values.size())
+                         .arg(numberListText(values, description), shownUnit(description).name);
+    });
+    understood->setObjectName(QString::fromStdString(std::string(description.key) + "_understood"));
+    understood->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
 }
 
 QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
