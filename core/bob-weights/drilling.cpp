@@ -29,8 +29,9 @@ struct Pattern {
 
 class Planner {
   public:
-    Planner(double target, double angle, const Cut& cut, const HoleLimits& limits)
-        : target_(target), angle_(angle), cut_(cut), limits_(limits) {}
+    /// @param whole  the holes' edges lie in the sector, too
+    Planner(double target, double angle, const Cut& cut, const HoleLimits& limits, bool whole)
+        : target_(target), angle_(angle), cut_(cut), limits_(limits), whole_(whole) {}
 
     double deepest(double diameter) const {
         const double room = cut_.radius - cut_.cone(diameter);
@@ -121,9 +122,14 @@ class Planner {
         if (!half && (n > 1 || !limits_.taken.empty())) {
             return false;
         }
+        const auto may_lie = [&](double angle) {
+            return is_allowed(angle) &&
+                   (!whole_ ||
+                    edge_beyond(cut_, *limits_.sector, {diameter, depth, angle, 0.0, 0.0}) == 0.0);
+        };
         double offset = half.value_or(0.0);
         if (n % 2 == 1) {
-            if (!is_allowed(angle_) || clear_of_taken(0.0, offset) != 0.0) {
+            if (!may_lie(angle_) || clear_of_taken(0.0, offset) != 0.0) {
                 return false;
             }
             visit(0.0);
@@ -131,8 +137,8 @@ class Planner {
         }
         for (int pair = 0; pair < n / 2; ++pair) {
             const auto clear = clear_of_taken(offset, *half);
-            if (!clear || *clear > limits_.maximum_angle || !is_allowed(angle_ - *clear) ||
-                !is_allowed(angle_ + *clear)) {
+            if (!clear || *clear > limits_.maximum_angle || !may_lie(angle_ - *clear) ||
+                !may_lie(angle_ + *clear)) {
                 return false;
             }
             visit(-*clear);
@@ -201,50 +207,12 @@ class Planner {
     double angle_;
     const Cut& cut_;
     const HoleLimits& limits_;
+    bool whole_;
 };
 
-}  // namespace
-
-double Cut::cone(double diameter) const {
-    return point_angle < pi ? 0.5 * diameter / std::tan(0.5 * point_angle) : 0.0;
-}
-
-Removed Cut::removed(double diameter, double depth) const {
-    const double area = 0.25 * pi * diameter * diameter;
-    const double point = cone(diameter);
-    const double cylinder = area * depth;
-    const double tip = area * point / 3.0;
-    const double lever = radius - 0.5 * depth;
-    const double mass = density * (cylinder + tip);
-    const double unbalance = density * (cylinder * lever + tip * (radius - depth - 0.25 * point));
-    if (!slug_density) {
-        return {mass, unbalance};
-    }
-    const double slug = *slug_density * cylinder;
-    return {slug - mass, slug * lever - unbalance, slug};
-}
-
-std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall) {
-    // From a plane through the axis: the edge of the bottom at the radius b = R − h, half a
-    // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a.
-    const double bottom = cut.radius - depth;
-    const double tip = bottom - cut.cone(diameter);
-    const double reach = std::hypot(bottom, 0.5 * diameter);
-    if (tip <= 0.0 || 0.5 * wall >= reach || 0.5 * wall >= tip) {
-        return std::nullopt;
-    }
-    const double edge = std::asin(0.5 * wall / reach) + std::atan2(0.5 * diameter, bottom);
-    return std::max(edge, std::asin(0.5 * wall / tip));
-}
-
-std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
-    const auto half = half_width(cut, diameter, depth, wall);
-    return half ? std::optional(2.0 * *half) : std::nullopt;
-}
-
-HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
-                    const HoleLimits& limits, double tolerance) {
-    const Planner planner(target, angle, cut, limits);
+HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const double> diameters,
+                    const HoleLimits& limits, double tolerance, bool whole) {
+    const Planner planner(target, angle, cut, limits, whole);
     if (target <= tolerance || target <= 0.0) {
         return {{}, target, Shortfall::none};
     }
@@ -298,6 +266,79 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
         return {{}, target, nearest->left > target ? why : Shortfall::nothing_fits};
     }
     return {planner.holes(*nearest), nearest->left, why};
+}
+
+}  // namespace
+
+double Cut::cone(double diameter) const {
+    return point_angle < pi ? 0.5 * diameter / std::tan(0.5 * point_angle) : 0.0;
+}
+
+Removed Cut::removed(double diameter, double depth) const {
+    const double area = 0.25 * pi * diameter * diameter;
+    const double point = cone(diameter);
+    const double cylinder = area * depth;
+    const double tip = area * point / 3.0;
+    const double lever = radius - 0.5 * depth;
+    const double mass = density * (cylinder + tip);
+    const double unbalance = density * (cylinder * lever + tip * (radius - depth - 0.25 * point));
+    if (!slug_density) {
+        return {mass, unbalance};
+    }
+    const double slug = *slug_density * cylinder;
+    return {slug - mass, slug * lever - unbalance, slug};
+}
+
+std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall) {
+    // From a plane through the axis: the edge of the bottom at the radius b = R − h, half a
+    // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a.
+    const double bottom = cut.radius - depth;
+    const double tip = bottom - cut.cone(diameter);
+    const double reach = std::hypot(bottom, 0.5 * diameter);
+    if (tip <= 0.0 || 0.5 * wall >= reach || 0.5 * wall >= tip) {
+        return std::nullopt;
+    }
+    const double edge = std::asin(0.5 * wall / reach) + std::atan2(0.5 * diameter, bottom);
+    return std::max(edge, std::asin(0.5 * wall / tip));
+}
+
+double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, const Hole& hole) {
+    constexpr double rounding = 1e-9;
+    if (turn_of(sector.second - sector.first) < rounding) {
+        return 0.0;  // all round
+    }
+    double most = 0.0;
+    for (const double inwards :
+         {turn_of(hole.angle - sector.first), turn_of(sector.second - hole.angle)}) {
+        // From the plane of the limit, as in half_width(); a limit a quarter turn away bounds
+        // nothing here.
+        const double angle = inwards > 2.0 * pi - rounding ? 0.0 : inwards;
+        if (angle < 0.5 * pi) {
+            most = std::max(most, 0.5 * hole.diameter * std::cos(angle) -
+                                      (cut.radius - hole.depth) * std::sin(angle));
+        }
+    }
+    return most < rounding ? 0.0 : most;
+}
+
+std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
+    const auto half = half_width(cut, diameter, depth, wall);
+    return half ? std::optional(2.0 * *half) : std::nullopt;
+}
+
+HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
+                    const HoleLimits& limits, double tolerance) {
+    HolePlan plan = plan_where(target, angle, cut, diameters, limits, tolerance, false);
+    const bool is_inside_whole =
+        !limits.sector || std::all_of(plan.holes.begin(), plan.holes.end(), [&](const Hole& hole) {
+            return edge_beyond(cut, *limits.sector, hole) == 0.0;
+        });
+    if (is_inside_whole) {
+        return plan;
+    }
+    HolePlan whole = plan_where(target, angle, cut, diameters, limits, tolerance, true);
+    return whole.shortfall == Shortfall::none || std::abs(whole.left) <= std::abs(plan.left) ? whole
+                                                                                             : plan;
 }
 
 std::array<std::complex<double>, 2> carried_over(

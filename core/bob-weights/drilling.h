@@ -56,7 +56,8 @@ struct HoleLimits {
     double minimum_wall;   ///< m
     int maximum_holes;
     double maximum_angle;  ///< from the middle to the last hole, rad
-    /// The sector that may be drilled, from and to, rad.
+    /// The sector that may be drilled, from and to, rad: its limits are those of the holes'
+    /// middles, and whole holes lie in it where that takes off as much.
     std::optional<std::pair<double, double>> sector;
     std::vector<Taken> taken{};  ///< of the holes of earlier runs
 };
@@ -64,11 +65,13 @@ struct HoleLimits {
 /// Why the holes do not take off what they should.
 enum class Shortfall {
     none,
-    nothing_fits,        ///< the smallest hole takes off too much
-    too_little_room,     ///< the holes that have room take off too little
-    rounding,            ///< the rounding of the depths leaves more than it may
-    outside_sector,      ///< the sector that may be drilled is elsewhere
-    both_outside_sector  ///< neither the heavy spot nor the side of the slugs is in it
+    nothing_fits,         ///< the smallest hole takes off too much
+    too_little_room,      ///< the holes that have room take off too little
+    rounding,             ///< the rounding of the depths leaves more than it may
+    outside_sector,       ///< the sector that may be drilled is elsewhere
+    both_outside_sector,  ///< neither the heavy spot nor the side of the slugs is in it
+    light_slugs,          ///< slugs are hardly heavier than what their holes take off
+    short_slugs           ///< a slug as long as may be does not outweigh the cone of its hole
 };
 
 struct HolePlan {
@@ -85,6 +88,10 @@ std::optional<double> half_width(const Cut& cut, double diameter, double depth, 
 /// Angle between two neighbouring holes whose wall at the bottom is still the minimum, rad;
 /// nothing where they meet whatever the angle.
 std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall);
+
+/// By how much a hole in the sector reaches beyond a limit of it with its edge, at its bottom, m; 0
+/// where it lies inside.
+double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, const Hole& hole);
 
 /// Equal holes to both sides of `angle` that take off `target` there: as few as can be, and of the
 /// tools the one that takes off the least metal. The holes' unbalances add up along the angle, for

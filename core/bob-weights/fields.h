@@ -131,7 +131,9 @@ inline constexpr Field from_angle{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill from"),
     .hint = CORE_TEXT("bob-weights",
-                      "The sector of the counterweight that may be drilled begins here."),
+                      "The sector of the counterweight that may be drilled begins here. Its limits "
+                      "are those of the holes' middles; whole holes lie in it where that takes "
+                      "off as much."),
     .if_empty = CORE_TEXT("bob-weights", "all round"),
     .placeholder = CORE_TEXT("bob-weights", "all round")};
 inline constexpr Field to_angle{
@@ -139,7 +141,9 @@ inline constexpr Field to_angle{
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill to"),
-    .hint = CORE_TEXT("bob-weights", "The sector ends here, in the sense of growing angles."),
+    .hint = CORE_TEXT("bob-weights",
+                      "The sector ends here, in the sense of growing angles: a limit of the holes' "
+                      "middles."),
     .if_empty = CORE_TEXT("bob-weights", "all round"),
     .placeholder = CORE_TEXT("bob-weights", "all round")};
 inline constexpr Field readings{

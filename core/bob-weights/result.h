@@ -76,6 +76,7 @@ struct PlaneResult {
     double grams_at_radius;                ///< kg at the plane's radius
     std::vector<Hole> holes;               ///< at the heavy spot
     std::vector<Hole> slugs;               ///< opposite it
+    double beyond_sector;                  ///< of their edges, edge_beyond() at its most, m
     double remaining;                      ///< kg·m
     double remaining_angle;                ///< rad
     std::optional<bool> measured_within;   ///< as the machine reads it

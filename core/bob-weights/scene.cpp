@@ -49,6 +49,9 @@ Json plane_json(const PlaneResult& plane) {
               {"within_tolerance_as_measured", known(plane.measured_within)},
               {"within_tolerance", known(plane.within_tolerance)},
               {"feasible", plane.reason.empty()}};
+    if (plane.beyond_sector > 0.0) {
+        json["edge_beyond_sector_mm"] = plane.beyond_sector / units::mm;
+    }
     if (!plane.reason.empty()) {
         json["reason"] = plane.reason.english();
     }

@@ -177,11 +177,20 @@ std::optional<bool> both(const std::optional<bool>& first, const std::optional<b
     return first && second ? std::optional(*first && *second) : std::nullopt;
 }
 
+/// Whether a slug adds next to nothing, for its hole takes off nearly as much.
+bool is_light(double slug_density, double density) {
+    constexpr double least = 1.1;
+    return slug_density < least * density;
+}
+
 /// @param beside  holes of earlier runs are in that plane
-Message describe(Shortfall shortfall, double left, double angle, const Plane& plane, bool has_slugs,
-                 bool beside) {
+Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
+                 const Correction& correction, bool has_slugs, bool beside) {
     const Number grams{std::abs(left) / *plane.radius / units::gram, units::gram, -2};
     const Number at{turn_of(angle) / degree, units::degree, -1};
+    const auto density_of = [](double density) {
+        return Number{density / units::kg_m3, units::kg_m3};
+    };
     switch (shortfall) {
         case Shortfall::none:
             return {};
@@ -211,6 +220,22 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                               "%1 at the radius remain at %2. As a last resort weld that much on "
                               "opposite."),
                     grams, at};
+        case Shortfall::light_slugs:
+            return {CORE_TEXT("bob-weights",
+                              "Slugs of %1 hardly outweigh the %2 of the crankshaft that their "
+                              "holes take off: none is planned, and %3 at the radius remain at %4. "
+                              "Heavier metal, or as a last resort as much welded on opposite."),
+                    density_of(correction.slug->density.value()),
+                    density_of(correction.drill.density), grams, at};
+        case Shortfall::short_slugs:
+            return {CORE_TEXT("bob-weights",
+                              "A slug of %1 as long as the deepest hole may be does not outweigh "
+                              "the %2 of the crankshaft that its hole takes off with the cone "
+                              "beneath it: none is planned, and %3 at the radius remain at %4. "
+                              "Deeper holes or a flatter point, or as a last resort as much welded "
+                              "on opposite."),
+                    density_of(correction.slug->density.value()),
+                    density_of(correction.drill.density), grams, at};
         case Shortfall::too_little_room:
             if (beside) {
                 return {has_slugs ? CORE_TEXT("bob-weights",
@@ -287,13 +312,28 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     const bool has_slugs = slug && slug->diameter && slug->density;
     if (has_slugs && is_left()) {
         const double size[] = {*slug->diameter};
-        HolePlan slugs =
-            plan_holes(plan.left, turn_of(result.angle + pi),
-                       {*plane.radius, drill.density, drill.point_angle, slug->density}, size,
-                       limits, tolerance);
+        const Cut into{*plane.radius, drill.density, drill.point_angle, slug->density};
+        const bool is_too_light = is_light(*slug->density, drill.density);
+        HolePlan slugs = is_too_light ? HolePlan{{}, plan.left, Shortfall::light_slugs}
+                                      : plan_holes(plan.left, turn_of(result.angle + pi), into,
+                                                   size, limits, tolerance);
+        const double deepest =
+            std::min(limits.maximum_depth, *plane.radius - into.cone(*slug->diameter));
+        if (!is_too_light && slugs.holes.empty() && slugs.shortfall != Shortfall::outside_sector &&
+            deepest > 0.0 && into.removed(*slug->diameter, deepest).unbalance <= 0.0) {
+            slugs.shortfall = Shortfall::short_slugs;
+        }
         result.slugs = std::move(slugs.holes);
         plan.left = slugs.left;
         plan.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
+    }
+    if (limits.sector) {
+        for (const auto* holes : {&result.holes, &result.slugs}) {
+            for (const Hole& hole : *holes) {
+                result.beyond_sector =
+                    std::max(result.beyond_sector, edge_beyond(cut, *limits.sector, hole));
+            }
+        }
     }
     Vector left = unbalance;
     for (const Hole& hole : result.holes) {
@@ -308,7 +348,7 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     result.within_tolerance = is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
         result.reason = describe(plan.shortfall, result.remaining, result.remaining_angle, plane,
-                                 has_slugs, !before.empty());
+                                 correction, has_slugs, !before.empty());
     }
     return result;
 }

@@ -336,6 +336,10 @@
         <source>%1: the drilling has left %2 instead of %3. Were the holes drilled as planned, from the same zero and in the same direction as the machine counts?</source>
         <translation>%1: после сверления осталось %2 вместо %3. Сверлили ли по плану, от того же нуля и в ту же сторону, в какую считает станок?</translation>
     </message>
+    <message>
+        <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled, whose limits are those of the holes’ middles. Make sure that there is metal enough.</source>
+        <translation>%1: край отверстия выходит на %2 за сектор, где можно сверлить: его границы заданы для середин отверстий. Убедитесь, что металла там хватит.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3758,10 +3762,6 @@
         <translation>Сверлить до</translation>
     </message>
     <message>
-        <source>The sector ends here, in the sense of growing angles.</source>
-        <translation>Здесь сектор кончается, в сторону роста углов.</translation>
-    </message>
-    <message>
         <source>Read at</source>
         <translation>Измерено в</translation>
     </message>
@@ -4062,10 +4062,6 @@
         <translation>по теории для этого двигателя; данные изготовителя важнее</translation>
     </message>
     <message>
-        <source>The sector of the counterweight that may be drilled begins here.</source>
-        <translation>Здесь начинается сектор противовеса, который можно сверлить.</translation>
-    </message>
-    <message>
         <source>Where the machine reads.</source>
         <translation>Где измеряет станок.</translation>
     </message>
@@ -4196,6 +4192,22 @@
     <message>
         <source>Both the heavy spot and the side opposite it lie outside the sector that may be drilled: no hole and no slug has a place, and %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
         <translation>И тяжёлое место, и противоположная сторона вне сектора, где можно сверлить: ни отверстию, ни вставке нет места, остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>The sector of the counterweight that may be drilled begins here. Its limits are those of the holes&apos; middles; whole holes lie in it where that takes off as much.</source>
+        <translation>Здесь начинается сектор противовеса, где можно сверлить. Его границы — для середин отверстий; целиком отверстия лежат в нём, если так снимается столько же.</translation>
+    </message>
+    <message>
+        <source>The sector ends here, in the sense of growing angles: a limit of the holes&apos; middles.</source>
+        <translation>Здесь сектор кончается, в сторону растущих углов: граница для середин отверстий.</translation>
+    </message>
+    <message>
+        <source>Slugs of %1 hardly outweigh the %2 of the crankshaft that their holes take off: none is planned, and %3 at the radius remain at %4. Heavier metal, or as a last resort as much welded on opposite.</source>
+        <translation>Вставки плотностью %1 почти не тяжелее металла вала плотностью %2, который снимают их отверстия: они не назначены, и остаётся %3 на радиусе под углом %4. Нужен металл тяжелее; последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>A slug of %1 as long as the deepest hole may be does not outweigh the %2 of the crankshaft that its hole takes off with the cone beneath it: none is planned, and %3 at the radius remain at %4. Deeper holes or a flatter point, or as a last resort as much welded on opposite.</source>
+        <translation>Вставка плотностью %1 во всю наибольшую глубину отверстия легче металла вала плотностью %2, снятого вместе с конусом под ней: вставки не назначены, и остаётся %3 на радиусе под углом %4. Нужны отверстия глубже или дно площе; последнее средство — наварить столько же напротив.</translation>
     </message>
 </context>
 <context>

@@ -295,6 +295,40 @@ TEST(Plan, StaysWithinTheSectorAtBothItsEnds) {
     EXPECT_GT(many, 4);
 }
 
+TEST(Plan, KeepsWholeHolesInTheSectorWhereThatTakesOffAsMuch) {
+    HoleLimits limits = usual;
+    limits.sector = {-7 * degree, 90 * degree};
+    const auto beyond = [&](const HolePlan& plan) {
+        double most = 0.0;
+        for (const Hole& hole : plan.holes) {
+            // By the corners of the hole at its bottom.
+            for (const double side : {-0.5, 0.5}) {
+                const auto corner = std::complex(rim.radius - hole.depth, side * hole.diameter) *
+                                    std::polar(1.0, hole.angle - limits.sector->first);
+                most = std::max(most, -corner.imag());
+            }
+            EXPECT_NEAR(std::max(most, 0.0), std::max(most, edge_beyond(rim, *limits.sector, hole)),
+                        1e-9);
+        }
+        return most;
+    };
+    // Of ⌀ 12 mm half lies 5° beside the middle, of ⌀ 8 mm 3° at the rim and 5° at 35 mm.
+    int whole = 0;
+    for (double target = 300.0; target < 1500.0; target *= 1.2) {
+        const HolePlan plan = plan_holes(target * gram_mm, 0.0, rim, drills, limits, -1.0);
+        EXPECT_EQ(plan.shortfall, Shortfall::none) << target;
+        EXPECT_EQ(beyond(plan), 0.0) << target;
+        ++whole;
+    }
+    EXPECT_GT(whole, 5);
+    // At the limit itself no whole hole has room.
+    const HolePlan at_limit =
+        plan_holes(1000 * gram_mm, limits.sector->first, rim, drills, limits, -1.0);
+    EXPECT_EQ(at_limit.shortfall, Shortfall::none);
+    EXPECT_NEAR(beyond(at_limit), 0.5 * at_limit.holes.at(0).diameter, 1e-9);
+    EXPECT_EQ(edge_beyond(rim, {0.0, 2.0 * pi}, {16 * mm, 0.0, 0.0, 0.0, 0.0}), 0.0) << "all round";
+}
+
 TEST(Plan, SaysWhyItFallsShort) {
     // Within the limit nothing is drilled; what the point alone exceeds cannot be.
     EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());

@@ -296,6 +296,44 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
         << plane.at("reason");
 }
 
+TEST(Correction, SaysHowFarAnEdgeReachesBeyondTheSector) {
+    Json input = with_correction();
+    input["correction"]["readings"][0] = {{"unbalance_g_mm", 900}, {"angle_deg", 40}};
+    Json& plane = input["correction"]["planes"][0];
+    plane["from_deg"] = 40;
+    plane["to_deg"] = 120;
+    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
+    const Json at_limit = front();
+    EXPECT_NEAR(at_limit.at("edge_beyond_sector_mm").get<double>(),
+                at_limit.at("holes")[0].at("diameter_mm").get<double>() / 2, 1e-9);
+    EXPECT_TRUE(at_limit.at("feasible").get<bool>());
+    plane["from_deg"] = 0;
+    EXPECT_FALSE(front().contains("edge_beyond_sector_mm"));
+}
+
+TEST(Correction, SaysWhichSlugsOutweighNothing) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 100}};
+    input["correction"]["readings"][0]["unbalance_g_mm"] = 20'000;
+    Json& slug = input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 7900}};
+    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
+    Json plane = front();
+    EXPECT_TRUE(plane.at("slugs").empty());
+    EXPECT_EQ(plane.at("reason").get<std::string>().find(
+                  "Slugs of 7900 kg/m³ hardly outweigh the 7850 kg/m³ of the crankshaft"),
+              0u)
+        << plane.at("reason");
+    slug["density_kg_m3"] = 11'340;
+    input["correction"]["drill"]["maximum_depth_mm"] = 4;
+    plane = front();
+    EXPECT_TRUE(plane.at("slugs").empty());
+    EXPECT_EQ(plane.at("reason").get<std::string>().find(
+                  "A slug of 11340 kg/m³ as long as the deepest hole may be does not outweigh the "
+                  "7850 kg/m³"),
+              0u)
+        << plane.at("reason");
+}
+
 TEST(Tolerance, IsSharedByTheDistances) {
     Tolerance tolerance;
     tolerance.grade = 16e-3;

@@ -284,6 +284,14 @@ TEST_F(BobPageTest, ReadingsBecomeHoles) {
     EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
     type("diameters_mm", u"8"_s);
     EXPECT_GT((*model->solution().correction)[0].holes.size(), 1u);
+    EXPECT_TRUE(label("diameters_mm_understood").isEmpty());
+    type("diameters_mm", u"8, 10, 12, 5"_s);
+    EXPECT_EQ(label("diameters_mm_understood"), u"Understood as 4 numbers: 8; 10; 12; 5 mm"_s);
+    // A sector that ends at the heavy spot: the page says how far a hole reaches out of it.
+    type("from_1", u"75"_s);
+    type("to_1", u"180"_s);
+    EXPECT_TRUE(label("troubles").startsWith(u"Front plane: the edge of a hole reaches "_s))
+        << label("troubles").toStdString();
     // A sector elsewhere: no hole, and the page says what to do.
     type("from_1", u"180"_s);
     type("to_1", u"300"_s);

@@ -343,6 +343,19 @@ QStringList warnings(const Words& words, const Input& input, const Result& resul
                         .arg(runName(words, run));
         }
     }
+    for (std::size_t i = 0; result.correction && result.holds() && i < 2; ++i) {
+        const double beyond = (*result.correction)[i].beyond_sector;
+        if (beyond > 0.0) {
+            list << words
+                        .translate(
+                            "BobWeights",
+                            "%1: the edge of a hole reaches %2 beyond the sector that may be "
+                            "drilled, whose limits are those of the holes’ middles. Make "
+                            "sure that there is metal enough.")
+                        .arg(planeName(words, i),
+                             words.number(beyond, units::mm, beyond < 0.1 * units::mm ? 2 : 1));
+        }
+    }
     if (result.amplification && *result.amplification > most_amplification) {
         const auto place = [&](std::size_t i) {
             const auto& reading = input.correction->readings.at(i).position;

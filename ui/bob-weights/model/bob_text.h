@@ -43,7 +43,8 @@ QString otherRun(const Words& words, const bob_weights::Result& result);
 /// Masses that look like kilograms or are unlike the others: the answer is not to be trusted.
 QStringList doubts(const Words& words, const bob_weights::Input& input,
                    const bob_weights::Result& result);
-/// What counts as 0 because it was not given, and readings that lie far outside the planes.
+/// What counts as 0 because it was not given, holes whose edges reach beyond their sector, and
+/// readings that lie far outside the planes.
 QStringList warnings(const Words& words, const bob_weights::Input& input,
                      const bob_weights::Result& result);
 /// What the depths are measured to; empty without holes.
