@@ -135,14 +135,22 @@ bool RecoveryDialog::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool RecoveryDialog::mayThrowAway() {
-    int ticked = 0;
+    constexpr qsizetype most = 8;  // a box has room for
+    QStringList ticked;
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {
-        ticked += list_->topLevelItem(row)->checkState(0) == Qt::Checked ? 1 : 0;
+        if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
+            ticked << list_->topLevelItem(row)->text(0);
+        }
     }
-    return ticked > 0 &&
+    const qsizetype count = ticked.size();
+    if (count > most) {
+        ticked = ticked.mid(0, most) << QStringLiteral("…");
+    }
+    return count > 0 &&
            QMessageBox::question(
                this, windowTitle(),
-               tr("Throw away what is ticked? Cases that are gone for good then: %1.").arg(ticked),
+               tr("Throw away what is ticked? Cases that are gone for good then: %1.").arg(count) +
+                   QStringLiteral("\n\n") + ticked.join(QLatin1Char('\n')),
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 

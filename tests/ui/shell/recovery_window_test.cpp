@@ -263,8 +263,9 @@ TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
     window.reset();
     start();
     ASSERT_NE(offered(), nullptr) << "it was to be later";
-    test::whenModal<QMessageBox>(window.get(), [](QMessageBox* box) {
-        EXPECT_TRUE(box->text().contains(u'1')) << box->text().toStdString();
+    const QString name = test::named<QTreeWidget>(*window, "recovered")->topLevelItem(0)->text(0);
+    test::whenModal<QMessageBox>(window.get(), [&](QMessageBox* box) {
+        EXPECT_TRUE(box->text().endsWith(u": 1.\n\n"_s + name)) << box->text().toStdString();
         QTest::keyClick(box, Qt::Key_Return);
     });
     click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
