@@ -140,9 +140,7 @@ Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
     layout.offset = rounded(spec.relative_offset * crank_radius, field::layout_offset, 6);
     layout.spacing = rounded(spec.relative_spacing * crank_radius, field::spacing, 6);
     layout.stagger = rounded(spec.relative_stagger * crank_radius, field::stagger, 6);
-    const double length =
-        layout.spacing * (station_count(spec.arrangement, spec.cylinders) - 1) + layout.stagger;
-    layout.first_position = rounded(length / 2.0, field::first_position, 12);
+    layout.first_position = centred_position(layout);
     layout.firing_order.assign(spec.firing_order.begin(), spec.firing_order.end());
     return layout;
 }
@@ -153,6 +151,12 @@ Arrangement arrangement_of(const Layout& layout) {
 
 int cylinder_count(const Layout& layout) {
     return layout.name == "vr" ? layout.cylinders : require_layout(layout.name).cylinders;
+}
+
+double centred_position(const Layout& layout) {
+    const int stations = station_count(arrangement_of(layout), cylinder_count(layout));
+    const double length = layout.spacing * (stations - 1) + layout.stagger;
+    return rounded(length / 2.0, field::first_position, 12);
 }
 
 std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,

@@ -45,6 +45,9 @@ const LayoutSpec* find_layout(std::string_view name);
 /// come back as "vr", the name under which case files hold them.
 Layout usual_layout(const LayoutSpec& spec, double crank_radius);
 
+/// z of cylinder 1 where the layout is centred on z = 0, m.
+double centred_position(const Layout& layout);
+
 /// The arrangement of a layout ("vr" included) and its number of cylinders.
 Arrangement arrangement_of(const Layout& layout);
 int cylinder_count(const Layout& layout);

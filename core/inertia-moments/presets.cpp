@@ -1,6 +1,7 @@
 #include "inertia-moments/presets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "inertia-moments/fields.h"
@@ -64,6 +65,39 @@ std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double c
         }
     }
     return shafts;
+}
+
+void follow_spacing(Input& input, const Input& before) {
+    if (!input.layout || !before.layout) {
+        return;
+    }
+    const auto follow = [](double& now, double then, double usual_then, double usual_now) {
+        constexpr double same = 1e-9;  // m
+        if (now == then && std::abs(then - usual_then) < same) {
+            now = usual_now;
+        }
+    };
+    follow(input.layout->first_position, before.layout->first_position,
+           centred_position(*before.layout), centred_position(*input.layout));
+    const auto cylinders_of = [](const Input& each) {
+        return make_cylinders(*each.layout, each.crank_radius, each.ratio(), each.cycle());
+    };
+    const std::vector<Cylinder> then = cylinders_of(before);
+    const std::vector<Cylinder> now = cylinders_of(input);
+    if (input.end_webs && before.end_webs) {
+        const EndWebs usual_then = usual_end_webs(then, before.crank_radius);
+        const EndWebs usual_now = usual_end_webs(now, input.crank_radius);
+        for (const auto place : {&EndWebs::front_position, &EndWebs::rear_position}) {
+            follow((*input.end_webs).*place, (*before.end_webs).*place, usual_then.*place,
+                   usual_now.*place);
+        }
+    }
+    const double far_then = usual_shafts(then, before.crank_radius).front().weight_distance;
+    const double far_now = usual_shafts(now, input.crank_radius).front().weight_distance;
+    for (std::size_t i = 0; i < std::min(input.shafts.size(), before.shafts.size()); ++i) {
+        follow(input.shafts[i].weight_distance, before.shafts[i].weight_distance, far_then,
+               far_now);
+    }
 }
 
 Input preset_vw_vr5() {

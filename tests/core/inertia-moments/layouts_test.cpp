@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engines.h"
+#include "inertia-moments/presets.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -147,6 +148,34 @@ TEST(LayoutLibrary, EveryLayoutSolvesAndFiresOnceACycle) {
 }
 
 // Each throw of the W12 carries a cylinder of either block, its two pins 72° − 60° apart.
+TEST(LayoutLibrary, WhatStoodAtItsUsualPlaceFollowsTheSpacing) {
+    Input before = unit_engine("i4", lambda);
+    before.layout = usual_layout(*find_layout("i4"), before.crank_radius);
+    const auto cylinders = [](const Input& input) {
+        return make_cylinders(*input.layout, input.crank_radius, input.ratio(), input.cycle());
+    };
+    before.end_webs = usual_end_webs(cylinders(before), before.crank_radius);
+    before.shafts = usual_shafts(cylinders(before), before.crank_radius);
+    Input after = before;
+    after.layout->spacing *= 1.25;
+    follow_spacing(after, before);
+    EXPECT_NEAR(after.layout->first_position, 1.5 * after.layout->spacing, 1e-12);
+    EXPECT_EQ(*after.end_webs, usual_end_webs(cylinders(after), after.crank_radius));
+    EXPECT_EQ(after.shafts, usual_shafts(cylinders(after), after.crank_radius));
+    // The second order is a force alone, whatever the spacing.
+    EXPECT_NEAR(solve(after).two_term.order(2).moment.max(), 0.0, 1e-12);
+    // What was put elsewhere stays there.
+    before.layout->first_position += 0.01;
+    before.end_webs->front_position += 0.01;
+    before.shafts[0].weight_distance += 0.01;
+    after = before;
+    after.layout->spacing *= 1.25;
+    follow_spacing(after, before);
+    EXPECT_EQ(after.layout->first_position, before.layout->first_position);
+    EXPECT_EQ(after.end_webs->front_position, before.end_webs->front_position);
+    EXPECT_EQ(after.shafts[0].weight_distance, before.shafts[0].weight_distance);
+}
+
 TEST(LayoutLibrary, W12HasSixThrowsWithSplitPins) {
     const Result result = solve(unit_engine("w12"));
     const auto& cylinders = result.engine.cylinders;

@@ -180,6 +180,14 @@ TEST_F(InertiaMomentsPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
     EXPECT_NEAR(*field("lambda")->value(), 0.265, 1e-12);
 }
 
+TEST_F(InertiaMomentsPageTest, AnotherSpacingKeepsTheEngineInTheMiddle) {
+    model->chooseLayout(QStringLiteral("i4"));
+    const int steps = model->history()->count();
+    type(field("spacing_mm"), QStringLiteral("100"));
+    EXPECT_NEAR(*field("first_position_mm")->value(), 150.0, 1e-9);
+    EXPECT_EQ(model->history()->count(), steps + 1) << "one step brings both back";
+}
+
 TEST_F(InertiaMomentsPageTest, WhatFieldsMakeTogetherIsRefusedInWords) {
     // A mechanism that locks: the status line names the angle, the case stays.
     QSignalSpy status(&page, &ScenePage::status);

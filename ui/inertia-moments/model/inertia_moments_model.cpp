@@ -93,6 +93,17 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
     return true;
 }
 
+QString InertiaMomentsModel::editField(const std::string& pointer, const FieldValue& value,
+                                       const QString& name) {
+    return edit(name, [&](Input& input) {
+        const Input before = input;
+        setField(input, pointer, value);
+        if (pointer == "/layout/spacing_mm" || pointer == "/layout/stagger_mm") {
+            inertia_moments::follow_spacing(input, before);
+        }
+    });
+}
+
 // -------------------------------------------------------------------------------------- layout
 
 QStringList InertiaMomentsModel::layoutNames() {

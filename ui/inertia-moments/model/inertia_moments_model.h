@@ -38,6 +38,9 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     QString sceneName() const override { return QStringLiteral("inertia-moments"); }
     Json resultJson() const override;
+    /// What stood at its usual place follows another spacing.
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override;
     bool setViewOption(const QString& key, const QString& value) override;
 
     const inertia_moments::Result& result() const { return solved(); }
