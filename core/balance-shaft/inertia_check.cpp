@@ -167,17 +167,32 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     check.lambda_fitted = !lambda;
     const bool four_stroke = strokes_of(table.crank_angle_deg) == 4;
     const double offset = input.torque.cylinder.offset / input.crank_radius;
-    const Fit first = fit_stroke(table, offset, 0.0, lambda);
-    const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, lambda) : Fit{};
-    const bool take_second = second.found && (!first.found || second.badness() < first.badness());
-    const Fit& fit = take_second ? second : first;
+    const auto best_fit = [&](const std::optional<double>& held) {
+        const Fit first = fit_stroke(table, offset, 0.0, held);
+        const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, held) : Fit{};
+        const bool take_second =
+            second.found && (!first.found || second.badness() < first.badness());
+        return take_second ? second : first;
+    };
+    const auto is_believed = [](const Fit& fit) {
+        return fit.found && fit.badness() <= InertiaCheck::largest_residual;
+    };
+    Fit fit = best_fit(lambda);
+    if (lambda && !is_believed(fit)) {
+        const Fit free = best_fit(std::nullopt);
+        if (is_believed(free) && !free.at_bound) {
+            fit = free;
+            check.is_of_other_rod = true;
+        }
+    }
     const auto moment = [](double value) {
         return Number{rounded_to_digits(value, 3), units::N_m};
     };
     const auto number = [](double value, int digits = 3) {
         return Number{rounded_to_digits(value, digits)};
     };
-    if (!fit.found || !(check.entered > 0.0) || fit.badness() > InertiaCheck::largest_residual) {
+    if (!is_believed(fit) || !(check.entered > 0.0)) {
+        check.is_of_other_rod = false;
         check.text =
             four_stroke
                 ? CORE_TEXT(
@@ -207,9 +222,20 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     check.residual_rms = fit.residual;
     check.stroke_begin_deg = fit.begin_deg;
     const double ratio = fit.scale / check.entered;
-    check.consistent = std::abs(ratio - 1.0) <= InertiaCheck::tolerance;
+    check.consistent = !check.is_of_other_rod && std::abs(ratio - 1.0) <= InertiaCheck::tolerance;
     check.matching_speed = speed * std::sqrt(ratio);
     check.matching_mass = mass * ratio;
+    if (check.is_of_other_rod) {
+        check.text = {
+            CORE_TEXT("balance-shaft",
+                      "The torque on the gas-exchange stroke holds the inertia torque of a crank "
+                      "with r/L = %1; crank radius and rod length entered have %2. They do not "
+                      "belong together: with this crank radius the torque fits a rod length of "
+                      "%3. The best angles found are those of no real engine until they agree."),
+            number(fit.lambda), number(*lambda),
+            Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
+        return check;
+    }
     check.text =
         *check.consistent
             ? Message(CORE_TEXT("balance-shaft",

@@ -16,16 +16,20 @@ struct Input;
 /// are fitted to the table's rows on one stroke, 15°…165° after the top dead centre that begins it
 /// (of the two such strokes in a four-stroke cycle, the one that looks like it more).
 ///
+/// Where λ held by the rod leaves much, it is fitted all the same: the torque may be another rod's.
 /// A fit that leaves much, or that ends on a bound of λ, has found something else: then nothing is
 /// said, and text is the reason. A torque that was computed from the masses and the speed is not
 /// compared with them.
 struct InertiaCheck {
-    double entered = 0.0;           ///< m_j r² ω² of the input, N·m
-    std::optional<double> fitted;   ///< the table's, N·m; empty where no fit is possible
-    double fitted_lambda = 0.0;     ///< r/L of the fit
-    double gas_exchange = 0.0;      ///< d of the fit, N·m
-    double residual_rms = 0.0;      ///< of the rows against the fit, N·m
-    bool lambda_fitted = true;      ///< false where the rod length gives it
+    double entered = 0.0;          ///< m_j r² ω² of the input, N·m
+    std::optional<double> fitted;  ///< the table's, N·m; empty where no fit is possible
+    double fitted_lambda = 0.0;    ///< r/L of the fit
+    double gas_exchange = 0.0;     ///< d of the fit, N·m
+    double residual_rms = 0.0;     ///< of the rows against the fit, N·m
+    bool lambda_fitted = true;     ///< false where the rod length gives it
+    /// Held at the rod's r/L the fit leaves too much, free it does not: the torque is that of a
+    /// crank with fitted_lambda, whatever speed and masses are.
+    bool is_of_other_rod = false;
     double stroke_begin_deg = 0.0;  ///< 0 or 360: the dead centre that begins the stroke
     /// fitted is within tolerance of entered; empty where no fit is possible.
     std::optional<bool> consistent;

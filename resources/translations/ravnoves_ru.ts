@@ -3482,6 +3482,10 @@
         <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together: they differ by %4, and up to %5 is what a table may be off.</source>
         <translation>В моменте на такте газообмена содержится момент сил инерции mⱼ r² ω² = %1 (r/L = %2); заданные массы и частота дают %3. Они согласуются: разница %4, а таблица может быть неточна до %5.</translation>
     </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds the inertia torque of a crank with r/L = %1; crank radius and rod length entered have %2. They do not belong together: with this crank radius the torque fits a rod length of %3. The best angles found are those of no real engine until they agree.</source>
+        <translation>Момент на такте газообмена содержит момент сил инерции кривошипа с r/L = %1, а введённые радиус кривошипа и длина шатуна дают %2. Они не подходят друг к другу: при этом радиусе кривошипа момент соответствует длине шатуна %3. Пока они не согласованы, найденные лучшие углы не относятся ни к какому реальному двигателю.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>

@@ -124,15 +124,15 @@ QWidget* TorqueSourceEditor::buildCheck() {
     column->addWidget(checkText_);
     remedies_ = new QWidget(check_);
     QHBoxLayout* row = rowIn(remedies_, Theme::gap);
-    auto* speed = new QPushButton(tr("Use its speed"), remedies_);
-    speed->setObjectName(QStringLiteral("use_matching_speed"));
-    speed->setToolTip(
+    useSpeed_ = new QPushButton(tr("Use its speed"), remedies_);
+    useSpeed_->setObjectName(QStringLiteral("use_matching_speed"));
+    useSpeed_->setToolTip(
         tr("Set the speed at which the masses entered have the inertia torque that "
            "is in the table."));
-    row->addWidget(speed);
+    row->addWidget(useSpeed_);
     row->addWidget(rebuildButton(model_, QStringLiteral("rebuild_torque"), remedies_));
     column->addWidget(remedies_);
-    connect(speed, &QPushButton::clicked, this, [this] {
+    connect(useSpeed_, &QPushButton::clicked, this, [this] {
         model_->edit(tr("Use the torque's speed"), [this](Input& input) {
             input = balance_shaft::with_matching_speed(input, model_->result().inertia_check);
         });
@@ -160,6 +160,7 @@ void TorqueSourceEditor::showCheck() {
     }
     const bool wrong = check.consistent && !*check.consistent;
     remedies_->setVisible(wrong);
+    useSpeed_->setVisible(!check.is_of_other_rod);  // no speed makes another rod of it
     colourText(checkText_, wrong ? &Theme::warning : &Theme::mutedText);
     checkText_->setText(messageText(check.text));
 }

@@ -60,6 +60,7 @@ class TorqueSourceEditor : public QWidget {
     TroubleLine* noTrace_ = nullptr;  ///< whose results they are, until there is a trace
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;
+    QPushButton* useSpeed_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -233,6 +233,25 @@ TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
               std::string::npos);
 }
 
+TEST(InertiaCheck, ATorqueOfAnotherRodIsToldHoweverFarItIsOff) {
+    Input input = preset_tmz_650d();
+    for (const double rod : {0.046 / 0.5, 0.046 / 0.2, 0.046 / 0.09}) {
+        input.rod_length = rod;
+        const InertiaCheck check = check_inertia(synthetic(200.0, 0.3, 5.0), input);
+        ASSERT_TRUE(check.consistent) << rod;
+        EXPECT_FALSE(*check.consistent) << rod;
+        EXPECT_TRUE(check.is_of_other_rod) << rod;
+        EXPECT_NEAR(check.fitted_lambda, 0.3, 1e-4) << rod;
+        EXPECT_NE(check.text.english().find("a rod length of 153"), std::string::npos)
+            << check.text.english();
+    }
+    // Rebuilt, the torque is that of the rod entered.
+    input.torque.table = synthetic(200.0, 0.3, 5.0);
+    input = with_rebuilt_torque(input, check_inertia(input));
+    EXPECT_EQ(check_inertia(input).consistent, true);
+    EXPECT_FALSE(check_inertia(input).is_of_other_rod);
+}
+
 TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
     Input input = preset_tmz_650d();
     for (const double torque : {0.0, 42.0}) {
