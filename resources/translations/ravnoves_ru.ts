@@ -10960,6 +10960,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>&amp;Guide</source>
         <translation>&amp;Направляющая</translation>
     </message>
+    <message>
+        <source>this case</source>
+        <translation>эта задача</translation>
+    </message>
+    <message>
+        <source>At the λ and ω of the case</source>
+        <translation>При λ и ω задачи</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsAnswer</name>

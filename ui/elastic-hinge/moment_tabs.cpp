@@ -11,7 +11,8 @@ using elastic_hinge::Result;
 
 namespace {
 
-/// A plot's family and which of a mechanism's curves it shows.
+/// A plot's family, which of a mechanism's curves it shows, and that of the case itself: broad and
+/// beneath, so that it is seen where it is one of the family.
 class MechanismFamily {
   public:
     using Values = std::vector<double> MechanismCurves::*;
@@ -19,25 +20,32 @@ class MechanismFamily {
     MechanismFamily(PlotView* plot, Values values)
         : plot_(plot),
           values_(values),
+          own_(plot->addCurve({.name = HingePlots::tr("this case"),
+                               .colour = 7,
+                               .width = 3.6,
+                               .toolTip = HingePlots::tr("At the λ and ω of the case")})),
           family_(plot->addFamily(6, {.name = {}, .colour = 1, .width = 1.4})) {}
 
-    void show(const std::vector<double>& phi, const std::vector<FamilyMember>& members,
+    void show(const Result& result, const std::vector<FamilyMember>& members,
               const std::function<QString(double)>& name) const {
+        const std::vector<double>& phi = result.crank_angle_deg;
         std::vector<PlotView::Member> shown;
         shown.reserve(members.size());
         for (const FamilyMember& member : members) {
             shown.push_back({name(member.parameter), member.curves.*values_});
         }
+        plot_->setCurve(own_, phi, result.curves.*values_);
         plot_->setFamily(family_, phi, shown);
     }
     void showSpeeds(const Result& result) const {
-        show(result.crank_angle_deg, result.by_speed,
+        show(result, result.by_speed,
              [](double speed) { return shownShort(speed, units::rad_per_s, 5); });
     }
 
   private:
     PlotView* plot_;
     Values values_;
+    int own_;
     PlotView::Family family_;
 };
 
@@ -92,7 +100,7 @@ HingePlotTab* makeSideForceTab(ElasticHingeModel* model, QWidget* parent) {
     const MechanismFamily speeds(without, &MechanismCurves::side_force_without_hinge);
     tab->refresh = [=] {
         const Result& result = model->result();
-        lambdas.show(result.crank_angle_deg, result.by_lambda, [](double lambda) {
+        lambdas.show(result, result.by_lambda, [](double lambda) {
             return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5);
         });
         // A flat line at 0, not its rounding enlarged.

@@ -258,6 +258,27 @@ TEST_F(ElasticHingePageTest, BadFieldsAreRefusedInWords) {
     EXPECT_FALSE(find<NumberListField>("compare_lambdas")->trouble().isEmpty());
 }
 
+TEST_F(ElasticHingePageTest, FamiliesHaveTheCaseAmongThem) {
+    model->setByKey(QStringLiteral("angular_speed_rad_s"), QStringLiteral("250"));
+    int families = 0;
+    for (const char* tab : {"rod-hinge", "side-force", "crank-moment"}) {
+        bringPlots(tab);
+        for (const PlotView* plot : page.findChildren<PlotView*>()) {
+            for (int i = 0; i < plot->curveCount(); ++i) {
+                if (plot->isVisible() && plot->curveName(i) == QStringLiteral("this case")) {
+                    ++families;
+                    EXPECT_TRUE(plot->valueAt(i, 90.0).has_value()) << qPrintable(plot->title());
+                    if (plot->title().contains(QStringLiteral("without"))) {
+                        EXPECT_EQ(plot->data().curves[static_cast<std::size_t>(i)].y,
+                                  model->result().curves.side_force_without_hinge);
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GE(families, 4);
+}
+
 TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
     auto* box = find<QDoubleSpinBox>("lambda");
     EXPECT_LT(box->maximum(), 1.0);
@@ -284,13 +305,13 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(0, 30.0), -14.849, 1e-3);
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(2, 30.0), -14.782, 1e-3);  // the series
-    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(2), QStringLiteral("500\u00A0rad/s"));
-    EXPECT_TRUE(page.plots()->rodSpeedsPlot()->isCurveShown(2));
-    EXPECT_FALSE(page.plots()->rodSpeedsPlot()->isCurveShown(3));
+    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(3), QStringLiteral("500\u00A0rad/s"));
+    EXPECT_TRUE(page.plots()->rodSpeedsPlot()->isCurveShown(3));
+    EXPECT_FALSE(page.plots()->rodSpeedsPlot()->isCurveShown(4));
     bringPlots("side-force");
-    EXPECT_NEAR(*page.plots()->sideLambdasPlot()->valueAt(0, 90.0), -9.4746, 1e-3);
+    EXPECT_NEAR(*page.plots()->sideLambdasPlot()->valueAt(1, 90.0), -9.4746, 1e-3);
     EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(0, 90.0), -94.746, 1e-2);
-    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(1, 60.0), 85.128, 1e-3);
+    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(2, 60.0), 85.128, 1e-3);
     bringPlots("crank-moment");
     EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(0, 30.0), 16.5966, 1e-3);
     EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(1, 30.0), -4.0567, 1e-3);
