@@ -9493,6 +9493,17 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::EditableTable</name>
+    <message>
+        <source>Nothing is pasted: the block has %1 columns, and here is room for %2.</source>
+        <translation>Ничего не вставлено: столбцов в блоке %1, а места здесь на %2.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: the block has %1 rows, and here is room for %2.</source>
+        <translation>Ничего не вставлено: строк в блоке %1, а места здесь на %2.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ElasticHingeModel</name>
     <message>
         <source>None: %1.</source>
@@ -13308,6 +13319,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::RefusingTable</name>
+    <message>
+        <source>Refused besides: %1</source>
+        <translation>И ещё не принято: %1</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::RelievedShaftDrawing</name>
     <message>
         <source>Drawing of the shaft with a relieved middle</source>
@@ -14845,8 +14863,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Значение</translation>
     </message>
     <message>
-        <source>No tolerances, which are numbers greater than 0 such as 0.02, 1 % or σ 0.01: %1.</source>
-        <translation>Не допуски, а допуск — число больше 0, например 0,02, 1 % или σ 0,01: %1.</translation>
+        <source>Nothing is pasted. %1</source>
+        <translation>Ничего не вставлено. %1</translation>
     </message>
 </context>
 <context>
@@ -15834,10 +15852,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Допуск</translation>
     </message>
     <message>
-        <source>A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard deviation; %1 is none.</source>
-        <translation>Допуск — число больше 0: 0,02, 1&#xa0;% или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
     </message>
@@ -15876,6 +15890,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>A limit is a number, or nothing; %1 is none.</source>
         <translation>Предел — число или пусто; %1 не подходит.</translation>
+    </message>
+    <message>
+        <source>“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.</source>
+        <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1 %, σ 0,01.</translation>
     </message>
 </context>
 <context>
@@ -16396,14 +16414,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>the first and the last torque are one instant of the cycle and must be equal.</source>
         <translation>первый и последний моменты — одно мгновение цикла и должны быть равны.</translation>
-    </message>
-    <message>
-        <source>Nothing is pasted: the block has %1 columns, and here is room for %2.</source>
-        <translation>Ничего не вставлено: столбцов в блоке %1, а места здесь на %2.</translation>
-    </message>
-    <message>
-        <source>Nothing is pasted: the block has %1 rows, and here is room for %2.</source>
-        <translation>Ничего не вставлено: строк в блоке %1, а места здесь на %2.</translation>
     </message>
 </context>
 <context>
@@ -16969,6 +16979,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>At most</source>
         <translation>Не более</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted. %1</source>
+        <translation>Ничего не вставлено. %1</translation>
     </message>
 </context>
 <context>

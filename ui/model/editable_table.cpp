@@ -55,6 +55,50 @@ QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
                      .arg(comma, point);
 }
 
+void SaidTroubles::add(const QString& line) {
+    constexpr int most = 3;
+    if (lines_.size() < most) {
+        lines_ << line;
+    } else {
+        ++more_;
+    }
+}
+
+QString SaidTroubles::text(const QString& besides) const {
+    QStringList all = lines_;
+    if (more_ > 0) {
+        all << besides.arg(more_);
+    }
+    return all.join(QLatin1Char('\n'));
+}
+
+int EditableTable::widthOf(const std::vector<QStringList>& cells) {
+    qsizetype wide = 0;
+    for (const QStringList& line : cells) {
+        qsizetype filled = line.size();
+        while (filled > 0 && line[filled - 1].isEmpty()) {
+            --filled;
+        }
+        wide = std::max(wide, filled);
+    }
+    return static_cast<int>(wide);
+}
+
+QString EditableTable::noRoomText(const std::vector<QStringList>& cells, int rows, int columns) {
+    const int wide = widthOf(cells);
+    if (wide > columns) {
+        return tr("Nothing is pasted: the block has %1 columns, and here is room for %2.")
+            .arg(wide)
+            .arg(columns);
+    }
+    if (cells.size() > static_cast<std::size_t>(rows)) {
+        return tr("Nothing is pasted: the block has %1 rows, and here is room for %2.")
+            .arg(cells.size())
+            .arg(rows);
+    }
+    return {};
+}
+
 QString EditableTable::paste(int row, int column, const std::vector<QStringList>& cells) {
     const QString mixed = mixedDecimalSigns(cells);
     return mixed.isEmpty() ? pasteBlock(row, column, cells) : mixed;

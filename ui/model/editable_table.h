@@ -27,6 +27,18 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = Em
 /// between thousands: "1,893" beside 60.30 is 1893 to who wrote it. Else empty.
 QString mixedDecimalSigns(const std::vector<QStringList>& cells);
 
+/// What is wrong in the cells of a table, in words: the first few, and how many there are besides.
+class SaidTroubles {
+  public:
+    void add(const QString& line);
+    /// @param besides  says how many more there are, %1
+    QString text(const QString& besides) const;
+
+  private:
+    QStringList lines_;
+    int more_ = 0;
+};
+
 /// A table of numbers that is edited in place.
 class EditableTable : public QAbstractTableModel {
     Q_OBJECT
@@ -40,6 +52,10 @@ class EditableTable : public QAbstractTableModel {
     /// A new row below a row; below the last one for −1. A table of so many rows has none.
     virtual void insertRowBelow(int /*row*/) {}
     virtual void removeRowRange(int /*first*/, int /*count*/) {}
+    /// The columns of a block that have something in them, from its first.
+    static int widthOf(const std::vector<QStringList>& cells);
+    /// Why a block does not fit where so many rows or columns are left; empty where it does.
+    static QString noRoomText(const std::vector<QStringList>& cells, int rows, int columns);
     /// pasteBlock(), unless mixedDecimalSigns().
     QString paste(int row, int column, const std::vector<QStringList>& cells);
     /// Writes a block of cells at a cell, as a spreadsheet does.

@@ -25,6 +25,39 @@ void RefusingTable::setRefused(int row, int column, const QString& text, const Q
     }
 }
 
+void RefusingTable::setTaken(int row, int column, const std::vector<QStringList>& cells) {
+    if (refused_.empty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (int j = 0; j < cells[i].size(); ++j) {
+            refused_.erase({rowName(row + static_cast<int>(i)), column + j});
+        }
+    }
+    Q_EMIT troubleChanged(trouble());
+    Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
+}
+
+std::vector<RefusingTable::Cell> RefusingTable::refusedCells() const {
+    std::vector<Cell> cells;
+    for (int row = 0; row < rowCount() && !refused_.empty(); ++row) {
+        for (int column = 0; column < columnCount(); ++column) {
+            if (Cell cell(rowName(row), column); refused_.contains(cell)) {
+                cells.push_back(std::move(cell));
+            }
+        }
+    }
+    return cells;
+}
+
+QString RefusingTable::trouble() const {
+    SaidTroubles troubles;
+    for (const Cell& cell : refusedCells()) {
+        troubles.add(refusedText(cell, refused_.at(cell)));
+    }
+    return troubles.text(tr("Refused besides: %1"));
+}
+
 QVariant RefusingTable::refusedData(const QModelIndex& at, int role) const {
     const auto there =
         refused_.empty() ? refused_.end() : refused_.find({rowName(at.row()), at.column()});
@@ -34,6 +67,8 @@ QVariant RefusingTable::refusedData(const QModelIndex& at, int role) const {
         case Qt::DisplayRole:
         case Qt::EditRole:
             return there != refused_.end() ? there->second.text : QVariant();
+        case Qt::ToolTipRole:
+            return there != refused_.end() ? there->second.why : QVariant();
         default:
             return {};
     }

@@ -31,12 +31,20 @@ class RefusingTable : public EditableTable {
     virtual std::string rowName(int row) const = 0;
     /// What the case holds in a cell: what changes it mends the cell.
     virtual QString held(int /*row*/, int /*column*/) const { return {}; }
-    /// Why cells are refused, in words.
-    virtual QString trouble() const = 0;
+    /// What is refused in a cell, in words, with what names the cell.
+    virtual QString refusedText(const Cell& /*cell*/, const Refused& refused) const {
+        return refused.why;
+    }
+    /// The same of the first cells, row by row, a line for each.
+    QString trouble() const;
 
     const std::map<Cell, Refused>& refused() const { return refused_; }
+    /// Those cells, row by row.
+    std::vector<Cell> refusedCells() const;
     /// A text that was typed into a cell. @param why  it is refused; empty where it is taken
     void setRefused(int row, int column, const QString& text, const QString& why);
+    /// A block of cells was taken: nothing in it is refused any more.
+    void setTaken(int row, int column, const std::vector<QStringList>& cells);
     /// What a refused cell shows, and whether it is one; invalid for all else.
     QVariant refusedData(const QModelIndex& at, int role) const;
     /// Shows the case as it is now.

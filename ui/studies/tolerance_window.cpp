@@ -165,9 +165,7 @@ bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
                 return at.column() != WatchTable::Name;
             });
         if (isLimits) {
-            for (const QModelIndex& at : cells) {
-                view->model()->setData(at, QString());
-            }
+            qobject_cast<WatchTable*>(view->model())->clearLimits(cells);
             return true;
         }
     }
@@ -195,6 +193,9 @@ QWidget* ToleranceWindow::makeInputs() {
         fit();
         connect(table, &QAbstractItemModel::dataChanged, this, fit);
         connect(table, &QAbstractItemModel::modelReset, this, fit);
+        // What was said of a block that was not pasted.
+        connect(table, &QAbstractItemModel::dataChanged, editor,
+                [editor] { editor->say({}, false); });
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
@@ -236,14 +237,14 @@ QWidget* ToleranceWindow::makeInputs() {
         edit(new WatchTable(model_), tr("Results to watch"),
              tr("The selected results are watched no more"), {WatchTable::Least, WatchTable::Most});
     column->addWidget(watched_, 2);
-    // Where it comes and goes nothing moves: a click goes where it was meant to.
+    // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
+    // its lines scrolls.
     refused_ = new TroubleLine(holder);
     refused_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    refused_->setFixedHeight(2 * QFontMetrics(refused_->font()).lineSpacing() + 2);
-    QSizePolicy keeps = refused_->sizePolicy();
-    keeps.setRetainSizeWhenHidden(true);
-    refused_->setSizePolicy(keeps);
-    column->addWidget(refused_);
+    QScrollArea* lines = scrolled(refused_, holder);
+    constexpr int shownLines = 4;
+    lines->setFixedHeight(shownLines * QFontMetrics(refused_->font()).lineSpacing() + 2);
+    column->addWidget(lines);
     for (const std::size_t table : {0U, 1U}) {
         const TableEditor* editor = table == 0 ? inputs_ : watched_;
         connect(qobject_cast<EditableTable*>(editor->view()->model()),

@@ -41,6 +41,7 @@
 #include "text/preferences.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
@@ -376,6 +377,19 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     EXPECT_TRUE(trouble.last().at(0).toString().contains(u"abc"_s));
     EXPECT_TRUE(trouble.last().at(0).toString().contains(u"xyz"_s));
     EXPECT_EQ(ink(), Theme::instance().warning());
+    EXPECT_EQ(trouble.last().at(0).toString().count(u'\n'), 1);
+    auto* table = tolerances->inputs()->table();
+    for (int row = 0; row < 6; ++row) {
+        table->setData(table->index(row, ScatterTable::Scatter), u"q%1"_s.arg(row), Qt::EditRole);
+    }
+    const QString all = trouble.last().at(0).toString();
+    EXPECT_EQ(all.count(u'\n'), 3) << "three, and how many more";
+    EXPECT_TRUE(all.contains(u"q0"_s) && all.contains(u"q2"_s)) << qPrintable(all);
+    EXPECT_TRUE(table->index(5, ScatterTable::Scatter).data(EditableTable::TroubleRole).toBool());
+    EXPECT_TRUE(
+        table->index(5, ScatterTable::Scatter).data(Qt::ToolTipRole).toString().contains(u"q5"_s));
+    table->forgetRefused();
+    scatter("/crank_radius_mm", u"abc"_s);
     scatter("/centre_distance_mm", u"0.1"_s);
     EXPECT_TRUE(trouble.last().at(0).toString().contains(u"abc"_s));
     scatter("/crank_radius_mm", u"0.02"_s);
@@ -515,12 +529,60 @@ TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
         QGuiApplication::clipboard()->setText(text);
         QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     };
-    paste(u"0.5\nabc\n"_s);
+    const auto said = [&] { return tolerances->inputs()->findChild<TroubleLine*>()->text(); };
+    paste(u"0.5\nabc\nx\n"_s);
     EXPECT_TRUE(study().vary.empty());
+    EXPECT_TRUE(said().contains(u"“abc”"_s) && said().contains(u"“x”"_s)) << qPrintable(said());
+    paste(u"1\n"_s.repeated(view->model()->rowCount() + 1));
+    EXPECT_TRUE(study().vary.empty()) << "nothing is dropped without a word";
     paste(u"0.5\n1 %\n"_s);
     EXPECT_EQ(study().vary.size(), 2U);
+    EXPECT_EQ(said(), QString());
+    const int step = scene().history()->index();
+    tolerances->inputs()->table()->removeRowRange(0, 2);
+    EXPECT_TRUE(study().vary.empty());
+    EXPECT_EQ(scene().history()->index(), step + 1);
+    scene().undo();
     QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(study().vary.empty());
+    // What stood there in red gives way.
+    scatter("/crank_radius_mm", u"abc"_s);
+    const int row = view->currentIndex().row();
+    QGuiApplication::clipboard()->setText(u"0.5\n"_s);
+    view->setCurrentIndex(view->model()->index(row, ScatterTable::Scatter));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(tolerances->inputs()->trouble(), QString());
+}
+
+TEST_F(Tolerances, LimitsAreWrittenAndClearedAsOneStep) {
+    watch("/metrics/M_ups/range_Nm");
+    watch("/moment_amplitude_Nm");
+    QTableView* view = tolerances->watched()->view();
+    const auto* history = scene().history();
+    int step = history->index();
+    type(tolerances->watched(), 0, WatchTable::Least, u"abc"_s);
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Least));
+    QGuiApplication::clipboard()->setText(u"1\t2\n3\t4\n"_s);
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(study().watch[1].max, 4.0);
+    EXPECT_EQ(history->index(), ++step);
+    EXPECT_EQ(tolerances->watched()->trouble(), QString()) << "the block stands in its place";
+    view->selectionModel()->select(
+        {view->model()->index(0, WatchTable::Least), view->model()->index(1, WatchTable::Most)},
+        QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(view, Qt::Key_Delete);
+    EXPECT_FALSE(study().watch[0].min || study().watch[1].max);
+    EXPECT_EQ(history->index(), ++step);
+    // A limit that lets one stand that was refused before.
+    type(tolerances->watched(), 0, WatchTable::Most, u"2"_s);
+    type(tolerances->watched(), 0, WatchTable::Least, u"5"_s);
+    step = history->index();
+    type(tolerances->watched(), 0, WatchTable::Most, u"6"_s);
+    EXPECT_EQ(study().watch[0].min, 5.0);
+    EXPECT_EQ(history->index(), step + 1);
+    tolerances->watched()->table()->removeRowRange(0, 2);
+    EXPECT_TRUE(study().watch.empty());
+    EXPECT_EQ(history->index(), step + 2);
 }
 
 TEST_F(Tolerances, WhatCannotBeSolvedIsCounted) {

@@ -167,24 +167,14 @@ QString TorqueTableModel::refusedText(std::size_t row) const {
 }
 
 QString TorqueTableModel::refusedTexts() const {
-    constexpr int mostSaid = 3;
-    QStringList troubles;
-    int more = 0;
+    SaidTroubles troubles;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const QString why = refusedText(i);
-        if (why.isEmpty()) {
-            continue;
-        }
-        if (troubles.size() < mostSaid) {
-            troubles << tr("Row %1: %2").arg(i + 1).arg(why);
-        } else {
-            ++more;
+        if (!why.isEmpty()) {
+            troubles.add(tr("Row %1: %2").arg(i + 1).arg(why));
         }
     }
-    if (more > 0) {
-        troubles << tr("Rows that are wrong besides: %1").arg(more);
-    }
-    return troubles.join(QLatin1Char('\n'));
+    return troubles.text(tr("Rows that are wrong besides: %1"));
 }
 
 std::optional<double> TorqueTableModel::numberOf(const Row& row, int column) {
@@ -384,27 +374,12 @@ QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStr
         return {};
     }
     constexpr int columns = 2;
-    int wide = 0;
-    for (const QStringList& line : cells) {
-        auto filled = static_cast<int>(line.size());
-        while (filled > 0 && line[filled - 1].isEmpty()) {
-            --filled;
-        }
-        wide = std::max(wide, filled);
-    }
+    const int wide = widthOf(cells);
     if (wide == columns && beginsWithAngles(cells)) {
         column = CrankAngle;  // whichever of the row's cells was chosen
     }
-    if (column + wide > columns) {
-        return tr("Nothing is pasted: the block has %1 columns, and here is room for %2.")
-            .arg(wide)
-            .arg(columns - column);
-    }
-    const auto room = rows_.size() - static_cast<std::size_t>(row);
-    if (cells.size() > room) {
-        return tr("Nothing is pasted: the block has %1 rows, and here is room for %2.")
-            .arg(cells.size())
-            .arg(room);
+    if (QString why = noRoomText(cells, rowCount() - row, columns - column); !why.isEmpty()) {
+        return why;
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::size_t at = static_cast<std::size_t>(row) + i;

@@ -236,14 +236,6 @@ bool CylinderTableModel::isUsual(int row, int column) const {
     return cylinder.articulated && !given(cylinder, column);
 }
 
-QString CylinderTableModel::trouble() const {
-    QStringList lines;
-    for (const auto& [cell, entry] : refused()) {
-        lines << entry.why;
-    }
-    return lines.join(QLatin1Char('\n'));
-}
-
 void CylinderTableModel::say(const QString& why) {
     QString all = trouble();
     if (!all.contains(why)) {
@@ -467,6 +459,9 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
         }
     });
     model_->finishDrag();
+    if (why.isEmpty()) {
+        setTaken(row, column, cells);
+    }
     say(why);
     return why;
 }

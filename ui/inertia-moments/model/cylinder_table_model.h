@@ -60,7 +60,6 @@ class CylinderTableModel final : public RefusingTable {
     /// Where rows come or go, none is what it was.
     std::string rowName(int row) const override;
     QString held(int row, int column) const override;
-    QString trouble() const override;
     /// In the unit; empty where the cell has none.
     std::optional<double> valueAt(int row, int column) const;
     /// True where the value is not given but follows from others.

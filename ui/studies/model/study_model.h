@@ -77,7 +77,7 @@ class StudyModel : public QObject {
     /// Nothing scatters and nothing is watched; what the case had is gone, one that is refused too.
     void clear();
     void watch(const std::string& pointer);
-    void unwatch(const std::string& pointer);
+    void unwatch(const std::vector<std::string>& pointers);
     /// A limit of a result as it is typed, in the unit that is shown.
     static QString limitText(const std::string& pointer, const std::optional<double>& limit);
     /// Takes the same into a limit.
@@ -134,6 +134,9 @@ class StudyModel : public QObject {
     /// Elements of long lists, which are not offered, where they scatter.
     void addListed();
     void readStudy();
+    /// Puts what is typed for an input into a study. @return an empty string, or why it cannot be
+    QString readScatter(studies::Study& next, const std::string& pointer,
+                        const QString& text) const;
     void change(const QString& name, studies::Study next);
     CaseFile* copy_ = nullptr;  ///< that takes the change in place of the case
     /// Newer answers are to come, when the hand that moves something rests.

@@ -6,6 +6,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "model/refusing_table.h"
 #include "model/scene_model.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
@@ -70,53 +71,64 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
         return trouble_;
     }
     Study next = study_;
-    for (const auto& entry : texts) {
-        const std::string& pointer = entry.first;
-        const QString& text = entry.second;
-        const auto there =
-            std::find_if(next.vary.begin(), next.vary.end(),
-                         [&](const Varied& varied) { return varied.pointer == pointer; });
-        QString rest = text.trimmed();
-        if (rest.isEmpty()) {
-            if (there != next.vary.end()) {
-                next.vary.erase(there);
-            }
-            continue;
+    SaidTroubles troubles;
+    for (const auto& [pointer, text] : texts) {
+        const QString why = readScatter(next, pointer, text);
+        if (!why.isEmpty()) {
+            troubles.add(texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
         }
-        const auto input = std::find_if(inputs_.begin(), inputs_.end(),
-                                        [&](const Input& each) { return each.pointer == pointer; });
-        if (input != inputs_.end() && rest == scatterText(*input)) {
-            continue;  // it stands for all digits
-        }
-        Varied varied{.pointer = pointer};
-        if (rest.endsWith(QLatin1Char('%'))) {
-            varied.spread = Varied::Spread::plus_minus_percent;
-            rest.chop(1);
-        } else if (rest.startsWith(QChar(0x03C3)) ||
-                   rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
-            varied.spread = Varied::Spread::normal;
-            rest.remove(0, 1);
-        }
-        if (rest.startsWith(QChar(0x00B1))) {
-            rest.remove(0, 1);
-        }
-        const auto number = readFormNumber(rest);
-        if (!number || !(*number > 0.0)) {
-            return tr("A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard "
-                      "deviation; %1 is none.")
-                .arg(text.trimmed());
-        }
-        const double factor =
-            varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
-                ? 1.0
-                : input->shown.factor;
-        if (const QString either = thousandsTrouble(rest.trimmed(), {}); !either.isEmpty()) {
-            return either;
-        }
-        varied.size = readShown(*number, factor);
-        (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     }
-    change(tr("Tolerance"), next);
+    QString all = troubles.text(RefusingTable::tr("Refused besides: %1"));
+    if (all.isEmpty()) {
+        change(tr("Tolerance"), next);
+    }
+    return all;
+}
+
+QString StudyModel::readScatter(Study& next, const std::string& pointer,
+                                const QString& text) const {
+    const auto there = std::find_if(next.vary.begin(), next.vary.end(), [&](const Varied& varied) {
+        return varied.pointer == pointer;
+    });
+    QString rest = text.trimmed();
+    if (rest.isEmpty()) {
+        if (there != next.vary.end()) {
+            next.vary.erase(there);
+        }
+        return {};
+    }
+    const auto input = std::find_if(inputs_.begin(), inputs_.end(),
+                                    [&](const Input& each) { return each.pointer == pointer; });
+    if (input != inputs_.end() && rest == scatterText(*input)) {
+        return {};  // it stands for all digits
+    }
+    Varied varied{.pointer = pointer};
+    if (rest.endsWith(QLatin1Char('%'))) {
+        varied.spread = Varied::Spread::plus_minus_percent;
+        rest.chop(1);
+    } else if (rest.startsWith(QChar(0x03C3)) ||
+               rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
+        varied.spread = Varied::Spread::normal;
+        rest.remove(0, 1);
+    }
+    if (rest.startsWith(QChar(0x00B1))) {
+        rest.remove(0, 1);
+    }
+    rest = rest.trimmed();
+    const ShownUnit unit =
+        varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
+            ? ShownUnit()
+            : input->shown;
+    const auto number = readFormNumber(rest);
+    if (!number || !(*number > 0.0)) {
+        return tr("“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.")
+            .arg(text.trimmed());
+    }
+    if (QString either = thousandsTrouble(rest, {}); !either.isEmpty()) {
+        return either;
+    }
+    varied.size = readShown(*number, unit.factor);
+    (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     return {};
 }
 
@@ -158,9 +170,11 @@ void StudyModel::watch(const std::string& pointer) {
     }
 }
 
-void StudyModel::unwatch(const std::string& pointer) {
+void StudyModel::unwatch(const std::vector<std::string>& pointers) {
     Study next = study_;
-    std::erase_if(next.watch, [&](const Watched& each) { return each.pointer == pointer; });
+    std::erase_if(next.watch, [&](const Watched& each) {
+        return std::find(pointers.begin(), pointers.end(), each.pointer) != pointers.end();
+    });
     change(tr("Watch a result"), next);
 }
 

@@ -1,6 +1,8 @@
 #include "studies/model/study_tables.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "studies/model/result_words.h"
 
@@ -22,25 +24,14 @@ QString ScatterTable::held(int row, int /*column*/) const {
 
 QStringList ScatterTable::refusedNames() const {
     QStringList names;
-    for (const auto& [cell, entry] : refused()) {
+    for (const Cell& cell : refusedCells()) {
         names << model_->inputName(cell.first);
     }
     return names;
 }
 
-QString ScatterTable::trouble() const {
-    if (refused().size() < 2) {
-        return refused().empty() ? QString()
-                                 : refusedNames().constFirst() + QStringLiteral(": ") +
-                                       refused().begin()->second.why;
-    }
-    QStringList all;
-    for (const auto& [cell, entry] : refused()) {
-        all << model_->inputName(cell.first) + QStringLiteral(": ") +
-                   StudyModel::tr("“%1”").arg(entry.text);
-    }
-    return tr("No tolerances, which are numbers greater than 0 such as 0.02, 1 % or σ 0.01: %1.")
-        .arg(all.join(QStringLiteral("; ")));
+QString ScatterTable::refusedText(const Cell& cell, const Refused& refused) const {
+    return model_->inputName(cell.first) + QStringLiteral(": ") + refused.why;
 }
 
 int ScatterTable::rowCount(const QModelIndex& parent) const {
@@ -122,21 +113,31 @@ void ScatterTable::putTyped(const QModelIndex& at, const QString& text, CaseFile
 }
 
 void ScatterTable::removeRowRange(int first, int count) {
-    for (int row = first; row < first + count; ++row) {
-        setData(index(row, Scatter), QString(), Qt::EditRole);
+    std::vector<std::pair<std::string, QString>> texts;
+    for (int row = first; row < std::min(first + count, rowCount()); ++row) {
+        texts.emplace_back(rowName(row), QString());
+    }
+    if (model_->setScatter(texts).isEmpty()) {
+        setTaken(first, Scatter, std::vector<QStringList>(texts.size(), {QString()}));
     }
 }
 
 QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStringList>& cells) {
-    std::vector<std::pair<std::string, QString>> texts;
-    for (const QStringList& line : cells) {
-        if (row >= rowCount() || line.isEmpty()) {
-            break;
-        }
-        texts.emplace_back(rowName(row), line.back());
-        ++row;
+    if (QString why = noRoomText(cells, rowCount() - row, Columns); !why.isEmpty()) {
+        return why;
     }
-    return model_->setScatter(texts);
+    std::vector<std::pair<std::string, QString>> texts;
+    std::vector<QStringList> taken;
+    for (const QStringList& line : cells) {
+        texts.emplace_back(rowName(row + static_cast<int>(texts.size())), line.back());
+        taken.push_back({line.back()});
+    }
+    const QString why = model_->setScatter(texts);
+    if (!why.isEmpty()) {
+        return tr("Nothing is pasted. %1").arg(why);
+    }
+    setTaken(row, Scatter, taken);
+    return {};
 }
 
 WatchTable::WatchTable(StudyModel* model, QObject* parent) : RefusingTable(parent), model_(model) {
@@ -198,15 +199,27 @@ bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
         return false;
     }
+    const int other = index.column() == Least ? Most : Least;
+    const auto there = refused().find({rowName(index.row()), other});
+    if (there != refused().end()) {  // it may stand beside what is typed now, as one step
+        QStringList both{value.toString(), there->second.text};
+        if (other == Least) {
+            std::swap(both[0], both[1]);
+        }
+        if (write(index.row(), Least, {both}).isEmpty()) {
+            setTaken(index.row(), Least, {both});
+            return true;
+        }
+    }
     const QString why = take(index.row(), index.column(), value.toString());
-    retry(index.row(), index.column() == Least ? Most : Least);
+    retry(index.row(), other);
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(this->index(index.row(), Least), this->index(index.row(), Most));
     return why.isEmpty();
 }
 
 QString WatchTable::take(int row, int column, const QString& text) {
-    QString why = pasteBlock(row, column, {{text}});
+    QString why = write(row, column, {{text}});
     setRefused(row, column, text, why);
     return why;
 }
@@ -225,16 +238,12 @@ void WatchTable::takeBackRefused(const QModelIndex& at) {
     Q_EMIT dataChanged(index(at.row(), Least), index(at.row(), Most));
 }
 
-QString WatchTable::trouble() const {
-    QStringList all;
-    for (const auto& [cell, entry] : refused()) {
-        all << resultName(cell.first).text + QStringLiteral(": ") + entry.why;
-    }
-    return all.join(QStringLiteral("; "));
+QString WatchTable::refusedText(const Cell& cell, const Refused& refused) const {
+    return resultName(cell.first).text + QStringLiteral(": ") + refused.why;
 }
 
 void WatchTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    model_->putTyped(file, [&] { return pasteBlock(at.row(), at.column(), {{text}}); });
+    model_->putTyped(file, [&] { return write(at.row(), at.column(), {{text}}); });
 }
 
 void WatchTable::removeRowRange(int first, int count) {
@@ -242,17 +251,44 @@ void WatchTable::removeRowRange(int first, int count) {
     for (int row = first; row < std::min(first + count, rowCount()); ++row) {
         gone.push_back(rowName(row));
     }
-    for (const std::string& pointer : gone) {
-        model_->unwatch(pointer);
+    model_->unwatch(gone);
+}
+
+void WatchTable::clearLimits(const QModelIndexList& cells) {
+    std::map<int, studies::Watched> limits;
+    for (const QModelIndex& at : cells) {
+        const auto& watched = model_->study().watch[static_cast<std::size_t>(at.row())];
+        auto& limit = limits.try_emplace(at.row(), watched).first->second;
+        (at.column() == Least ? limit.min : limit.max).reset();
+    }
+    std::vector<studies::Watched> all;
+    for (const auto& [row, limit] : limits) {
+        all.push_back(limit);
+    }
+    if (model_->setLimits(all).isEmpty()) {
+        for (const QModelIndex& at : cells) {
+            setTaken(at.row(), at.column(), {{QString()}});
+        }
     }
 }
 
 QString WatchTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
-    std::vector<studies::Watched> limits;
-    for (const QStringList& line : cells) {
-        if (row >= rowCount()) {
-            break;
+    QString why = noRoomText(cells, rowCount() - row, Columns - column);
+    if (why.isEmpty()) {
+        why = write(row, column, cells);
+        if (why.isEmpty()) {
+            setTaken(row, column, cells);
+        } else {
+            why = tr("Nothing is pasted. %1").arg(why);
         }
+    }
+    return why;
+}
+
+QString WatchTable::write(int row, int column, const std::vector<QStringList>& cells) {
+    std::vector<studies::Watched> limits;
+    SaidTroubles troubles;
+    for (const QStringList& line : cells) {
         studies::Watched watched = model_->study().watch[static_cast<std::size_t>(row++)];
         for (int i = 0; i < line.size() && column + i < Columns; ++i) {
             if (column + i == Name) {
@@ -261,12 +297,15 @@ QString WatchTable::pasteBlock(int row, int column, const std::vector<QStringLis
             const QString why = StudyModel::readLimit(
                 watched.pointer, line[i], column + i == Least ? watched.min : watched.max);
             if (!why.isEmpty()) {
-                return why;
+                troubles.add(cells.size() > 1
+                                 ? resultName(watched.pointer).text + QStringLiteral(": ") + why
+                                 : why);
             }
         }
         limits.push_back(watched);
     }
-    return model_->setLimits(limits);
+    QString all = troubles.text(RefusingTable::tr("Refused besides: %1"));
+    return all.isEmpty() ? model_->setLimits(limits) : all;
 }
 
 }  // namespace ravnoves

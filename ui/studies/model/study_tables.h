@@ -33,7 +33,7 @@ class ScatterTable final : public RefusingTable {
   private:
     std::string rowName(int row) const override;
     QString held(int row, int column) const override;
-    QString trouble() const override;
+    QString refusedText(const Cell& cell, const Refused& refused) const override;
 
     StudyModel* model_;
 };
@@ -49,6 +49,8 @@ class WatchTable final : public RefusingTable {
 
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
+    /// These limits are there no more, as one step.
+    void clearLimits(const QModelIndexList& cells);
     void takeBackRefused(const QModelIndex& at) override;
     SceneModel* scene() const override { return model_->scene(); }
     void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
@@ -63,7 +65,9 @@ class WatchTable final : public RefusingTable {
 
   private:
     std::string rowName(int row) const override;
-    QString trouble() const override;
+    QString refusedText(const Cell& cell, const Refused& refused) const override;
+    /// Takes a block of limits as one step. @return an empty string, or why it cannot be
+    QString write(int row, int column, const std::vector<QStringList>& cells);
     /// Takes a text. @return an empty string, or why it cannot be
     QString take(int row, int column, const QString& text);
     /// What a limit refused before may stand beside another one now.
