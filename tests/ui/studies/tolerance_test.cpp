@@ -141,6 +141,12 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     const QTableView* inputs = tolerances->inputs()->view();
     EXPECT_GT(inputs->columnWidth(ScatterTable::Scatter),
               QFontMetrics(inputs->font()).horizontalAdvance(tiny));
+    // A unit may be typed with them, as with limits.
+    scatter("/centre_distance_mm", u"s 0.254 mm"_s);
+    EXPECT_EQ(study().vary[1].size, 0.254);
+    scatter("/centre_distance_mm", u"1 kg"_s);
+    EXPECT_TRUE(tolerances->inputs()->trouble().contains(u"kg"_s));
+    EXPECT_EQ(study().vary[1].size, 0.254) << "no length";
     scatter("/centre_distance_mm", u"0.05"_s);
     watch("/moment_amplitude_Nm");
     const auto limit = [&] {

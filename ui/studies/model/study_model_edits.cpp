@@ -119,12 +119,15 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
         varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
             ? ShownUnit()
             : input->shown;
-    const auto number = readFormNumber(rest);
+    const auto [number, trouble] = readTypedNumber(rest, unit.name);
+    if (!trouble.isEmpty()) {
+        return trouble;
+    }
     if (!number || !(*number > 0.0)) {
         return tr("“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.")
             .arg(text.trimmed());
     }
-    if (QString either = thousandsTrouble(rest, {}); !either.isEmpty()) {
+    if (QString either = thousandsTrouble(rest, unit.name); !either.isEmpty()) {
         return either;
     }
     varied.size = readShown(*number, unit.factor);
