@@ -84,6 +84,13 @@ QString shownFormNumber(double value, const QLocale& locale, int significant) {
     return trueMinus(formNumber(value, locale, significant));
 }
 
+QString wholeNumber(double value, const QString& text) {
+    constexpr int digits = 15;
+    const auto read = readFormNumber(text);
+    return read && *read != rounded_to_digits(value, digits) ? writtenOut(value, QLocale(), digits)
+                                                             : QString();
+}
+
 QString trueMinus(QString number) {
     return number.replace(QLatin1Char('-'), QChar(0x2212));
 }

@@ -18,6 +18,8 @@ QString writtenOut(double value, const QLocale& locale, int significant = 10);
 
 /// A number of forms to be read, not to be typed over: with a true minus.
 QString shownFormNumber(double value, const QLocale& locale, int significant = 10);
+/// The number with all its digits where a text of it has fewer; else empty.
+QString wholeNumber(double value, const QString& text);
 /// A number with true minus signs in place of hyphens.
 QString trueMinus(QString number);
 

@@ -14,6 +14,9 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/application_filter.h"
+#include "widgets/decimal_spin_box.h"
+#include "widgets/entry_field.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -107,6 +110,14 @@ class ElidedTips : public QObject {
                         ? plot->title()
                         : elidedAxis(*plot, at),
                     plot->toolTip()};
+        }
+        if (const auto* field = qobject_cast<const EntryField*>(widget);
+            field != nullptr && !field->wholeText().isEmpty()) {
+            return {field->wholeText(), field->toolTip()};
+        }
+        if (const auto* box = qobject_cast<const DecimalSpinBox*>(widget->parentWidget())) {
+            const auto* slider = qobject_cast<const ValueSlider*>(box->parentWidget());
+            return {slider != nullptr ? slider->wholeText() : QString(), box->toolTip()};
         }
         if (const auto* line = qobject_cast<const QLineEdit*>(widget)) {
             constexpr int margins = 8;

@@ -28,6 +28,8 @@ class EntryField : public QLineEdit {
     QString trouble() const { return trouble_; }
     /// From the first key to Enter, Escape or the loss of the focus.
     bool isEditing() const { return editing_; }
+    /// The whole number where its text is shortened; else empty. The tip says it.
+    virtual QString wholeText() const { return {}; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
     /// As if the user typed the text and went on.

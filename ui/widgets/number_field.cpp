@@ -98,6 +98,11 @@ QString NumberField::written() const {
     return value() ? writtenOut(shown(*value()), locale(), digits_) : QString();
 }
 
+QString NumberField::wholeText() const {
+    // Of a converted number nobody reads more.
+    return isAtRest() && value() && factor_ == 1.0 ? wholeNumber(*value(), text()) : QString();
+}
+
 QString NumberField::rule() const {
     return tr("Value %1.").arg(rangeText(range_, unit_));
 }

@@ -28,6 +28,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     void setDigits(int digits);
     /// Digits after the point of a number that was converted, for a column of them.
     void setDecimals(int decimals);
+    QString wholeText() const override;
 
   Q_SIGNALS:
     /// The user gave a valid value; empty only where the field is optional.

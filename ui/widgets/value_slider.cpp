@@ -301,6 +301,12 @@ double ValueSlider::valueOf(double shown) const {
                                       : shown / factor_;
 }
 
+QString ValueSlider::wholeText() const {
+    constexpr int digits = 12;
+    return isTyped_ ? QString()
+                    : wholeNumber(rounded_to_digits(value_ * factor_, digits), box_->cleanText());
+}
+
 int ValueSlider::decimalsOf(double shown) const {
     constexpr int more = 5;
     // Values have 12 digits.

@@ -39,6 +39,8 @@ class ValueSlider : public QWidget {
     /// Says why the value that the user gave is refused; with nothing, that this is over.
     void refuse(const QString& why);
     QString trouble() const;
+    /// The number with all its digits where the box shows fewer; else empty. The tip says it.
+    QString wholeText() const;
     /// A value that stands for none of the case is pale; typed as it is shown, it is passed on.
     void setGiven(bool isGiven);
     /// What this model refuses of the values passed on is said below.

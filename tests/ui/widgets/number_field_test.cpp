@@ -47,6 +47,16 @@ TEST_F(NumberFieldTest, TakesCommaAndPoint) {
     EXPECT_FALSE(edited.isEmpty());
 }
 
+TEST_F(NumberFieldTest, WhatIsShownShortHasItsWholeText) {
+    EXPECT_EQ(field.wholeText(), QString());
+    QTest::keyClicks(&field, QStringLiteral("12.3456789012345"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_EQ(field.text(), QStringLiteral("12.3456789"));
+    EXPECT_EQ(field.wholeText(), QStringLiteral("12.3456789012345"));
+    field.clearFocus();
+    EXPECT_EQ(field.value(), 12.3456789012345);
+}
+
 TEST_F(NumberFieldTest, ArrowsGoToTheNextWholeNumber) {
     QTest::keyClick(&field, Qt::Key_Up);
     EXPECT_EQ(field.value(), 46.0);  // what is no whole number has no next

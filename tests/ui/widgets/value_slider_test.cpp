@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include "events.h"
+#include "widgets/elided_tips.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -53,6 +56,28 @@ TEST_F(ValueSliderRefusal, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
     QTest::keyClick(slider.box(), Qt::Key_Return);
     EXPECT_EQ(slider.value(), 50.65);
     EXPECT_EQ(slider.trouble(), QString());
+}
+
+TEST_F(ValueSliderRefusal, WhatTheBoxShowsShortIsWholeInItsTip) {
+    showElidedTips();
+    const auto tip = [&] {
+        const QPoint at(10, 10);
+        QHelpEvent help(QEvent::ToolTip, at, slider.box()->mapToGlobal(at));
+        QApplication::sendEvent(slider.box()->findChild<QLineEdit*>(), &help);
+        return QToolTip::text();
+    };
+    type(QStringLiteral("45.123456789"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 45.123456789);
+    EXPECT_LT(slider.box()->text().size(), 10);
+    EXPECT_EQ(tip().section(QLatin1Char('\n'), 0, 0), QStringLiteral("45.123456789"));
+    slider.box()->setFocus();
+    QTest::keyClick(slider.box(), Qt::Key_Tab);
+    EXPECT_EQ(slider.value(), 45.123456789) << "to show it is to change nothing";
+    type(QStringLiteral("45.5"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.wholeText(), QString());
+    QToolTip::hideText();
 }
 
 TEST_F(ValueSliderRefusal, StaysWhenTheFieldIsLeftAndGoesWhenTheSliderMoves) {
