@@ -47,6 +47,7 @@
 #include "widgets/pick_box.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
+#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -196,6 +197,7 @@ QWidget* ToleranceWindow::makeInputs() {
         // What was said of a block that was not pasted.
         connect(table, &QAbstractItemModel::dataChanged, editor,
                 [editor] { editor->say({}, false); });
+        keepRowsToWords(*editor->view(), {0});
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
@@ -306,7 +308,8 @@ QWidget* ToleranceWindow::makeAnswers() {
     table_->setShownRows(shownRows);
     constexpr int leastHeight = 60;  // further rows scroll
     table_->setMinimumHeight(Theme::withText(leastHeight));
-    column->addWidget(table_, 1);
+    keepRowsToWords(*table_, {0});  // names that begin alike are told apart by their ends
+    column->addWidget(table_, 2);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);

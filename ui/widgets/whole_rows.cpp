@@ -1,5 +1,6 @@
 #include "widgets/whole_rows.h"
 
+#include <QTimer>
 #include <QtMath>
 #include <algorithm>
 
@@ -56,6 +57,22 @@ void fitRowsToWords(QTableView& table, const QList<int>& columns) {
     if (changed && table.currentIndex().isValid()) {
         table.scrollTo(table.currentIndex());
     }
+}
+
+void keepRowsToWords(QTableView& table, const QList<int>& columns) {
+    table.setWordWrap(true);
+    // After the header has shared out the room: rows that grow bring a bar, which takes of it.
+    auto* later = new QTimer(&table);
+    later->setSingleShot(true);
+    QObject::connect(later, &QTimer::timeout, &table,
+                     [&table, columns] { fitRowsToWords(table, columns); });
+    const auto fit = [later] { later->start(0); };
+    QObject::connect(table.horizontalHeader(), &QHeaderView::sectionResized, later, fit);
+    const QAbstractItemModel* model = table.model();
+    QObject::connect(model, &QAbstractItemModel::dataChanged, later, fit);
+    QObject::connect(model, &QAbstractItemModel::rowsInserted, later, fit);
+    QObject::connect(model, &QAbstractItemModel::modelReset, later, fit);
+    fit();
 }
 
 int longestWord(const QTableView& table, int column) {

@@ -14,6 +14,9 @@ QRegion wholeRows(const QTableView& table);
 /// in sight.
 void fitRowsToWords(QTableView& table, const QList<int>& columns);
 
+/// The same from now on, whatever becomes of its cells and columns.
+void keepRowsToWords(QTableView& table, const QList<int>& columns);
+
 /// The width that its longest word needs, as the table writes it.
 int longestWord(const QTableView& table, int column);
 

@@ -560,6 +560,36 @@ TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
     EXPECT_EQ(tolerances->inputs()->trouble(), QString());
 }
 
+TEST_F(TolerancesInOtherUnits, NamesOfResultsAreShownWhole) {
+    tolerances->resize(1400, 800);
+    scatter("/centre_distance_mm", u"0.05"_s);
+    auto results = tolerances->model()->results();
+    std::sort(results.begin(), results.end(), [](const auto& one, const auto& other) {
+        return resultName(one.pointer).text.size() > resultName(other.pointer).text.size();
+    });
+    for (std::size_t i = 0; i < 3; ++i) {
+        tolerances->model()->watch(results[i].pointer);
+    }
+    waitForAnswer();
+    for (const int width : {1400, 1000}) {
+        tolerances->resize(width, 800);
+        QApplication::processEvents();
+        for (const QTableView* table :
+             {static_cast<const QTableView*>(tolerances->table()),
+              static_cast<const QTableView*>(tolerances->watched()->view())}) {
+            ASSERT_EQ(table->model()->rowCount(), 3);
+            for (int row = 0; row < 3; ++row) {
+                const QString name = table->model()->index(row, 0).data().toString();
+                const QRect words = QFontMetrics(table->font())
+                                        .boundingRect(QRect(0, 0, table->columnWidth(0) - 8, 1000),
+                                                      Qt::TextWordWrap, name);
+                EXPECT_GE(table->rowHeight(row), words.height()) << qPrintable(name);
+                EXPECT_LE(words.width(), table->columnWidth(0) - 8) << qPrintable(name);
+            }
+        }
+    }
+}
+
 TEST_F(Tolerances, LimitsAreWrittenAndClearedAsOneStep) {
     watch("/metrics/M_ups/range_Nm");
     watch("/moment_amplitude_Nm");
