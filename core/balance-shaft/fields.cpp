@@ -120,10 +120,12 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
         }
         if (csv) {
             visitor.text(field::csv, source.csv);
+            visitor.optional_text(field::csv_sum, source.csv_sum.then);
         }
         if (pressure) {
             visitor.object_of(field::pressure, true, true, [&] {
                 visitor.text(field::csv, source.trace_csv);
+                visitor.optional_text(field::csv_sum, source.trace_sum.then);
                 visit_cylinder(visitor, input);
             });
         }

@@ -382,6 +382,11 @@ inline constexpr Field csv{
     .hint = CORE_TEXT("balance-shaft",
                       "A file beside the case with two columns: crank angle, and torque (in "
                       "pressure: cylinder pressure).")};
+inline constexpr Field csv_sum{
+    .key = "csv_sha256",
+    .hint = CORE_TEXT("balance-shaft",
+                      "SHA-256 of that file as the case was made: where it is another now, the "
+                      "result says so.")};
 inline constexpr Field pressure{
     .key = "pressure",
     .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};

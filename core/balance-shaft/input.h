@@ -47,6 +47,17 @@ struct FlywheelTarget {
     bool operator==(const FlywheelTarget&) const = default;
 };
 
+/// SHA-256 of a file that a case names: of what was in it when the case was made, and of what is in
+/// it now. Both are empty where no file was read.
+struct FileSum {
+    std::string then;  ///< as the case has it
+    std::string now;
+
+    /// What is in the file is not what the case was made with.
+    bool differs() const { return then != now; }
+    bool operator==(const FileSum&) const = default;
+};
+
 /// Where the engine torque comes from.
 struct TorqueSource {
     enum class Kind {
@@ -56,15 +67,22 @@ struct TorqueSource {
         cycle,     ///< gas torque from a computed cycle, inertia torque from the masses
     };
     Kind kind = Kind::table;
-    TorqueTable table;       ///< the rows, for table and csv
-    std::string csv;         ///< path as the case file has it, of the file that holds the table
-    PressureTrace trace;     ///< for pressure
-    std::string trace_csv;   ///< path of the file that holds it
+    TorqueTable table;  ///< the rows, for table and csv
+    std::string csv;    ///< path as the case file has it, of the file that holds the table
+    FileSum csv_sum;
+    PressureTrace trace;    ///< for pressure
+    std::string trace_csv;  ///< path of the file that holds it
+    FileSum trace_sum;
     GasCycle cycle;          ///< for cycle
     CylinderSizes cylinder;  ///< for pressure and cycle
 
     /// The torque follows the speed and the masses entered.
     bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }
+    /// The file that is in use is not the one that the case was made with.
+    bool has_changed() const {
+        return (kind == Kind::csv && csv_sum.differs()) ||
+               (kind == Kind::pressure && trace_sum.differs());
+    }
     bool operator==(const TorqueSource&) const = default;
 };
 

@@ -19,16 +19,18 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
+#include "case-file/sha256.h"
 #include "case-file/text_file.h"
 
 namespace ravnoves::balance_shaft {
 
 namespace {
 
-/// Reads and parses a file that the case names.
+/// Reads and parses a file that the case names, and takes its sum; a case without one is made with
+/// the file as it is now.
 template <typename Parse>
 auto read_beside(const std::string& name, const std::string& place, const CaseContext& context,
-                 Parse parse) {
+                 FileSum& sum, Parse parse) {
     if (name.find('\0') != std::string::npos || name.empty()) {
         throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(name)));
     }
@@ -40,7 +42,12 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
                          show(Json(name)));
     }
     try {
-        return parse(read_text_file(context.directory / name));
+        const std::string text = read_text_file(context.directory / name);
+        sum.now = sha256(text);
+        if (sum.then.empty()) {
+            sum.then = sum.now;
+        }
+        return parse(text);
     } catch (const InputError& error) {
         throw InputError::in_file(place, printable(name), error);
     }
@@ -288,11 +295,11 @@ Input read_input(const Json& json, const CaseContext& context) {
     TorqueSource& source = input.torque;
     if (source.kind == TorqueSource::Kind::csv) {
         source.table =
-            read_beside(source.csv, "/input/torque/csv", context,
+            read_beside(source.csv, "/input/torque/csv", context, source.csv_sum,
                         [](const std::string& text) { return parse_torque_table(text).table; });
     } else if (source.kind == TorqueSource::Kind::pressure) {
         source.trace =
-            read_beside(source.trace_csv, "/input/torque/pressure/csv", context,
+            read_beside(source.trace_csv, "/input/torque/pressure/csv", context, source.trace_sum,
                         [](const std::string& text) { return parse_pressure_trace(text).trace; });
     }
     check_input(input);
@@ -376,13 +383,15 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
         try {
             if (other.kind == Kind::csv) {
                 source.csv = other.csv;
+                source.csv_sum = other.csv_sum;
                 source.table = read_beside(
-                    other.csv, "/kept/torque/csv", context,
+                    other.csv, "/kept/torque/csv", context, source.csv_sum,
                     [](const std::string& text) { return parse_torque_table(text).table; });
             } else if (other.kind == Kind::pressure) {
                 source.trace_csv = other.trace_csv;
+                source.trace_sum = other.trace_sum;
                 source.trace = read_beside(
-                    other.trace_csv, "/kept/torque/pressure/csv", context,
+                    other.trace_csv, "/kept/torque/pressure/csv", context, source.trace_sum,
                     [](const std::string& text) { return parse_pressure_trace(text).trace; });
             } else if (other.kind == Kind::table) {
                 source.table = other.table;
@@ -396,7 +405,12 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     Json table = Json::object();
     for (const std::string& key : keys) {
         const Json& value = kept.at("torque").at(key);
-        if (key == field::pressure.key || key == field::cycle.key || key == field::csv.key) {
+        if (key == field::csv_sum.key) {
+            continue;  // goes with its file
+        }
+        if (key == field::csv.key && kept.at("torque").contains(field::csv_sum.key)) {
+            take({{key, value}, {field::csv_sum.key, kept.at("torque").at(field::csv_sum.key)}});
+        } else if (key == field::pressure.key || key == field::cycle.key || key == field::csv.key) {
             take({{key, value}});
         } else {
             table[key] = value;

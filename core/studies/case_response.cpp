@@ -9,12 +9,12 @@
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
 #include "case-file/said_messages.h"
+#include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "case-file/wanted.h"
 #include "scenes/responses.h"
 #include "scenes/scenes.h"
 #include "studies/law.h"
-#include "studies/sha256.h"
 #include "studies/study_run.h"
 
 namespace ravnoves::studies {

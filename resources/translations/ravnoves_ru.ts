@@ -3486,6 +3486,14 @@
         <source>The torque on the gas-exchange stroke holds the inertia torque of a crank with r/L = %1; crank radius and rod length entered have %2. They do not belong together: with this crank radius the torque fits a rod length of %3. The best angles found are those of no real engine until they agree.</source>
         <translation>Момент на такте газообмена содержит момент сил инерции кривошипа с r/L = %1, а введённые радиус кривошипа и длина шатуна дают %2. Они не подходят друг к другу: при этом радиусе кривошипа момент соответствует длине шатуна %3. Пока они не согласованы, найденные лучшие углы не относятся ни к какому реальному двигателю.</translation>
     </message>
+    <message>
+        <source>SHA-256 of that file as the case was made: where it is another now, the result says so.</source>
+        <translation>SHA-256 этого файла на момент создания задачи: если теперь файл другой, об этом сказано в результате.</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was read for this case: all results are of what is in it now. Read it again to keep that, or bring the old file back.</source>
+        <translation>%1 изменился с тех пор, как был прочитан для этой задачи: все результаты относятся к тому, что в нём сейчас. Прочитайте его заново, чтобы принять это, или верните прежний файл.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -15893,7 +15901,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.</source>
-        <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1 %, σ 0,01.</translation>
+        <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1&#xa0;%, σ&#xa0;0,01.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
+#include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "test_cases.h"
 
@@ -37,15 +38,19 @@ TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
     const CaseContext context{folder_of_traces()};
     Input input = test::diesel();
     input.torque.table = preset_tmz_650d().torque.table;
+    const auto read = [&](const char* name, FileSum& sum) {
+        const std::string text = read_text_file(context.directory / name);
+        sum.then = sum.now = sha256(text);
+        return text;
+    };
     input.torque.trace_csv = "trace.csv";
-    input.torque.trace =
-        parse_pressure_trace(read_text_file(context.directory / "trace.csv")).trace;
+    input.torque.trace = parse_pressure_trace(read("trace.csv", input.torque.trace_sum)).trace;
     for (const Kind kind : {Kind::table, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
     }
     input.torque.csv = "table.csv";
-    input.torque.table = parse_torque_table(read_text_file(context.directory / "table.csv")).table;
+    input.torque.table = parse_torque_table(read("table.csv", input.torque.csv_sum)).table;
     for (const Kind kind : {Kind::csv, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);

@@ -277,7 +277,33 @@ TEST_F(CsvBesideTheCase, GivesTheSameEngine) {
     const Input read = read_input(input(), CaseContext{folder_});
     EXPECT_EQ(read.torque.kind, TorqueSource::Kind::csv);
     EXPECT_EQ(read.torque.table, preset_tmz_650d().torque.table);
-    EXPECT_EQ(write_input(read).at("torque"), (Json{{"csv", "torque.csv"}}));
+    const Json written = write_input(read).at("torque");
+    EXPECT_EQ(written.at("csv"), "torque.csv");
+    EXPECT_EQ(written.size(), 2U);
+}
+
+TEST_F(CsvBesideTheCase, AnotherFileUnderItsNameIsTold) {
+    TorqueTable table = preset_tmz_650d().torque.table;
+    write_text_file(folder_ / "torque.csv", write_torque_table(table));
+    Json json = input();
+    json["torque"] = write_input(read_input(json, CaseContext{folder_})).at("torque");
+    const auto is_told = [&] {
+        const auto notes = solve(read_input(json, CaseContext{folder_})).notes;
+        return std::any_of(notes.begin(), notes.end(), [](const Message& note) {
+            return note.english().starts_with("torque.csv has changed since it was read");
+        });
+    };
+    EXPECT_FALSE(is_told());
+    for (double& torque : table.torque) {
+        torque *= 1.3;
+    }
+    write_text_file(folder_ / "torque.csv", write_torque_table(table));
+    EXPECT_TRUE(is_told());
+    // Saving what was opened does not hide it.
+    json["torque"] = write_input(read_input(json, CaseContext{folder_})).at("torque");
+    EXPECT_TRUE(is_told());
+    json["torque"].erase("csv_sha256");
+    EXPECT_FALSE(is_told()) << "a case without a sum is of the file as it is";
 }
 
 TEST_F(CsvBesideTheCase, ErrorsNameFileLineAndColumn) {

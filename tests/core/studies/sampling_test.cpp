@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "case-file/json.h"
+#include "case-file/sha256.h"
 #include "studies/exact_sum.h"
 #include "studies/law.h"
 #include "studies/sampler.h"
-#include "studies/sha256.h"
 #include "studies/tally.h"
 
 namespace ravnoves::studies {

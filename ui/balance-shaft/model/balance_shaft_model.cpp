@@ -11,6 +11,7 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "model/case_model_json.h"
 #include "model/run_beside.h"
@@ -135,9 +136,13 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
     QString why;
     try {
         balance_shaft::ParsedPressureTrace read;
+        std::string sum;
         withinMemory([&] {
             const std::string text = read_text_file(fsPath(path));
-            const auto parse = [&] { read = balance_shaft::parse_pressure_trace(text); };
+            const auto parse = [&] {
+                read = balance_shaft::parse_pressure_trace(text);
+                sum = sha256(text);
+            };
             if (text.size() > longestReadAtOnce) {
                 runBeside(parse);
             } else {
@@ -149,6 +154,7 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
             input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
             input.torque.trace = read.trace;
             input.torque.trace_csv = path.toStdString();
+            input.torque.trace_sum = {sum, sum};
             input.strokes = input.strokes_of_torque();
             balance_shaft::fill_cylinder(input);
         });

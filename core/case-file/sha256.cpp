@@ -1,4 +1,4 @@
-#include "studies/sha256.h"
+#include "case-file/sha256.h"
 
 #include <nettle/base16.h>
 #include <nettle/sha2.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace ravnoves::studies {
+namespace ravnoves {
 
 std::string sha256(std::string_view bytes) {
     sha256_ctx context;
@@ -19,4 +19,4 @@ std::string sha256(std::string_view bytes) {
     return text;
 }
 
-}  // namespace ravnoves::studies
+}  // namespace ravnoves
