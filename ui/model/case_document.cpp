@@ -399,7 +399,9 @@ bool CaseDocument::saveAs() {
 }
 
 bool CaseDocument::chooseAndSave() {
-    QString path = dialogs_.choosePath(path_.isEmpty() ? model_->sceneName() + ending : path_);
+    const QString job = asFileName(model_->jobName());
+    QString path = dialogs_.choosePath(
+        path_.isEmpty() ? (job.isEmpty() ? model_->sceneName() : job) + ending : path_);
     if (path.isEmpty()) {
         return false;
     }

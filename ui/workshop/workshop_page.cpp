@@ -16,6 +16,7 @@
 #include <QTimer>
 
 #include "shell/refused_entries.h"
+#include "text/file_path.h"
 #include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -598,12 +599,7 @@ void WorkshopPage::exportCard() {
     if (!refusedEntriesAreKnown()) {
         return;
     }
-    QString name = desk()->engineNumberOnSheet();
-    for (QChar& c : name) {
-        if (!c.isLetterOrNumber() && c != QLatin1Char('-')) {
-            c = QLatin1Char('_');
-        }
-    }
+    const QString name = asFileName(model()->jobName());
     const QString file =
         askSavePath(this, tr("Job card as PDF"),
                     (name.isEmpty() ? QStringLiteral("job-card") : name) + QStringLiteral(".pdf"),

@@ -771,6 +771,23 @@ TEST_F(BobPageTest, JournalAndCard) {
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
 }
 
+TEST_F(BobPageTest, ACaseIsProposedByTheNameOfItsJob) {
+    QStringList proposed;
+    DocumentDialogs dialogs;
+    dialogs.choosePath = [&](const QString& path) {
+        proposed << path;
+        return QString();
+    };
+    CaseDocument document(model, dialogs);
+    EXPECT_FALSE(document.saveAs());
+    for (const char* number : {"ЗМЗ-53 № 1234/56", "//"}) {
+        model->edit(u"number"_s, [&](Input& input) { input.job.engine_number = number; });
+        EXPECT_FALSE(document.saveAs());
+    }
+    EXPECT_EQ(proposed, QStringList({u"bob-weights.case.json"_s, u"ЗМЗ-53_1234_56.case.json"_s,
+                                     u"bob-weights.case.json"_s}));
+}
+
 TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
     typeShopCard();
     type("cylinders", QString());

@@ -79,7 +79,6 @@ class JobDesk : public QObject {
     QString verdictToLose();
     QString verdictOnSheet() const { return scene_.entry().verdict; }
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
-    QString engineNumberOnSheet() const { return scene_.entry().engineNumber; }
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
     /// How a save ended, with a sentence for the status bar.
