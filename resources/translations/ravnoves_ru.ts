@@ -1137,20 +1137,12 @@
         <translation>Шатунные шейки различаются на %1 как стоят сейчас и на %2, если переставить ещё комплектов: %3.</translation>
     </message>
     <message>
-        <source>Couple, as mass at the crank radius</source>
-        <translation>Момент, как масса на радиусе кривошипа</translation>
-    </message>
-    <message>
         <source>First-order unbalance of the differences %1 → %2</source>
         <translation>Дисбаланс первого порядка от разницы масс %1 → %2</translation>
     </message>
     <message>
         <source>Unbalance</source>
         <translation>Дисбаланс</translation>
-    </message>
-    <message>
-        <source>Unbalance, as mass at the crank radius</source>
-        <translation>Дисбаланс как масса на радиусе кривошипа</translation>
     </message>
     <message>
         <source>First-order unbalance of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
@@ -1187,6 +1179,14 @@
     <message>
         <source>as they are now</source>
         <translation>как сейчас</translation>
+    </message>
+    <message>
+        <source>Unbalance at the crank radius</source>
+        <translation>Дисбаланс на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Couple at the crank radius</source>
+        <translation>Момент на радиусе кривошипа</translation>
     </message>
 </context>
 <context>

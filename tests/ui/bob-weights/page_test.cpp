@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -32,6 +33,7 @@
 #include "model/case_document.h"
 #include "painted.h"
 #include "shown_number.h"
+#include "text/language.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
@@ -452,6 +454,37 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_EQ(model->input().weigh_in->matching, kept.weigh_in->matching);
     EXPECT_TRUE(model->input().weigh_in->is_empty());
     EXPECT_FALSE(model->input().weigh_in->is_moved());
+}
+
+TEST_F(BobPageTest, NoQuantityOfAPlacingIsCutOff) {
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        installLanguage(language);
+        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
+        BobWeightsPage narrow(QString(), nullptr);
+        test::showAt(narrow, {1180, 710});
+        narrow.model()->loadInput(
+            Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")).at("input"),
+            {});
+        narrow.sheets()->setCurrentIndex(2);
+        narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+            sheet[workshop::Part::piston].mass.assign(8, 0.5);
+            sheet[workshop::Part::piston].mass[0] = 0.8;
+            sheet.matching.crank_radius.reset();
+            sheet.matching.cylinder_spacing = 0.1;
+        });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !narrow.viewModel()->isSearching(); }));
+        QCoreApplication::processEvents();
+        int quantities = 0;
+        for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
+            for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
+                const QString name = table->item(row, 0)->text();
+                EXPECT_LE(table->fontMetrics().horizontalAdvance(name), table->columnWidth(0))
+                    << qPrintable(name);
+                ++quantities;
+            }
+        }
+        EXPECT_GE(quantities, 4);
+    }
 }
 
 TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {

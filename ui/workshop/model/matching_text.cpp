@@ -150,7 +150,7 @@ Results effects(const Words& words, const Shown& shown) {
         shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();
     rows << ResultRow(
         {shown.crank_radius ? words.translate("Matching", "Unbalance")
-                            : words.translate("Matching", "Unbalance, as mass at the crank radius"),
+                            : words.translate("Matching", "Unbalance at the crank radius"),
          forceOf(words, shown, before.force), forceOf(words, shown, after.force)},
         words.translate("Matching",
                         "First-order unbalance of what the parts differ by from their "
@@ -165,7 +165,7 @@ Results effects(const Words& words, const Shown& shown) {
         rows << ResultRow(
             {shown.crank_radius
                  ? words.translate("Matching", "Couple")
-                 : words.translate("Matching", "Couple, as mass at the crank radius"),
+                 : words.translate("Matching", "Couple at the crank radius"),
              coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)},
             words.translate("Matching", "The same along the crankshaft, about its middle"));
         if (newtons) {
