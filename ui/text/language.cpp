@@ -40,6 +40,18 @@ void removeAll() {
 
 const QString settingsKey = QStringLiteral("view/language");
 
+/// What Qt asks for in its file dialogs since 6.0 and its own translations do not have: the kinds
+/// of what is no file.
+[[maybe_unused]] constexpr struct {
+    const char* text;
+    const char* comment;
+} kindsInFileDialogs[] = {
+    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Folder", "All other platforms"),
+    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "File Folder", "Match Windows Explorer"),
+    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Shortcut", "All other platforms"),
+    {QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Drive"), nullptr},
+    {QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Unknown"), nullptr}};
+
 }  // namespace
 
 std::vector<Language> availableLanguages() {

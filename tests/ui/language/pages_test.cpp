@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAbstractFileIconProvider>
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QGroupBox>
@@ -263,6 +265,10 @@ TEST_F(RussianWindow, HasNoEnglishMenu) {
     for (const QString& text : englishAmong(textsBelow(window))) {
         ADD_FAILURE() << "in English: " << text.toStdString();
     }
+}
+
+TEST_F(RussianWindow, HasNoEnglishFolderInItsFileDialogs) {
+    EXPECT_EQ(QAbstractFileIconProvider().type(QFileInfo(QDir::homePath())), u"Папка"_s);
 }
 
 TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
