@@ -340,6 +340,62 @@
         <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled, whose limits are those of the holes’ middles. Make sure that there is metal enough.</source>
         <translation>%1: край отверстия выходит на %2 за сектор, где можно сверлить: его границы заданы для середин отверстий. Убедитесь, что металла там хватит.</translation>
     </message>
+    <message>
+        <source>Cylinders that share a crankpin: %1.</source>
+        <translation>На одной шейке цилиндры: %1.</translation>
+    </message>
+    <message>
+        <source>Sheet 4, %1</source>
+        <translation>Лист 4, %1</translation>
+    </message>
+    <message>
+        <source>Sheet 4, what may remain</source>
+        <translation>Лист 4, что может остаться</translation>
+    </message>
+    <message>
+        <source>Sheet 5, heavy metal</source>
+        <translation>Лист 5, тяжёлый металл</translation>
+    </message>
+    <message>
+        <source>Sheet 5, drills</source>
+        <translation>Лист 5, свёрла</translation>
+    </message>
+    <message>
+        <source>%1: %2 are still needed, in %3, one after the other: %4</source>
+        <translation>%1: нужны ещё «%2» в %3, через точку с запятой, например %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is still needed. %3</source>
+        <translation>%1: нужно ещё значение «%2». %3</translation>
+    </message>
+    <message>
+        <source>Sheet 4, %1, %2: %3 is still needed.</source>
+        <translation>Лист 4, %1, %2: ещё нужно «%3».</translation>
+    </message>
+    <message>
+        <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
+        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
+    </message>
+    <message>
+        <source>Mean bob weight %1</source>
+        <translation>Средний балансировочный груз %1</translation>
+    </message>
+    <message>
+        <source>Planned for a drill’s point of %1 and a crankshaft of %2</source>
+        <translation>Рассчитано: угол при вершине сверла %1, плотность вала %2</translation>
+    </message>
+    <message>
+        <source>, slugs of %1</source>
+        <translation>, вставок %1</translation>
+    </message>
+    <message>
+        <source>%1 (cylinders %2)</source>
+        <translation>%1 (цилиндры %2)</translation>
+    </message>
+    <message>
+        <source>After moving the sets as suggested: %1.</source>
+        <translation>После предложенной перестановки: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1161,10 +1217,6 @@
         <translation>Разница между шейками %1, после перестановки комплектов (%3) — %2.</translation>
     </message>
     <message>
-        <source>Matched parts</source>
-        <translation>Подобранные детали</translation>
-    </message>
-    <message>
         <source>To match the lightest, if the parts are to be closer: take off, %1</source>
         <translation>До самой лёгкой, если детали должны быть ближе: снять, %1</translation>
     </message>
@@ -1187,6 +1239,14 @@
     <message>
         <source>Couple at the crank radius</source>
         <translation>Момент на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Matched parts: suggested, not applied yet</source>
+        <translation>Подобранные детали: предложено, ещё не переставлены</translation>
+    </message>
+    <message>
+        <source>Matched parts: applied, the weights are moved</source>
+        <translation>Подобранные детали: переставлены</translation>
     </message>
 </context>
 <context>
@@ -9002,16 +9062,8 @@ but nothing can be built</source>
         <translation>От нулевой метки станка</translation>
     </message>
     <message>
-        <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
-        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
-    </message>
-    <message>
         <source>Move parts</source>
         <translation>Перестановка деталей</translation>
-    </message>
-    <message>
-        <source>Sheet 4, %1, %2: %3 is still needed.</source>
-        <translation>Лист 4, %1, %2: ещё нужно «%3».</translation>
     </message>
     <message>
         <source>The bob weight: weigh it out so</source>
@@ -9044,30 +9096,6 @@ but nothing can be built</source>
     <message>
         <source>Parts as weighed</source>
         <translation>Детали как взвешены</translation>
-    </message>
-    <message>
-        <source>Sheet 4, %1</source>
-        <translation>Лист 4, %1</translation>
-    </message>
-    <message>
-        <source>Sheet 4, what may remain</source>
-        <translation>Лист 4, что может остаться</translation>
-    </message>
-    <message>
-        <source>Sheet 5, heavy metal</source>
-        <translation>Лист 5, тяжёлый металл</translation>
-    </message>
-    <message>
-        <source>Sheet 5, drills</source>
-        <translation>Лист 5, свёрла</translation>
-    </message>
-    <message>
-        <source>%1: %2 are still needed, in %3, one after the other: %4</source>
-        <translation>%1: нужны ещё «%2» в %3, через точку с запятой, например %4</translation>
-    </message>
-    <message>
-        <source>%1: %2 is still needed. %3</source>
-        <translation>%1: нужно ещё значение «%2». %3</translation>
     </message>
     <message>
         <source>Two rods share a bob weight, and %1 is odd: choose one rod on a bob weight first.</source>

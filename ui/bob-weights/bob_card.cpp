@@ -19,8 +19,17 @@ namespace {
 constexpr double cardLeft = CardPage::left;
 constexpr double cardWidth = CardPage::full;
 constexpr double headingHeight = 5.0;  // mm
+constexpr double notePoints = 8.0;
+constexpr double aboveNote = 0.6;  // mm
 
-/// A table of the card, or two beside each other.
+struct Note {
+    QString text;
+    QColor colour = CardPage::ink;
+
+    bool isWarning() const { return colour == CardPage::amber; }
+};
+
+/// A table of the card, or two beside each other, and what is to be said of it.
 struct Block {
     QString heading;
     std::vector<CardTable::Column> columns;
@@ -28,8 +37,21 @@ struct Block {
     ResultRows rows;
     bool lastIsBold = false;
     ResultRows beside{};  ///< of the same columns
+    std::vector<Note> notes{};
 
     double lines() const { return 1.0 + static_cast<double>(std::max(rows.size(), beside.size())); }
+    void say(const QString& text, const QColor& colour = CardPage::ink) {
+        if (!text.isEmpty()) {
+            notes.push_back({text, colour});
+        }
+    }
+    double notesHeight(const CardPage& page) const {
+        double height = 0.0;
+        for (const Note& note : notes) {
+            height += aboveNote + page.heightOf(note.text, notePoints, cardWidth, note.isWarning());
+        }
+        return height;
+    }
 };
 
 /// @return where it ends, mm
@@ -53,7 +75,13 @@ double drawBlock(CardPage& page, const Block& block, double y, double rowHeight)
         height = std::max(height, table.draw(page, x, y));
         x = cardLeft + cardWidth / 2.0 + 1.5;
     }
-    return y + height;
+    y += height;
+    for (const Note& note : block.notes) {
+        y += aboveNote;
+        y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, note.isWarning(),
+                            note.colour);
+    }
+    return y;
 }
 
 Block lineBlock(const Words& words, const Result& result) {
@@ -167,7 +195,8 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
     const auto* placing = result.placing ? &*result.placing : nullptr;
     const bool moves = placing != nullptr && placing->moved > 0;
     if (sheet->is_moved() || moves) {
-        add(words.translate("Matching", "Matched parts"),
+        add(moves ? words.translate("Matching", "Matched parts: suggested, not applied yet")
+                  : words.translate("Matching", "Matched parts: applied, the weights are moved"),
             matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
                                            placing));
     }
@@ -183,7 +212,83 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
                                "To match the lightest, only if moving is not enough: take off, %1"))
             .arg(words.unit(units::gram)),
         matching_text::takeOff(words, cylinders, masses_of(placed)).rows);
+    if (!blocks.empty()) {
+        blocks.back().say(words.translate(
+            "Matching",
+            "The bob weight is that of the parts as weighed: where one is made lighter, weigh "
+            "again."));
+    }
     return blocks;
+}
+
+/// The weights of the sheet, as many cylinders in a table as are read well.
+std::vector<Block> weightBlocks(const Words& words, const Input& input) {
+    const auto sheet = fitted(input).weigh_in;
+    if (!sheet || sheet->is_empty()) {
+        return {};
+    }
+    constexpr std::size_t most = 12;
+    constexpr double nameWidth = 34.0;
+    const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
+    const std::size_t tables = (cylinders + most - 1) / most;
+    const std::size_t each = (cylinders + tables - 1) / tables;
+    std::vector<Block> blocks;
+    for (std::size_t first = 0; first < cylinders; first += each) {
+        const std::size_t end = std::min(first + each, cylinders);
+        Block block{words.translate("JobCard", "Weights of the parts by cylinder, %1")
+                        .arg(words.unit(units::gram)),
+                    {{nameWidth, Qt::AlignLeft}},
+                    {words.translate("Matching", "Cylinder")},
+                    {}};
+        for (std::size_t i = first; i < end; ++i) {
+            block.columns.push_back({(cardWidth - nameWidth) / static_cast<double>(each)});
+            block.head << QString::number(i + 1);
+        }
+        for (const workshop::Part part : workshop::all_parts) {
+            const auto& column = (*sheet)[part];
+            if (column.is_empty()) {
+                continue;
+            }
+            ResultRow row{words.text(workshop::part_word(part).label)};
+            for (std::size_t i = first; i < end; ++i) {
+                const auto& mass = column.mass[i];
+                row << (mass ? words.cell(*mass, units::gram, 2) : ResultCell(QStringLiteral("–")));
+            }
+            block.rows << row;
+        }
+        blocks.push_back(std::move(block));
+    }
+    const QStringList pins = bob_text::cylindersOfCrankpins(input);
+    if (input.engine.rods_per_pin > 1 && !pins.isEmpty()) {
+        blocks.back().say(words.translate("BobWeights", "Cylinders that share a crankpin: %1.")
+                              .arg(pins.join(QStringLiteral("; "))));
+    }
+    return blocks;
+}
+
+/// What is drilled and pressed in.
+Block holeBlock(const Words& words, const Input& input, const Result& result) {
+    const auto front = bob_text::holes(words, result, 0);
+    const auto rear = bob_text::holes(words, result, 1);
+    Block block{words.translate("BobWeights", "Holes and slugs"),
+                {{42, Qt::AlignLeft}, {16}, {13}, {18}},
+                bob_text::holeHead(words),
+                front,
+                false,
+                rear};
+    const bool hasSlugs =
+        result.correction &&
+        std::any_of(result.correction->begin(), result.correction->end(),
+                    [](const PlaneResult& plane) { return !plane.slugs.empty(); });
+    if (hasSlugs) {
+        // What names a slug is too long for half the width.
+        block.columns = {{82, Qt::AlignLeft}, {30}, {30}, {40}};
+        block.rows = front + rear;
+        block.beside.clear();
+    }
+    block.say(bob_text::holeNote(words, result) + QLatin1Char(' ') +
+              bob_text::metals(words, input, result));
+    return block;
 }
 
 }  // namespace
@@ -215,96 +320,90 @@ void BobCard::draw(CardPage& page) const {
          words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
+    const auto broken = bob_text::brokenRule(words(), input_, solution_);
+    const bool hasPlanes = input_.correction && input_.correction->planes.size() == 2 &&
+                           input_.correction->readings.size() == 2;
     QStringList wrong{refusedText(), bob_text::otherReadings(words(), solution_)};
     wrong << bob_text::doubts(words(), input_, solution_)
           << bob_text::shortfalls(words(), solution_);
     wrong.removeAll(QString());
-    QStringList more{known ? bob_text::factor(words(), input_, solution_) : QString(),
-                     bob_text::verdict(words(), solution_)};
-    more.removeAll(QString());
-    y = cardAnswer(page,
-                   {known ? bob_text::hang(words(), input_.engine) : QString(),
-                    bob_text::headline(words(), input_, solution_), more.join(QLatin1Char(' ')),
-                    wrong.join(QLatin1Char(' '))},
-                   y + gap);
+    using Of = bob_text::BrokenRule::Of;
+    QStringList caution{broken.of == Of::Parts ? broken.text : QString(),
+                        bob_text::notGiven(words(), solution_)};
+    caution.removeAll(QString());
+    QStringList more;
+    if (bob_text::isMean(words(), solution_)) {
+        more << bob_text::weighIn(words(), input_, solution_) + QLatin1Char(' ') +
+                    bob_text::placedWeighIn(words(), solution_);
+    }
+    more << (known ? bob_text::factor(words(), input_, solution_) : QString()) + QLatin1Char(' ') +
+                bob_text::verdict(words(), solution_);
+    y = cardAnswer(
+        page,
+        {known ? bob_text::hang(words(), input_.engine) : QString(),
+         bob_text::headline(words(), input_, solution_), more.join(QChar::LineSeparator).trimmed(),
+         caution.join(QLatin1Char(' ')), wrong.join(QLatin1Char(' '))},
+        y + gap);
 
     std::vector<Block> blocks{lineBlock(words(), solution_)};
-    if (input_.correction && input_.correction->planes.size() == 2 &&
-        input_.correction->readings.size() == 2) {
+    if (hasPlanes) {
         blocks.push_back(planeBlock(words(), *input_.correction, solution_));
     }
-    const auto matched = bob_text::matchingShown(input_, solution_);
-    QStringList placed;
-    if (matched) {
-        placed << matching_text::summary(words(), *matched)
-               << matching_text::felt(words(), *matched);
+    Block runs = runBlock(words(), input_.correction, solution_);
+    Block& planes = hasPlanes ? blocks.back() : runs;
+    planes.say(bob_text::limits(words(), input_, solution_));
+    if (broken.of != Of::Parts) {
+        (broken.of == Of::Planes ? planes : runs).say(broken.text, CardPage::amber);
     }
-    if (auto matching = matchingBlocks(words(), input_, solution_); !matching.empty()) {
-        placed << words().translate("Matching",
-                                    "The bob weight is that of the parts as weighed: where one is "
-                                    "made lighter, weigh again.");
-        blocks.insert(blocks.begin() + 1, std::make_move_iterator(matching.begin()),
-                      std::make_move_iterator(matching.end()));
-    }
-    placed.removeAll(QString());
-    blocks.push_back(runBlock(words(), input_.correction, solution_));
+    runs.say(bob_text::runWarnings(words(), input_, solution_).join(QLatin1Char(' ')),
+             CardPage::amber);
+    blocks.push_back(std::move(runs));
     if (auto drilled = bob_text::drilled(words(), solution_); !drilled.isEmpty()) {
         blocks.push_back({words().translate("BobWeights", "Already drilled"),
-                          {{24, Qt::AlignLeft}, {46, Qt::AlignLeft}, {20}, {66}, {26}},
+                          {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
                           bob_text::drilledHead(words()),
                           std::move(drilled)});
+        blocks.back().say(bob_text::drilledNote(words(), solution_));
     }
     if (solution_.correction) {
         blocks.push_back({words().translate("BobWeights", "Correction: measured → after it"),
                           {{38, Qt::AlignLeft}, {32}, {24}, {28}, {30}, {30, Qt::AlignHCenter}},
                           bob_text::planeHead(words()),
                           bob_text::planes(words(), solution_)});
-        const auto front = bob_text::holes(words(), solution_, 0);
-        const auto rear = bob_text::holes(words(), solution_, 1);
-        if (!front.isEmpty() || !rear.isEmpty()) {
-            blocks.push_back({words().translate("BobWeights", "Holes and slugs"),
-                              {{42, Qt::AlignLeft}, {16}, {13}, {18}},
-                              bob_text::holeHead(words()),
-                              front,
-                              false,
-                              rear});
+        if (!bob_text::holes(words(), solution_).isEmpty()) {
+            blocks.push_back(holeBlock(words(), input_, solution_));
         }
     }
-    struct Note {
-        QString text;
-        QColor colour;
-    };
-    constexpr double notePoints = 7.5;
-    QStringList warnings = bob_text::warnings(words(), input_, solution_);
-    warnings << otherRefusedText();
-    warnings.removeAll(QString());
-    const std::array notes{Note{placed.join(QLatin1Char(' ')), CardPage::ink},
-                           Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
-                           Note{bob_text::holeNote(words(), solution_), CardPage::ink},
-                           Note{bob_text::drilledNote(words(), solution_), CardPage::ink},
-                           Note{warnings.join(QLatin1Char(' ')), CardPage::amber}};
+    std::vector<Block> parts = matchingBlocks(words(), input_, solution_);
+    for (Block& block : weightBlocks(words(), input_)) {
+        parts.push_back(std::move(block));
+    }
+    if (const auto matched = bob_text::matchingShown(input_, solution_);
+        matched && !parts.empty()) {
+        parts.front().say((matching_text::summary(words(), *matched) + QLatin1Char(' ') +
+                           matching_text::felt(words(), *matched))
+                              .trimmed());
+    }
+    blocks.insert(blocks.end(), std::make_move_iterator(parts.begin()),
+                  std::make_move_iterator(parts.end()));
     // What the tables have room for.
     const QString typed = QString::fromStdString(input_.job.notes).simplified();
-    double room = page.end() - y - cardNotesHeight(page, typed) - gap;
-    for (const Note& note : notes) {
-        room -= page.heightOf(note.text, notePoints, cardWidth);
-    }
+    const QString others = otherRefusedText();
+    double room = page.end() - y - cardNotesHeight(page, typed) - gap -
+                  page.heightOf(others, notePoints, cardWidth);
     double lines = 0.0;
     for (const Block& block : blocks) {
-        room -= headingHeight + gap;
+        room -= headingHeight + gap + block.notesHeight(page);
         lines += block.lines();
     }
     // Where even low rows do not fit on one sheet they are as high as is read well.
-    constexpr double lowest = 2.8;
-    constexpr double usual = 3.8;
+    constexpr double lowest = 3.3;
+    constexpr double usual = 4.2;
     const double rowHeight = room / lines < lowest ? usual : std::min(room / lines, 4.8);
     for (const Block& block : blocks) {
         y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
     }
-    y += 1.0;
-    for (const Note& note : notes) {
-        y = page.flow(y, note.text, notePoints, note.colour);
-    }
+    y = page.flow(y + 1.0, others, notePoints, CardPage::amber);
     cardNotes(page, words(), typed, y + gap);
     page.finishSheet();
 }

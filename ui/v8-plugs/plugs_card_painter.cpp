@@ -119,7 +119,8 @@ double PlugsCardPainter::answer(double y) {
                       v8_text::otherReadings(words_, solution_)};
     wrong.removeAll(QString());
     return cardAnswer(sheet_,
-                      {fact, action, more.join(QLatin1Char(' ')), wrong.join(QLatin1Char(' '))}, y);
+                      {fact, action, more.join(QLatin1Char(' ')), {}, wrong.join(QLatin1Char(' '))},
+                      y);
 }
 
 double PlugsCardPainter::inputs(double y) {

@@ -66,6 +66,7 @@ double cardAnswer(CardPage& page, const CardAnswer& answer, double y) {
         at += page.paragraph(inner, at, room, answer.fact, 9);
         at += page.paragraph(inner, at + 0.4, room, answer.action, 11.5, true, colour) + 0.4;
         at += page.paragraph(inner, at + 0.4, room, answer.more, 9, false, colour);
+        at += page.paragraph(inner, at + 0.4, room, answer.caution, 9, true, CardPage::amber);
         return at + page.paragraph(inner, at + 0.4, room, answer.warning, 10, true, colour);
     };
     const double height = page.heightOf(content) + 3.6;

@@ -20,11 +20,13 @@ struct CardHead {
 
 double cardHead(CardPage& page, const Words& words, const CardHead& head, double y);
 
-/// A box around what to do: a fact above, what follows from it below, a warning last.
+/// A box around what to do: a fact above, what follows from it below, a warning last. Lines are
+/// told apart by QChar::LineSeparator.
 struct CardAnswer {
     QString fact;
     QString action;
     QString more;
+    QString caution;  ///< what the answer takes for granted
     QString warning;  ///< makes the box amber
 };
 double cardAnswer(CardPage& page, const CardAnswer& answer, double y);

@@ -244,10 +244,10 @@ TEST_F(BobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
     EXPECT_EQ(plain(model->drilledResults().rows.at(0).at(1).text), plain(name));
 }
 
-TEST_F(BobPageTest, WhatStandsBesideEachOtherOnTheCardIsOfOneSize) {
+TEST_F(BobPageTest, ASlugOnTheCardIsAsLargeAsAHole) {
     typeShopCard();
     typeSlugAlone(u"20.25"_s);
-    card();
+    const QString printed = card().replace(u'\n', u' ');
     const auto size = [this](const QString& text) {
         const auto found = std::ranges::find_if(
             onCard.texts, [&](const auto& each) { return each.text.startsWith(text); });
@@ -255,7 +255,88 @@ TEST_F(BobPageTest, WhatStandsBesideEachOtherOnTheCardIsOfOneSize) {
     };
     EXPECT_GT(size(u"Rear: ⌀"_s), 0);
     EXPECT_EQ(size(u"Front: slug ⌀"_s), size(u"Rear: ⌀"_s));
-    EXPECT_LT(size(u"Front: slug ⌀"_s), size(u"Front plane"_s)) << "it is the longer one";
+    EXPECT_EQ(size(u"Front: slug ⌀"_s), size(u"Front plane"_s));
+    EXPECT_TRUE(printed.contains(
+        u"drill’s point of 118° and a crankshaft of 7850 kg/m³, slugs of 17500 kg/m³."_s))
+        << qPrintable(printed);
+}
+
+TEST_F(BobPageTest, TheBobWeightOfUnequalCrankpinsIsCalledTheirMean) {
+    typeShopCard();
+    EXPECT_FALSE(card().contains(u"Weights of the parts"_s));
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[workshop::Part::piston].mass.assign(8, 0.5839);
+        sheet[workshop::Part::piston].mass[2] = 0.7839;
+    });
+    settle();
+    EXPECT_EQ(label("headline"), u"Mean bob weight 1530.2 g"_s) << "half of 200 g on one of four";
+    const QString single =
+        u"g: 1505.2 (cylinders 1+5); 1505.2 (2+6); 1605.2 (3+7); 1505.2 (4+8)."_s;
+    EXPECT_TRUE(label("hang").contains(single)) << qPrintable(label("hang"));
+    const QString printed = card().replace(u'\n', u' ');
+    for (const QString& text : {label("headline"), single, u"Weights of the parts by cylinder, g"_s,
+                                u"Piston 583.90 583.90 783.90 583.90"_s,
+                                u"Cylinders that share a crankpin: 1+5; 2+6; 3+7; 4+8."_s}) {
+        EXPECT_TRUE(printed.contains(text)) << qPrintable(text) << qPrintable(printed);
+    }
+    // Alike, there is one bob weight.
+    model->editWeights(u"Weights"_s,
+                       [](WeighIn& sheet) { sheet[workshop::Part::piston].mass[2] = 0.5839; });
+    settle();
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+}
+
+TEST_F(BobPageTest, TheCardSaysWhetherPartsAreMoved) {
+    typeShopCard();
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[workshop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+    });
+    settle();
+    const QString suggested = u"suggested, not applied yet"_s;
+    const QString applied = u"Matched parts: applied"_s;
+    EXPECT_TRUE(card().contains(suggested));
+    EXPECT_FALSE(card().contains(applied));
+    model->moveParts();
+    settle();
+    EXPECT_FALSE(card().contains(suggested));
+    EXPECT_TRUE(card().contains(applied));
+}
+
+TEST_F(BobPageTest, TheCardHasEveryWarningOfThePage) {
+    typeShopCard();
+    typeReadings();
+    type("oil", QString());
+    const auto isOnCard = [&] {
+        const QString printed = card().replace(u'\n', u' ');
+        for (const QString& each : model->troubles()) {
+            EXPECT_TRUE(printed.contains(QString(each).replace(QChar(0x00A0), u' ')))
+                << qPrintable(each) << qPrintable(printed);
+        }
+        return model->troubles().join(u'\n');
+    };
+    const auto edit = [&](const std::function<void(Correction&)>& change) {
+        model->editCorrection(u"change"_s, change);
+    };
+    EXPECT_TRUE(isOnCard().contains(u"Not given, counted as"_s));
+    const auto box = std::ranges::find_if(
+        onCard.texts, [](const auto& each) { return each.text.startsWith(u"Not given"_s); });
+    const auto table = std::ranges::find_if(
+        onCard.texts, [](const auto& each) { return each.text == u"Bob weight, line by line"_s; });
+    EXPECT_LT(box->ink.bottom(), table->ink.top()) << "beside the number that it concerns";
+    edit([](Correction& it) { it.slug = Slug{0.02, std::nullopt}; });
+    EXPECT_TRUE(isOnCard().contains(u"Slug density is still needed"_s));
+    edit([](Correction& it) {
+        it.slug.reset();
+        it.readings[0].position = -3.0;
+    });
+    EXPECT_TRUE(isOnCard().contains(u"far outside the planes"_s));
+    // As a file may have it.
+    Json input = model->inputJson();
+    input["correction"]["planes"][1]["position_mm"] = 60;
+    model->loadInput(input, {});
+    EXPECT_TRUE(isOnCard().contains(u"Rear plane, position: must differ"_s)) << qPrintable(card());
+    edit([](Correction& it) { it.readings[1].unbalance.reset(); });
+    isOnCard();
 }
 
 TEST_F(BobPageTest, CylindersInLineAreNotPaired) {

@@ -9,8 +9,9 @@
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
 #include "case-file/field_index.h"
-#include "case-file/input_error.h"
 #include "text/capital.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
@@ -96,6 +97,123 @@ QString engineName(const Words& words, const QString& english) {
     return engineName(words, engine);
 }
 
+namespace {
+
+/// The field of an error's place; nothing where that is none.
+std::optional<Field> fieldAt(const InputError& error) {
+    constexpr std::string_view root = "/input";
+    // All elements of a list are described by its first.
+    static const QRegularExpression element(QStringLiteral("/\\d+(?=/)"));
+    const QString pointer = QString::fromStdString(error.where().substr(root.size()))
+                                .replace(element, QStringLiteral("/0"));
+    const auto found = describe_fields<Input>(pointer.toStdString());
+    return found.empty() ? std::nullopt : std::optional(found.front().field);
+}
+
+QString ruleText(const Words& words, const QString& name, const InputError& error) {
+    const QString rule = words.message(
+        error.found_message().empty() ? error.allowed_message()
+                                      : Message(CORE_TEXT("core", "%1, got %2"),
+                                                error.allowed_message(), error.found_message()));
+    return name.isEmpty() ? rule : name + QStringLiteral(": ") + rule;
+}
+
+/// Its name without the place.
+QString ruleText(const Words& words, const InputError& error) {
+    const auto field = fieldAt(error);
+    return ruleText(words, field ? words.name(*field) : QString(), error);
+}
+
+/// Where something is missing, and what is to be typed there.
+QString missingText(const Words& words, const InputError& error) {
+    const QString pointer = QString::fromStdString(error.where());
+    const auto is = [&](const char* list) { return pointer.contains(QLatin1String(list)); };
+    const QString sheet =
+        is("/planes/0/")    ? words.translate("BobWeights", "Sheet 4, %1").arg(planeName(words, 0))
+        : is("/planes/1/")  ? words.translate("BobWeights", "Sheet 4, %1").arg(planeName(words, 1))
+        : is("/tolerance/") ? words.translate("BobWeights", "Sheet 4, what may remain")
+        : is("/slug/")      ? words.translate("BobWeights", "Sheet 5, heavy metal")
+                            : words.translate("BobWeights", "Sheet 5, drills");
+    const auto missing = fieldAt(error);
+    if (!missing) {
+        return {};
+    }
+    const QString name = words.name(*missing);
+    return missing->key == field::diameters.key
+               ? words
+                     .translate("BobWeights",
+                                "%1: %2 are still needed, in %3, one after the other: %4")
+                     .arg(sheet, name, words.unit(units::mm),
+                          numberListText({8, 10, 12.5}, *missing))
+               : words.translate("BobWeights", "%1: %2 is still needed. %3")
+                     .arg(sheet, name, words.text(missing->hint));
+}
+
+}  // namespace
+
+QString sheetError(const Words& words, const Input& input, const InputError& error) {
+    const QStringList place =
+        QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    const bool isOfCorrection = place.value(1) == QLatin1String("correction");
+    const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
+    if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
+        // What is missing of a run.
+        const QString& key = place.last();
+        const Field& field =
+            key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
+        const auto newest = input.correction ? input.correction->earlier_runs.size() : 0;
+        const auto run = isEarlier ? place.value(3).toULongLong() : newest;
+        const auto plane = place.value(place.size() - 2).toULongLong();
+        return words.translate("BobWeights", "Sheet 4, %1, %2: %3 is still needed.")
+            .arg(runName(words, run), planeName(words, plane), words.name(field));
+    }
+    if (error.found().empty() && (isOfCorrection || place.value(1) == QLatin1String("tolerance"))) {
+        return missingText(words, error);
+    }
+    if (isOfCorrection && place.value(2) == QLatin1String("planes") && place.size() == 5) {
+        // The form has a column for each plane, no rows.
+        const QString plane = planeName(words, place[3].toULongLong());
+        const auto field = fieldAt(error);
+        return field
+                   ? ruleText(words, plane + QStringLiteral(", ") + inSentence(words.name(*field)),
+                              error)
+                   : QString();
+    }
+    if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
+        for (const Word& word : workshop::part_words) {
+            if (place[2] == QLatin1String(word.word.data())) {
+                return words
+                    .translate("BobWeights",
+                               "Weigh-in sheet: %1 of cylinder %2 is missing or no weight.")
+                    .arg(words.text(word.label))
+                    .arg(place[4].toInt() + 1);
+            }
+        }
+    }
+    return {};
+}
+
+BrokenRule brokenRule(const Words& words, const Input& input, const Result& result) {
+    if (!result.bob_weight) {
+        return {};
+    }
+    try {
+        check_input(input);
+    } catch (const InputError& error) {
+        const QString said = sheetError(words, input, error);
+        const auto isBelow = [&](std::string_view place) {
+            return error.where().starts_with(place);
+        };
+        using Of = BrokenRule::Of;
+        return {said.isEmpty() ? ruleText(words, error) : said,
+                isBelow("/input/correction/readings") || isBelow("/input/correction/earlier_runs")
+                    ? Of::Readings
+                : isBelow("/input/correction") || isBelow("/input/tolerance") ? Of::Planes
+                                                                              : Of::Parts};
+    }
+    return {};
+}
+
 QString contradiction(const Words& words, const Input& input) {
     if (!missing_for_bob_weight(input).empty()) {
         return {};
@@ -103,21 +221,15 @@ QString contradiction(const Words& words, const Input& input) {
     try {
         check_bob_weight(input);
     } catch (const InputError& error) {
-        constexpr std::string_view root = "/input";
-        const auto found = describe_fields<Input>(error.where().substr(root.size()));
-        const QString rule =
-            words.message(error.found_message().empty()
-                              ? error.allowed_message()
-                              : Message(CORE_TEXT("core", "%1, got %2"), error.allowed_message(),
-                                        error.found_message()));
-        return found.empty() ? rule : words.name(found.front().field) + QStringLiteral(": ") + rule;
+        return ruleText(words, error);
     }
     return {};
 }
 
 QString headline(const Words& words, const Input& input, const Result& result) {
     if (result.bob_weight) {
-        return words.translate("BobWeights", "Bob weight %1")
+        return (isMean(words, result) ? words.translate("BobWeights", "Mean bob weight %1")
+                                      : words.translate("BobWeights", "Bob weight %1"))
             .arg(words.number(*result.bob_weight, units::gram, 1));
     }
     if (QString why = contradiction(words, input); !why.isEmpty()) {
@@ -318,19 +430,21 @@ QStringList otherEffects(const Words& words, const Result& result) {
 
 }  // namespace
 
-QStringList warnings(const Words& words, const Input& input, const Result& result) {
-    QStringList list = otherEffects(words, result);
-    if (result.bob_weight && !result.not_given.empty()) {
-        QStringList names;
-        for (const PartField* part : result.not_given) {
-            names << inSentence(words.name(part->field));
-        }
-        list << words
-                    .translate("BobWeights",
-                               "Not given, counted as %1: %2. Where there is none, type 0.")
-                    .arg(words.plainWithUnit(0.0, units::gram, 0),
-                         names.join(QStringLiteral(", ")));
+QString notGiven(const Words& words, const Result& result) {
+    if (!result.bob_weight || result.not_given.empty()) {
+        return {};
     }
+    QStringList names;
+    for (const PartField* part : result.not_given) {
+        names << inSentence(words.name(part->field));
+    }
+    return words
+        .translate("BobWeights", "Not given, counted as %1: %2. Where there is none, type 0.")
+        .arg(words.plainWithUnit(0.0, units::gram, 0), names.join(QStringLiteral(", ")));
+}
+
+QStringList runWarnings(const Words& words, const Input& input, const Result& result) {
+    QStringList list = otherEffects(words, result);
     // Without planes or readings nothing was planned.
     const std::size_t runs =
         input.correction ? std::min(input.correction->earlier_runs.size(), result.runs.size()) : 0;
@@ -423,6 +537,22 @@ QString holeNote(const Words& words, const Result& result) {
                      slugNote(words, *result.correction);
 }
 
+QString metals(const Words& words, const Input& input, const Result& result) {
+    if (!input.correction || holes(words, result).isEmpty()) {
+        return {};
+    }
+    const Drill& drill = input.correction->drill;
+    const auto density = [&](double value) { return words.plainWithUnit(value, units::kg_m3, 1); };
+    QString said =
+        words.translate("BobWeights", "Planned for a drill’s point of %1 and a crankshaft of %2")
+            .arg(words.plainWithUnit(drill.point_angle, units::degree, 1), density(drill.density));
+    const auto& slug = input.correction->slug;
+    if (!slugNote(words, *result.correction).isEmpty() && slug && slug->density) {
+        said += words.translate("BobWeights", ", slugs of %1").arg(density(*slug->density));
+    }
+    return said + QLatin1Char('.');
+}
+
 QString weighing(const Words& words, const Input& input, const Result& result) {
     const double resolution = ScaleSettings::load().resolution;
     const auto found =
@@ -464,16 +594,56 @@ QStringList shortfalls(const Words& words, const Result& result) {
     return list;
 }
 
-QString weighIn(const Words& words, const Result& result) {
-    if (result.crankpins.empty()) {
+QStringList cylindersOfCrankpins(const Input& input) {
+    if (input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return {};
     }
     QStringList pins;
-    for (const double mass : result.crankpins) {
-        pins << words.digits(mass, units::gram, 1);
+    const auto places = places_of(crank_of(input));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto pin = static_cast<qsizetype>(places[i].crankpin);
+        pins.resize(std::max(pins.size(), pin + 1));
+        pins[pin] +=
+            (pins[pin].isEmpty() ? QString() : QStringLiteral("+")) + QString::number(i + 1);
+    }
+    return pins;
+}
+
+bool isMean(const Words& words, const Result& result) {
+    const auto shown = [&](double mass) { return words.digits(mass, units::gram, 1); };
+    return result.bob_weight &&
+           std::any_of(result.crankpins.begin(), result.crankpins.end(),
+                       [&](double own) { return shown(own) != shown(*result.bob_weight); });
+}
+
+QString weighIn(const Words& words, const Input& input, const Result& result) {
+    if (result.crankpins.empty()) {
+        return {};
+    }
+    const QStringList cylinders = cylindersOfCrankpins(input);
+    QStringList pins;
+    for (std::size_t i = 0; i < result.crankpins.size(); ++i) {
+        const QString own = cylinders.value(static_cast<qsizetype>(i));
+        const QString mass = words.digits(result.crankpins[i], units::gram, 1);
+        pins << (own.isEmpty() ? mass
+                               : (i == 0 ? words.translate("BobWeights", "%1 (cylinders %2)")
+                                         : QStringLiteral("%1 (%2)"))
+                                     .arg(mass, own));
     }
     return words.translate("BobWeights", "Bob weights of the crankpins by themselves, %1: %2.")
         .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
+}
+
+QString placedWeighIn(const Words& words, const Result& result) {
+    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty()) {
+        return {};
+    }
+    QStringList pins;
+    for (const double mass : result.placed_crankpins) {
+        pins << words.digits(mass, units::gram, 1);
+    }
+    return words.translate("BobWeights", "After moving the sets as suggested: %1.")
+        .arg(pins.join(QStringLiteral("; ")));
 }
 
 std::optional<matching_text::Shown> matchingShown(const Input& given, const Result& result) {

@@ -4,6 +4,7 @@
 #include <QVector>
 
 #include "bob-weights/solver.h"
+#include "case-file/input_error.h"
 #include "workshop/model/matching_text.h"
 #include "workshop/model/words.h"
 
@@ -16,7 +17,19 @@ QString engineName(const Words& words, const bob_weights::Engine& engine);
 QString engineName(const Words& words, const QString& english);
 /// Why engine and factor give no answer; empty where they do, or where something is missing.
 QString contradiction(const Words& words, const bob_weights::Input& input);
-/// "Bob weight 1505.2 g", or what contradicts itself, or what is missing.
+/// What an error says of the sheets of the machine and of the weights, with its place on the form:
+/// "Sheet 4, Front plane: Radius is still needed. …"; empty of other places.
+QString sheetError(const Words& words, const bob_weights::Input& input, const InputError& error);
+/// The rule that the input breaks first, and what it is of; empty where it breaks none, or where
+/// there is no bob weight, which is said by itself.
+struct BrokenRule {
+    QString text;
+    enum class Of { Parts, Planes, Readings } of = Of::Parts;  ///< drills and limits: of planes
+};
+BrokenRule brokenRule(const Words& words, const bob_weights::Input& input,
+                      const bob_weights::Result& result);
+/// "Bob weight 1505.2 g", "Mean bob weight …" where the crankpins differ, or what contradicts
+/// itself, or what is missing.
 QString headline(const Words& words, const bob_weights::Input& input,
                  const bob_weights::Result& result);
 QString hang(const Words& words, const bob_weights::Engine& engine);
@@ -43,16 +56,29 @@ QString otherRun(const Words& words, const bob_weights::Result& result);
 /// Masses that look like kilograms or are unlike the others: the answer is not to be trusted.
 QStringList doubts(const Words& words, const bob_weights::Input& input,
                    const bob_weights::Result& result);
-/// What counts as 0 because it was not given, holes whose edges reach beyond their sector, and
-/// readings that lie far outside the planes.
-QStringList warnings(const Words& words, const bob_weights::Input& input,
-                     const bob_weights::Result& result);
+/// What counts as 0 because it was not given; empty where everything was.
+QString notGiven(const Words& words, const bob_weights::Result& result);
+/// Drilling that acted otherwise than planned, holes that were planned from other readings or whose
+/// edges reach beyond their sector, and readings that lie far outside the planes.
+QStringList runWarnings(const Words& words, const bob_weights::Input& input,
+                        const bob_weights::Result& result);
 /// What the depths are measured to; empty without holes.
 QString holeNote(const Words& words, const bob_weights::Result& result);
+/// What the holes are planned for: the drill's point, the metal of crankshaft and slugs; empty
+/// without holes.
+QString metals(const Words& words, const bob_weights::Input& input,
+               const bob_weights::Result& result);
 /// What falls short, plane by plane.
 QStringList shortfalls(const Words& words, const bob_weights::Result& result);
+/// Which cylinders each crankpin carries, "1+5"; empty where they do not share out.
+QStringList cylindersOfCrankpins(const bob_weights::Input& input);
+/// Whether the crankpins differ, so that the bob weight is no more than their mean.
+bool isMean(const Words& words, const bob_weights::Result& result);
 /// Bob weight of each crankpin's own parts.
-QString weighIn(const Words& words, const bob_weights::Result& result);
+QString weighIn(const Words& words, const bob_weights::Input& input,
+                const bob_weights::Result& result);
+/// The same after the sets are moved; empty where none is to be.
+QString placedWeighIn(const Words& words, const bob_weights::Result& result);
 /// Which sets to move; nothing where no column is weighed whole.
 std::optional<matching_text::Shown> matchingShown(const bob_weights::Input& input,
                                                   const bob_weights::Result& result);

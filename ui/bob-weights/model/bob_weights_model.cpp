@@ -397,7 +397,7 @@ WeighedColumn BobWeightsModel::columnNote(workshop::Part part) const {
 }
 
 QString BobWeightsModel::weighInText() const {
-    return bob_text::weighIn(Words(), solution());
+    return bob_text::weighIn(Words(), input(), solution());
 }
 
 std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {

@@ -127,7 +127,6 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
 
   private:
     QString shownError(const InputError& error) const;
-    QString missingText(const std::string& where) const;
     /// Why there are not so many cylinders with two rods on a pin; empty where there may be.
     static QString oddRods(const bob_weights::Engine& engine);
 

@@ -7,79 +7,14 @@
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/input_error.h"
 #include "text/message_text.h"
-#include "text/shown_units.h"
-#include "text/typed_number.h"
 
 namespace ravnoves {
 
 using namespace bob_weights;
 
 QString BobWeightsModel::shownError(const InputError& error) const {
-    const QStringList place =
-        QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
-    const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
-    if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
-        // What is missing of a run.
-        const QString& key = place.last();
-        const Field& field =
-            key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
-        const auto run = isEarlier ? place.value(3).toULongLong() : newestRun();
-        const auto plane = place.value(place.size() - 2).toULongLong();
-        return tr("Sheet 4, %1, %2: %3 is still needed.")
-            .arg(bob_text::runName(Words(), run), bob_text::planeName(Words(), plane),
-                 fieldName(field));
-    }
-    if (error.found().empty() && (place.value(1) == QLatin1String("correction") ||
-                                  place.value(1) == QLatin1String("tolerance"))) {
-        return missingText(error.where());
-    }
-    if (place.value(1) == QLatin1String("correction") &&
-        place.value(2) == QLatin1String("planes") && place.size() == 5) {
-        // The form has a column for each plane, no rows.
-        const auto described = describedFields("/correction/planes/0/" + place[4].toStdString());
-        const QString plane = bob_text::planeName(Words(), place[3].toULongLong());
-        if (!described.empty()) {
-            return explain(
-                {(plane + QStringLiteral(", ") + inSentence(fieldName(described.front().field)))
-                     .toStdString(),
-                 error.allowed_message(), error.found_message()});
-        }
-    }
-    if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
-        for (const Word& word : workshop::part_words) {
-            if (place[2] == QLatin1String(word.word.data())) {
-                return tr("Weigh-in sheet: %1 of cylinder %2 is missing or no weight.")
-                    .arg(shownText(word.label))
-                    .arg(place[4].toInt() + 1);
-            }
-        }
-    }
-    return explain(error);
-}
-
-/// Where something is missing, and what is to be typed there.
-QString BobWeightsModel::missingText(const std::string& where) const {
-    const QString pointer = QString::fromStdString(where);
-    const auto is = [&](const char* list) { return pointer.contains(QLatin1String(list)); };
-    const QString sheet = is("/planes/0/") ? tr("Sheet 4, %1").arg(bob_text::planeName(Words(), 0))
-                          : is("/planes/1/")
-                              ? tr("Sheet 4, %1").arg(bob_text::planeName(Words(), 1))
-                          : is("/tolerance/") ? tr("Sheet 4, what may remain")
-                          : is("/slug/")      ? tr("Sheet 5, heavy metal")
-                                              : tr("Sheet 5, drills");
-    const std::string_view place = std::string_view(where).substr(sizeof "/input" - 1);
-    for (const auto& found : {fields(place), describedFields(place)}) {
-        if (!found.empty()) {
-            const Field& missing = found.front().field;
-            const QString name = fieldName(missing);
-            return missing.key == field::diameters.key
-                       ? tr("%1: %2 are still needed, in %3, one after the other: %4")
-                             .arg(sheet, name, shownUnit(units::mm).name,
-                                  numberListText({8, 10, 12.5}, missing))
-                       : tr("%1: %2 is still needed. %3").arg(sheet, name, shownText(missing.hint));
-        }
-    }
-    return {};
+    const QString placed = bob_text::sheetError(Words(), input(), error);
+    return placed.isEmpty() ? explain(error) : placed;
 }
 
 QString BobWeightsModel::headline() const {
@@ -87,7 +22,11 @@ QString BobWeightsModel::headline() const {
 }
 
 QString BobWeightsModel::hangText() const {
-    return solution().bob_weight ? bob_text::hang(Words(), input().engine) : QString();
+    if (!solution().bob_weight) {
+        return {};
+    }
+    const QString hang = bob_text::hang(Words(), input().engine);
+    return bob_text::isMean(Words(), solution()) ? hang + QLatin1Char(' ') + weighInText() : hang;
 }
 
 QString BobWeightsModel::factorText() const {
@@ -126,9 +65,11 @@ QStringList BobWeightsModel::troubles() const {
         }
     }
     list << otherReadingsText();
+    list << doubts() << bob_text::notGiven(Words(), solution())
+         << bob_text::runWarnings(Words(), input(), solution())
+         << bob_text::shortfalls(Words(), solution());
     list.removeAll(QString());
-    return list + doubts() + bob_text::warnings(Words(), input(), solution()) +
-           bob_text::shortfalls(Words(), solution());
+    return list;
 }
 
 bool BobWeightsModel::isDone() const {
