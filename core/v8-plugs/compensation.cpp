@@ -15,28 +15,26 @@ Number gram_millimetres(double unbalance) {
     return {unbalance / units::gram_mm, units::gram_mm, -1};
 }
 
-Message two_sentences(Message first, Message second) {
-    return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
-}
-
 /// The action of an option in the imperative.
-Message action(const Option& option) {
+Message action(const Option& option, const Message& off) {
     const bool machined = option.machined();
     if (has_new_plugs(option.id)) {
-        return machined ? Message(CORE_TEXT("V8", "Machine all 8 new steel plugs by %1 each."),
-                                  grams(option.reduction))
+        return machined ? Message(CORE_TEXT("V8", "Machine all 8 new steel plugs by %1 each."), off)
                         : CORE_TEXT("V8", "Leave the 8 new steel plugs as they are.");
     }
     if (has_steel_plugs(option.id)) {
-        return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."),
-                                  grams(option.reduction))
+        return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."), off)
                         : CORE_TEXT("V8", "Fit today's 8 steel plugs as they are.");
     }
     return machined
                ? Message(
                      CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones lightened by %1 each."),
-                     grams(option.reduction))
+                     off)
                : CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones as they are.");
+}
+
+Message action(const Option& option) {
+    return action(option, grams(option.reduction));
 }
 
 Message over_or_under(const Option& option) {
@@ -56,6 +54,10 @@ Message against(double unbalance, double tolerance) {
 }
 
 }  // namespace
+
+Message two_sentences(Message first, Message second) {
+    return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
+}
 
 double unbalanced_mass(Process process, const MassChanges& changes, double rod_coefficient) {
     const double manufacture = changes.piston + (2.0 + rod_coefficient) * changes.rod_big_end;
@@ -214,6 +216,16 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
         advice.kind = any_over ? Advice::Kind::none_light_enough : Advice::Kind::none_sufficient;
     }
     return advice;
+}
+
+Message describe_action(const Option& option, double least, double greatest) {
+    Number from = grams(least);
+    const Number to = grams(greatest);
+    if (Message(from) == Message(to)) {
+        return action(option, to);
+    }
+    from.unit_follows = true;
+    return action(option, {Text{"", "%1…%2"}, from, to});
 }
 
 Message describe_failure(const Option& option, double tolerance) {

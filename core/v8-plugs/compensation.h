@@ -156,9 +156,13 @@ using Hindrance = std::function<Message(const Option&)>;
 Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
               const Hindrance& hindrance = {});
 
+Message two_sentences(Message first, Message second);
 /// The advice as a technician would say it.
 Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
                  double tolerance);
+/// What an option asks for in the imperative, with so much off each plug, kg; from one mass to
+/// another where they read differently.
+Message describe_action(const Option& option, double least, double greatest);
 /// Why an option does not work (residual beyond the tolerance); empty where it does.
 Message describe_failure(const Option& option, double tolerance);
 /// "works", within which tolerance it does, or why it does not.

@@ -631,10 +631,6 @@
         <translation>Компенсируется: постоянная + kᵤ × снятая с одной пробки масса, kᵤ = %1 (угол %2°); «снять» и «можно» — с одной пробки.</translation>
     </message>
     <message>
-        <source>(!) By the method alone: %1</source>
-        <translation>(!) Только по методу: %1</translation>
-    </message>
-    <message>
         <source>check: see above</source>
         <translation>проверить: см. выше</translation>
     </message>
@@ -669,6 +665,10 @@
     <message>
         <source>V-8 engine: %1</source>
         <translation>Двигатель V-8, %1</translation>
+    </message>
+    <message>
+        <source>Plug (after, by the method: %1)</source>
+        <translation>Пробка (после, по методу: %1)</translation>
     </message>
 </context>
 <context>
@@ -1847,14 +1847,6 @@
         <translation>Заголовок карты.</translation>
     </message>
     <message>
-        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Take off %3 each instead.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2. Снимите вместо этого с каждой %3.</translation>
-    </message>
-    <message>
-        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Bore to %3 from the face instead, %4 off each plug.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2. Расфрезеруйте вместо этого на %3 от торца, по %4 с каждой пробки.</translation>
-    </message>
-    <message>
         <source>new: steel</source>
         <translation>новый: сталь</translation>
     </message>
@@ -2013,10 +2005,6 @@
     <message>
         <source>Number of the rod in each cylinder, where it is not that of the cylinder: it was weighed there.</source>
         <translation>Номер шатуна в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
-    </message>
-    <message>
-        <source>The method neglects that the centre of mass of a machined plug moves, by %5 to %6 in the paper: with it up to %1 would be left, beyond the %2 allowed. Give the plug&apos;s sizes and the cutter, or take off %3 to %4 each instead.</source>
-        <translation>Метод пренебрегает смещением центра масс обработанной пробки, в статье от %5 до %6: с ним осталось бы до %1 при допустимых %2. Задайте размеры пробки и фрезу или снимите с каждой от %3 до %4.</translation>
     </message>
     <message>
         <source>%1: %2 typed, but the nominal parts give %3.</source>
@@ -2189,6 +2177,34 @@
     <message>
         <source>The weights of the parts count, or the changes typed on the sheet “Job”.</source>
         <translation>Учитываются взвешенные массы деталей или изменения, введённые на листе «Работа».</translation>
+    </message>
+    <message>
+        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed.</source>
+        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2.</translation>
+    </message>
+    <message>
+        <source>The method neglects that the centre of mass of a machined plug moves, by %3 to %4 in the paper: with it up to %1 would be left, beyond the %2 allowed.</source>
+        <translation>Метод пренебрегает смещением центра масс облегчённой пробки, в статье это от %3 до %4: с ним осталось бы до %1 при допустимых %2.</translation>
+    </message>
+    <message>
+        <source>Give the plug&apos;s sizes and the cutter, or take off %1 to %2 each instead.</source>
+        <translation>Задайте размеры пробки и фрезу или снимите вместо этого от %1 до %2 с каждой пробки.</translation>
+    </message>
+    <message>
+        <source>Take off %1 each instead.</source>
+        <translation>Снимите вместо этого по %1 с каждой пробки.</translation>
+    </message>
+    <message>
+        <source>Bore to %1 from the face instead, %2 off each plug.</source>
+        <translation>Расфрезеруйте вместо этого на %1 от торца, по %2 с каждой пробки.</translation>
+    </message>
+    <message>
+        <source>By the method alone it would be %1 each.</source>
+        <translation>Только по методу было бы по %1 с каждой.</translation>
+    </message>
+    <message>
+        <source>With the plug&apos;s sizes and the cutter given it is one mass and a depth.</source>
+        <translation>Если задать размеры пробки и фрезу, получится одно значение массы и глубина.</translation>
     </message>
 </context>
 <context>

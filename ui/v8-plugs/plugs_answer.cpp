@@ -171,7 +171,8 @@ void PlugsAnswer::showBobWeights() {
 
 QString PlugsAnswer::asText() const {
     // The advice never goes without what is wrong with it.
-    QStringList said{excess_->text(), advice_->text(), refused_->text(), troubles_->text()};
+    QStringList said{excess_->text(), advice_->text(), boring_->text(), refused_->text(),
+                     troubles_->text()};
     said.removeAll(QString());
     return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + options_->asText() +
            QLatin1Char('\n') + bobWeights_->asText();

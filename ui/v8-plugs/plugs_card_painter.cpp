@@ -22,7 +22,7 @@ const QColor cutColour(0xB0, 0x30, 0x10);
 
 constexpr double inputRow = 3.6;  // mm
 constexpr double signaturesTop = 276.5;
-constexpr double remarkPoints = 7.0;
+constexpr double remarkPoints = 8.0;
 
 }  // namespace
 
@@ -100,14 +100,14 @@ double PlugsCardPainter::answer(double y) {
                         v8_text::gramMillimetres(
                             words_, excess * input_.engine.crank_radius.value_or(0.0)));
         action = v8_text::advice(words_, input_, solution_);
-        if (!warning.isEmpty()) {
-            action = words_.translate("JobCard", "(!) By the method alone: %1").arg(action);
-        }
-        if (solution_.advice->kind == Advice::Kind::option) {
-            more << v8_text::boring(words_, input_, solution_, solution_.advice->option->id);
-        }
+        const QString boring =
+            solution_.advice->kind == Advice::Kind::option
+                ? v8_text::boring(words_, input_, solution_, solution_.advice->option->id)
+                : QString();
         if (warning.isEmpty()) {
-            more << v8_text::bobWeightCheck(words_, input_, solution_);
+            more << boring << v8_text::bobWeightCheck(words_, input_, solution_);
+        } else {  // what is to be done stands above what the method says
+            action = (action + QLatin1Char(' ') + boring).trimmed();
         }
         more.removeAll(QString());
     } else {
@@ -118,9 +118,8 @@ double PlugsCardPainter::answer(double y) {
     QStringList wrong{refused_, warning, v8_text::unequalCrankpins(words_, input_, solution_),
                       v8_text::otherReadings(words_, solution_)};
     wrong.removeAll(QString());
-    return cardAnswer(sheet_,
-                      {fact, action, more.join(QLatin1Char(' ')), {}, wrong.join(QLatin1Char(' '))},
-                      y);
+    return cardAnswer(
+        sheet_, {fact, action, more.join(QLatin1Char(' ')), {}, wrong.join(QLatin1Char(' '))}, y);
 }
 
 double PlugsCardPainter::inputs(double y) {
@@ -279,7 +278,9 @@ double PlugsCardPainter::bobWeightTable(double y) {
         if (line.part == BobWeightLine::Part::plugs) {
             const double mass =
                 chosen ? chosen->plug_mass_unmachined - chosen->reduction : line.mass;
-            name = words_.translate("JobCard", "Plug (after: %1)")
+            name = (chosen && v8_text::methodAlone(solution_, chosen->id)
+                        ? words_.translate("JobCard", "Plug (after, by the method: %1)")
+                        : words_.translate("JobCard", "Plug (after: %1)"))
                        .arg(v8_text::grams(words_, mass, 3));
         }
         table.add({QStringList{name, words_.plain(line.factor, 4)} + weights(line.part)});

@@ -48,16 +48,20 @@ TEST_F(V8PageTest, AnswerIsAmberWhereTheNeglectedShiftMatters) {
         input.plug->cutter_diameter = 14e-3;
     });
     EXPECT_EQ(colour(), Theme::instance().warning());
-    EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs by 1.82"_s))
+    EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs by 1.61"_s))
         << qPrintable(label("advice"));
-    EXPECT_TRUE(label("troubles").contains(u"Bore to"_s)) << qPrintable(label("troubles"));
+    EXPECT_TRUE(label("boring").startsWith(u"Bore with a cutter of 14"_s))
+        << qPrintable(label("boring"));
+    EXPECT_TRUE(label("troubles").contains(u"By the method alone it would be 1.82"_s))
+        << qPrintable(label("troubles"));
     // Nothing below it says that all is well, and what is copied has the warning.
     EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
     EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
     EXPECT_EQ(find<QLabel>("check")->palette().color(QPalette::WindowText),
               Theme::instance().warning());
     EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method alone"_s));
-    EXPECT_TRUE(page.resultsAsText().contains(u"Bore to"_s));
+    EXPECT_TRUE(page.resultsAsText().contains(u"By the method alone it would be"_s));
+    EXPECT_TRUE(page.resultsAsText().contains(label("boring")));
     model->edit(u"excess"_s, [](Input& input) {
         input.plug.reset();
         input.typed_changes.repair_piston_and_rings = 0.1;

@@ -33,6 +33,11 @@ QString slopeAngle(const Words& words, double slope) {
 }
 
 QString advice(const Words& words, const Input& input, const Result& solution) {
+    if (const ShiftEffect* effect = solution.shift_that_matters()) {
+        // What can be done, not what the method alone would have.
+        return words.message(describe_action(*solution.advice->option, effect->least_reduction,
+                                             effect->greatest_reduction));
+    }
     return solution.advice && solution.unbalanced_mass
                ? words.message(describe(*solution.advice, *solution.unbalanced_mass,
                                         input.engine.crank_radius.value_or(0.0), input.tolerance))
@@ -42,11 +47,19 @@ QString advice(const Words& words, const Input& input, const Result& solution) {
 QString boring(const Words& words, const Input& input, const Result& solution, OptionId option) {
     const auto& plan = solution.boring[index(option)];
     const auto& effect = solution.shift[index(option)];
-    if (effect && effect->matters && effect->depth) {
-        return {};  // one depth is said, that which is right
+    if (!plan || !input.plug) {
+        return {};
     }
-    return plan && input.plug ? words.message(describe(*plan, input.plug->limits().value()))
-                              : QString();
+    Boring bored = *plan;
+    if (effect && effect->matters) {
+        // One depth is said, that which is right.
+        if (!effect->depth) {
+            return {};
+        }
+        bored.deeper += bored.deeper > 0.0 ? *effect->depth - bored.depth : 0.0;
+        bored.depth = *effect->depth;
+    }
+    return words.message(describe(bored, input.plug->limits().value()));
 }
 
 QStringList massWarnings(const Words& words, const Input& input, const Result& solution) {
@@ -283,7 +296,9 @@ QString unequalCrankpins(const Words& words, const Input& input, const Result& s
 
 QString shiftWarning(const Words& words, const Input& input, const Result& solution) {
     const ShiftEffect* effect = solution.shift_that_matters();
-    return effect != nullptr ? words.message(describe(*effect, input.tolerance)) : QString();
+    return effect != nullptr
+               ? words.message(describe_method(*effect, *solution.advice->option, input.tolerance))
+               : QString();
 }
 
 bool methodAlone(const Result& solution, OptionId option) {

@@ -21,10 +21,11 @@ QString thread(const Words& words, const v8_plugs::Thread& thread);
 QString slopeAngle(const Words& words, double slope);
 /// That readings were taken with another bob weight; empty where they were not.
 QString otherReadings(const Words& words, const v8_plugs::Result& solution);
-/// What to do, as one or two sentences; empty while it is not known.
+/// What to do, as one or two sentences; empty while it is not known. Where the method neglects what
+/// matters, it is what can be done, and shiftWarning() says what the method alone would have.
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
 /// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug,
-/// nothing is to be cut or shiftWarning() says another depth.
+/// nothing is to be cut or no depth is right.
 QString boring(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution,
                v8_plugs::OptionId option);
 /// Where a typed mass does not fit the plug's dimensions: what the dimensions would weigh. Empty
@@ -44,7 +45,7 @@ bool hasUnequalCrankpins(const v8_plugs::Input& input, const v8_plugs::Result& s
 /// That in a sentence, and what moving the sets leaves; empty where they are alike.
 QString unequalCrankpins(const Words& words, const v8_plugs::Input& input,
                          const v8_plugs::Result& solution);
-/// That the answer works by the method alone, and what to do instead; empty where it does work.
+/// What the method alone would take off and why not; empty where that is right.
 QString shiftWarning(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
 /// True where an option works only as long as the shift is neglected.
