@@ -670,6 +670,10 @@
         <source>Plug (after, by the method: %1)</source>
         <translation>Пробка (после, по методу: %1)</translation>
     </message>
+    <message>
+        <source>Sets as suggested, not applied yet.</source>
+        <translation>Комплекты — как предложено, ещё не переставлены.</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

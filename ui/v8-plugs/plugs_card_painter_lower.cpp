@@ -74,7 +74,12 @@ double PlugsCardPainter::weighIn(double y) {
         }
     };
     if (const auto shown = v8_text::matchingShown(input_, solution_)) {
-        const QString summary = matching_text::summary(words_, *shown);
+        const QString summary =
+            (shown->matched.moved > 0
+                 ? words_.translate("JobCard", "Sets as suggested, not applied yet.") +
+                       QLatin1Char(' ')
+                 : QString()) +
+            matching_text::summary(words_, *shown);
         const bool isFelt = shown->matched.goal == workshop::MatchingGoal::least_shaking;
         const QString felt = isFelt ? matching_text::felt(words_, *shown) : QString();
         const QString both = (summary + QLatin1Char(' ') + felt).trimmed();

@@ -128,6 +128,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
         wanted.push_back(from + 1);
     }
     ASSERT_NE(wanted, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+    bool isSuggested = false;
     const auto printed = [&] {
         const QString file = QDir(folder.path()).filePath(u"moved.pdf"_s);
         EXPECT_EQ(page.writeCard(file), QString());
@@ -135,7 +136,9 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
         reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
         EXPECT_TRUE(reader.waitForFinished());
         QString line;
-        for (const QString& each : QString::fromUtf8(reader.readAllStandardOutput()).split(u'\n')) {
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+        isSuggested = text.contains(u"Sets as suggested, not applied yet."_s);
+        for (const QString& each : text.split(u'\n')) {
             line = each.contains(u"Piston set from"_s) ? each.simplified() : line;
         }
         return line;
@@ -148,6 +151,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
         return u"Piston set from "_s + numbers.join(u' ');
     };
     EXPECT_EQ(printed(), said());
+    EXPECT_TRUE(isSuggested);
     const auto table = model->assignmentResults().rows;
     auto* move = find<QPushButton>("move_parts");
     move->setFocus();
@@ -156,6 +160,7 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     settle();
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_EQ(printed(), said());
+    EXPECT_FALSE(isSuggested);
     EXPECT_EQ(model->assignmentResults().rows, table);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by the numbers"_s));
     // Kept by the case file.
