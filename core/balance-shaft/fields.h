@@ -384,6 +384,7 @@ inline constexpr Field csv{
                       "pressure: cylinder pressure).")};
 inline constexpr Field csv_sum{
     .key = "csv_sha256",
+    .label = CORE_TEXT("balance-shaft", "Sum of the file"),
     .hint = CORE_TEXT("balance-shaft",
                       "SHA-256 of that file as the case was made: where it is another now, the "
                       "result says so.")};

@@ -3600,6 +3600,10 @@
         <source>%1 has changed since it was read for this case: all results are of what is in it now. Read it again to keep that, or bring the old file back.</source>
         <translation>%1 изменился с тех пор, как был прочитан для этой задачи: все результаты относятся к тому, что в нём сейчас. Прочитайте его заново, чтобы принять это, или верните прежний файл.</translation>
     </message>
+    <message>
+        <source>Sum of the file</source>
+        <translation>Сумма файла</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
