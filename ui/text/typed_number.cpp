@@ -24,6 +24,11 @@ struct TypedUnit {
     const char16_t* inRussian;
 };
 
+// Of unbalances; shown nowhere.
+constexpr Unit gramCentimetre{"g·cm", 1e-5};
+constexpr Unit gramMetre{"g·m", 1e-3};
+constexpr Unit kilogramCentimetre{"kg·cm", 1e-2};
+
 constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Mass, units::gram, u"g", u"г"},
     TypedUnit{TypedUnit::Mass, units::gram, u"gr", u"гр"},
@@ -45,6 +50,11 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Length, units::mil, u"mil", u"мил"},
     TypedUnit{TypedUnit::Length, units::foot, u"ft", u"фут"},
     TypedUnit{TypedUnit::Unbalance, units::gram_mm, u"gmm", u"гмм"},
+    TypedUnit{TypedUnit::Unbalance, gramCentimetre, u"gcm", u"гсм"},
+    TypedUnit{TypedUnit::Unbalance, gramMetre, u"gm", u"гм"},
+    TypedUnit{TypedUnit::Unbalance, gramMetre, u"kgmm", u"кгмм"},
+    TypedUnit{TypedUnit::Unbalance, kilogramCentimetre, u"kgcm", u"кгсм"},
+    TypedUnit{TypedUnit::Unbalance, units::kg_m, u"kgm", u"кгм"},
     TypedUnit{TypedUnit::Unbalance, units::gram_inch, u"gin", u"гдюйм"},
     TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin", u"унцдюйм"},
     TypedUnit{TypedUnit::Speed, units::rpm, u"rpm", u"об/мин"},
@@ -59,7 +69,8 @@ constexpr std::array typedUnits{
 
 const TypedUnit* typedUnit(const QString& word) {
     QString small = word.toLower();
-    for (const char16_t between : {u'·', u'.', u'-', u'*', u' '}) {
+    for (const char16_t between :
+         {u'·', u'⋅', u'∙', u'•', u'×', u'.', u'-', u'*', u' ', u'\u00A0', u'\u202F'}) {
         small.remove(QChar(between));
     }
     const auto found = std::find_if(typedUnits.begin(), typedUnits.end(), [&](const auto& each) {

@@ -268,6 +268,16 @@ TEST(NumberText, AUnitThatIsTypedIsConverted) {
     EXPECT_DOUBLE_EQ(typed(u"\u22121\u202F250\u00A0000", u"N"), -1250000.0);
     EXPECT_FALSE(readTypedNumber(QStringLiteral("12 50"), QStringLiteral("g")).value);
     EXPECT_NEAR(typed(u"10 lb·ft", u"N·m"), 13.558179, 1e-6);
+    // Of balancing machines, as their papers and people write them.
+    for (const char16_t* unit : {u"g·mm", u"г·мм"}) {
+        for (const char16_t* text : {u"85 g·cm", u"85 г·см", u"85 гсм", u"85 г*см", u"85 г×см",
+                                     u"85 g cm", u"85гсм", u"0.85 г·м", u"0,85 кг·мм"}) {
+            EXPECT_DOUBLE_EQ(typed(text, unit), 850.0) << QString::fromUtf16(text).toStdString();
+        }
+        EXPECT_NEAR(typed(u"1.2 oz·in", unit), 864.09, 0.005);
+        EXPECT_DOUBLE_EQ(typed(u"0.001 kg·m", unit), 1000.0);
+    }
+    EXPECT_FALSE(readTypedNumber(QStringLiteral("85 g·cm"), QStringLiteral("g")).value);
     EXPECT_FALSE(readTypedNumber(QStringLiteral("5 mm"), QStringLiteral("°")).value);
 }
 
