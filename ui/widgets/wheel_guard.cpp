@@ -47,7 +47,9 @@ class WheelGuard : public QObject {
                 noteFocus(widget, static_cast<QFocusEvent*>(event)->reason());
                 return false;
             case QEvent::Wheel:
-                if (widget->hasFocus() && chosen_ == widget) {
+                // A closed list shows one word alone: what a notch makes of it is seen too late.
+                if (widget->hasFocus() && chosen_ == widget &&
+                    qobject_cast<QComboBox*>(watched) == nullptr) {
                     return false;
                 }
                 event->ignore();

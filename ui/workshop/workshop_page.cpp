@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
+#include <algorithm>
 
 #include "shell/refused_entries.h"
 #include "text/file_path.h"
@@ -40,6 +41,13 @@ namespace ravnoves {
 namespace {
 constexpr int sheetWidth = 470;
 constexpr int narrowestSheet = 280;
+
+/// One types into it.
+bool isEntry(const QWidget* field, const SheetForm& sheet) {
+    return qobject_cast<const EntryField*>(field) != nullptr && field->isEnabled() &&
+           field->isVisibleTo(&sheet);
+}
+
 }  // namespace
 
 void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
@@ -254,9 +262,7 @@ QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
 
 QWidget* WorkshopPage::firstEmpty(const SheetForm& sheet) {
     for (QWidget* each : sheet.order()) {
-        const auto* entry = qobject_cast<EntryField*>(each);
-        if (entry != nullptr && entry->isEnabled() && entry->isVisibleTo(&sheet) &&
-            entry->text().isEmpty()) {
+        if (isEntry(each, sheet) && static_cast<EntryField*>(each)->text().isEmpty()) {
             return each;
         }
     }
@@ -289,14 +295,19 @@ void WorkshopPage::goOn(QWidget* from) {
                 return;
             }
         }
-        // The end of the sheet: the next one, and after the last the first.
-        const qsizetype following = (sheet + 1) % forms_.size();
-        sheets_->setCurrentIndex(static_cast<int>(following));
-        for (QWidget* field : forms_.at(following)->order()) {
-            if (field->isEnabled()) {
-                field->setFocus(Qt::TabFocusReason);
-                return;
-            }
+        // The end of the sheet: the first field of the next one, but no list, which the next key
+        // would change. The last sheet is not left: nobody fills the first one after it.
+        if (sheet + 1 < forms_.size()) {
+            const SheetForm& following = *forms_.at(sheet + 1);
+            sheets_->setCurrentIndex(static_cast<int>(sheet + 1));
+            const auto field =
+                std::find_if(following.order().begin(), following.order().end(),
+                             [&](const QWidget* each) { return isEntry(each, following); });
+            (field != following.order().end() ? *field : sheets_->tabBar())
+                ->setFocus(Qt::TabFocusReason);
+        } else if (entry != nullptr) {
+            Q_EMIT entry->editingFinished();  // what is typed counts, as where it is left
+            entry->selectAll();
         }
     }
 }

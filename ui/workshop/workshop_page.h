@@ -22,8 +22,8 @@ class Words;
 /// A page of the workshop: the sheets of a job to the left, the answer to the right, journal and
 /// job card in the toolbar.
 ///
-/// Made for hands that are not clean: fields are large, Tab and Enter go down the sheet and on to
-/// the next, and every action has a key.
+/// Made for hands that are not clean: fields are large, Tab and Enter go down the sheet, Enter on
+/// to the next one, and every action has a key.
 class WorkshopPage : public ScenePage {
     Q_OBJECT
 

@@ -52,8 +52,7 @@ TEST_F(V8PageTest, EnterGoesDownTheSheetsAndOn) {
     page.fieldsOf(0).constFirst()->setFocus();
     QList<QWidget*> visited;
     for (int step = 0;
-         step < 200 && (visited.isEmpty() || page.sheets()->currentIndex() != 0 ||
-                        visited.size() < 5 || QApplication::focusWidget() != visited.constFirst());
+         step < 200 && (visited.isEmpty() || QApplication::focusWidget() != visited.constLast());
          ++step) {
         visited << QApplication::focusWidget();
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
