@@ -202,11 +202,16 @@ void BobMachineSheet::buildPlanes() {
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].from_angle; });
     row("to", field::to_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].to_angle; });
-    for (const auto& column : fields) {  // down the columns, plane by plane
+    for (const auto& column : fields) {  // Enter goes down the columns, plane by plane
         for (NumberField* field : column) {
             ordered(field);
         }
     }
+    QList<QList<QWidget*>> rows;
+    for (qsizetype at = 0; at < fields[0].size(); ++at) {
+        rows << QList<QWidget*>{fields[0][at], fields[1][at]};
+    }
+    addGrid(rows);
 }
 
 void BobMachineSheet::buildRuns() {
@@ -218,6 +223,7 @@ void BobMachineSheet::buildRuns() {
                     words.translate("BobWeights", "front, °"),
                     words.translate("BobWeights", "rear, %1").arg(unit),
                     words.translate("BobWeights", "rear, °")});
+    QList<QList<QWidget*>> rows;
     for (std::size_t run = 0; run < most_runs; ++run) {
         const int at = grid->rowCount();
         auto* label = new QLabel(bob_text::runName(words, run));
@@ -263,6 +269,7 @@ void BobMachineSheet::buildRuns() {
                 row << made;
             }
         }
+        rows << row.mid(1);
         // One empty line waits for the next run.
         follow([this, row, run] {
             const bool isNext = run == model_->newestRun() + 1 && model_->isRunRead();
@@ -271,6 +278,7 @@ void BobMachineSheet::buildRuns() {
             }
         });
     }
+    addGrid(rows);
 }
 
 void BobMachineSheet::buildTolerance() {

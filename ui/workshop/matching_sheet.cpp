@@ -53,6 +53,11 @@ void MatchingSheet::addWeights(WeighInTable* table, int mostRows, const Note& no
     for (int column = 0; column < table_->columnCount(); ++column) {
         addColumn(column, note);
     }
+    QList<QList<QWidget*>> rows(rows_);
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+        rows[static_cast<int>(cell) % rows_] << cells_[cell];
+    }
+    addGrid(rows);
     addMoves(row);
     column()->addWidget(trouble_);
 }
@@ -115,7 +120,6 @@ NumberField* MatchingSheet::addCell(int row, int column) {
     field->setFont(Theme::font(Theme::baseSize));
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
     field->setDecimals(2 + shownUnit(table_->fieldOf(row).unit).decimals);
-    field->installEventFilter(this);
     bind(
         field,
         [this, row, column]() -> std::optional<double> {
@@ -135,12 +139,12 @@ NumberField* MatchingSheet::addCell(int row, int column) {
 }
 
 bool MatchingSheet::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress) {
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
         const auto found = std::find(cells_.begin(), cells_.end(), watched);
         if (found != cells_.end()) {
             const auto place = static_cast<int>(found - cells_.begin());
-            if (useKey(*static_cast<QKeyEvent*>(event),
-                       table_->index(place % rows_, place / rows_))) {
+            if (pasteBlock(place % rows_, place / rows_)) {
                 return true;
             }
         }
@@ -148,24 +152,13 @@ bool MatchingSheet::eventFilter(QObject* watched, QEvent* event) {
     return SheetForm::eventFilter(watched, event);
 }
 
-bool MatchingSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
-    if (key.matches(QKeySequence::Paste)) {
-        const QString text = QGuiApplication::clipboard()->text();
-        const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
-        if (isBlock) {
-            trouble_->say(
-                table_->paste(cell.row(), cell.column(), readTextTable(text, EmptyLine::gap)));
-        }
-        return isBlock;
+bool MatchingSheet::pasteBlock(int row, int column) {
+    const QString text = QGuiApplication::clipboard()->text();
+    const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
+    if (isBlock) {
+        trouble_->say(table_->paste(row, column, readTextTable(text, EmptyLine::gap)));
     }
-    const int step = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
-    const QModelIndex next = cell.siblingAtRow(cell.row() + step);
-    if (step != 0 && next.isValid() && next.row() < rows_) {
-        cells_[static_cast<std::size_t>(next.column()) * static_cast<std::size_t>(rows_) +
-               static_cast<std::size_t>(next.row())]
-            ->setFocus(Qt::TabFocusReason);
-    }
-    return step != 0;
+    return isBlock;
 }
 
 void MatchingSheet::addMoves(int row) {

@@ -9,15 +9,14 @@
 #include "workshop/sheet_form.h"
 
 class QGridLayout;
-class QKeyEvent;
 
 namespace ravnoves {
 
 class ResultTable;
 
 /// A sheet on which parts are weighed and matched: a column for each kind of part, a row for each
-/// cylinder; what may move, what they are placed for, and what comes out. The order of the fields
-/// goes down the columns, as one weighs; a block of a spreadsheet is pasted from the cell that has
+/// cylinder; what may move, what they are placed for, and what comes out. Enter goes down the
+/// columns, as one weighs; a block of a spreadsheet is pasted from the cell that has
 /// the focus.
 class MatchingSheet : public SheetForm {
     Q_OBJECT
@@ -83,9 +82,8 @@ class MatchingSheet : public SheetForm {
     NumberField* addCell(int row, int column);
     /// A row of the grid, a control in the column of each part: where it may go.
     void addMoves(int row);
-    /// The keys of a cell: a block is pasted, the arrows go up and down. @return true for such a
-    /// key
-    bool useKey(const QKeyEvent& key, const QModelIndex& cell);
+    /// @return true where the clipboard has several numbers
+    bool pasteBlock(int row, int column);
     void addAngles();
 
     std::function<Rules()> rules_;

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -31,6 +32,71 @@ constexpr int textWidth = 290;
 }  // namespace
 
 SheetForm::SheetForm(SceneModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
+
+QList<QWidget*> SheetForm::tabOrder() const {
+    QList<QWidget*> order = order_;
+    for (const auto& rows : grids_) {
+        qsizetype at = order.indexOf(rows.constFirst().constFirst());
+        for (const auto& row : rows) {
+            for (QWidget* field : row) {
+                order[at++] = field;
+            }
+        }
+    }
+    return order;
+}
+
+void SheetForm::addGrid(const QList<QList<QWidget*>>& rows) {
+    grids_ << rows;
+    for (const auto& row : rows) {
+        for (QWidget* field : row) {
+            field->installEventFilter(this);
+        }
+    }
+}
+
+bool SheetForm::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        for (const auto& rows : grids_) {
+            if (goInGrid(rows, static_cast<QWidget*>(watched), *static_cast<QKeyEvent*>(event))) {
+                return true;
+            }
+        }
+    }
+    return Form::eventFilter(watched, event);
+}
+
+bool SheetForm::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key) {
+    const int down = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
+    const int right = key.key() == Qt::Key_Right ? 1 : key.key() == Qt::Key_Left ? -1 : 0;
+    if ((down == 0 && right == 0) || (key.modifiers() & ~Qt::KeypadModifier) != 0) {
+        return false;
+    }
+    const auto at = std::find_if(rows.begin(), rows.end(),
+                                 [&](const QList<QWidget*>& row) { return row.contains(from); });
+    if (at == rows.end()) {
+        return false;
+    }
+    if (const auto* entry = qobject_cast<const EntryField*>(from); right != 0 && entry != nullptr) {
+        // Within what is typed the cursor moves.
+        const bool isWhole = !entry->isEditing() && entry->selectedText() == entry->text();
+        const qsizetype end = right < 0 ? 0 : entry->text().size();
+        if (!isWhole && (entry->hasSelectedText() || entry->cursorPosition() != end)) {
+            return false;
+        }
+    }
+    qsizetype row = at - rows.begin();
+    qsizetype column = at->indexOf(from);
+    do {
+        row += down;
+        column += right;
+        if (row < 0 || row >= rows.size() || column < 0 || column >= rows[row].size()) {
+            return down != 0;  // at the edge the sheet does not scroll away
+        }
+    } while (!rows[row][column]->isEnabled() || !rows[row][column]->isVisible());
+    rows[row][column]->setFocus(Qt::TabFocusReason);
+    return true;
+}
 
 void SheetForm::enlarge(QWidget* field) {
     field->setMinimumHeight(Theme::withText(fieldHeight));

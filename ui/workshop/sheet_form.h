@@ -4,6 +4,7 @@
 
 #include "widgets/form.h"
 
+class QKeyEvent;
 class QLabel;
 class QPushButton;
 
@@ -21,8 +22,10 @@ class SheetForm : public Form {
 
     explicit SheetForm(SceneModel* model, QWidget* parent = nullptr);
 
-    /// Every field in the order of Tab and Enter.
+    /// Every field in the order of Enter.
     const QList<QWidget*>& order() const { return order_; }
+    /// The same in the order of Tab: it goes along the rows of a grid.
+    QList<QWidget*> tabOrder() const;
 
     /// Its readings are of another bob weight or crankshaft: its tab is amber, and so are their
     /// fields.
@@ -78,6 +81,10 @@ class SheetForm : public Form {
         order_ << field;
         return field;
     }
+    /// Fields of the order that follow one another in it and stand in rows and columns, as in a
+    /// spreadsheet: Tab goes along the rows, the arrows to the neighbours.
+    void addGrid(const QList<QList<QWidget*>>& rows);
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void enlarge(QWidget* field);
     /// As wide as a text: its words are read whole.
     /// @param width  designed pixels
@@ -87,9 +94,12 @@ class SheetForm : public Form {
 
   private:
     NumberField* large(NumberField* field);
+    /// @return true for an arrow that leaves the field of a grid
+    static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
 
     SceneModel* model_;
     QList<QWidget*> order_;
+    QList<QList<QList<QWidget*>>> grids_;
     std::function<bool()> isDoubted_;
 };
 

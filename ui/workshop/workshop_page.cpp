@@ -110,7 +110,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     sheets_->addTab(scroll, title);
     forms_ << form;
     scroll->setObjectName(QStringLiteral("sheet-%1").arg(forms_.size()));
-    const QList<QWidget*>& order = form->order();
+    const QList<QWidget*> order = form->tabOrder();
     const int tab = sheets_->count() - 1;
     for (QWidget* field : order) {
         field->installEventFilter(this);

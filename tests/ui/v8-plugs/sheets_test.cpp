@@ -59,17 +59,23 @@ TEST_F(V8PageTest, EnterGoesDownTheSheetsAndOn) {
     }
     QList<QWidget*> expected;
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        bool isBegun = sheet == 0;
         for (QWidget* each : page.fieldsOf(sheet)) {
-            if (each->isEnabled()) {
+            // A sheet is entered at a field: a list or a tick would take the next key for a choice.
+            isBegun = isBegun || qobject_cast<EntryField*>(each) != nullptr;
+            if (each->isEnabled() && isBegun) {
                 expected << each;
             }
         }
     }
     EXPECT_EQ(visited, expected);
     EXPECT_GT(visited.size(), 90);
+    // The last sheet is not left.
+    EXPECT_EQ(page.sheets()->currentIndex(), page.sheets()->count() - 1);
+    EXPECT_EQ(QApplication::focusWidget(), expected.constLast());
 }
 
-TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
+TEST_F(V8PageTest, TabGoesDownASheetAndAlongTheRowsOfItsGrid) {
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
         page.sheets()->setCurrentIndex(sheet);
         QList<QWidget*> expected;
@@ -78,6 +84,16 @@ TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
                 expected << each;
             }
         }
+        const auto cell = [](const QWidget* field) {
+            return field->objectName().startsWith(u"mass_") ||
+                   field->objectName().startsWith(u"nominal_") ||
+                   field->objectName().startsWith(u"spread_");
+        };
+        const auto first = std::find_if(expected.begin(), expected.end(), cell);
+        const auto last = std::find_if_not(first, expected.end(), cell);
+        std::stable_sort(first, last, [&](const QWidget* a, const QWidget* b) {
+            return a->mapTo(&page, QPoint()).y() < b->mapTo(&page, QPoint()).y();
+        });
         expected.constFirst()->setFocus();
         for (QWidget* each : expected) {
             EXPECT_EQ(QApplication::focusWidget(), each)
@@ -85,6 +101,34 @@ TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         }
     }
+}
+
+TEST_F(V8PageTest, ArrowsGoFromCellToCell) {
+    page.sheets()->setCurrentIndex(2);
+    const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+    const auto at = [] { return QApplication::focusWidget()->objectName(); };
+    field("mass_piston_2")->setFocus(Qt::TabFocusReason);
+    press(Qt::Key_Right);
+    EXPECT_EQ(at(), u"mass_pin_2"_s);
+    press(Qt::Key_Down);
+    EXPECT_EQ(at(), u"mass_pin_3"_s);
+    QTest::keyClicks(QApplication::focusWidget(), u"12.5"_s);
+    press(Qt::Key_Left);
+    EXPECT_EQ(at(), u"mass_pin_3"_s) << "the cursor moves in what is typed";
+    press(Qt::Key_Home);
+    press(Qt::Key_Left);
+    EXPECT_EQ(at(), u"mass_piston_3"_s);
+    EXPECT_EQ(field("mass_pin_3")->value(), 12.5);
+    press(Qt::Key_Right);
+    EXPECT_EQ(field("mass_pin_3")->selectedText(), field("mass_pin_3")->text());
+    press(Qt::Key_Up);
+    EXPECT_EQ(at(), u"mass_pin_2"_s);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_EQ(at(), u"mass_piston_2"_s);
+    for (int step = 0; step < 6; ++step) {
+        press(Qt::Key_Up);
+    }
+    EXPECT_EQ(at(), u"nominal_piston"_s);
 }
 
 TEST_F(V8PageTest, PlugsThatComeBackHaveTheirValues) {
