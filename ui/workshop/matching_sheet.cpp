@@ -220,7 +220,7 @@ void MatchingSheet::addMoves(int row) {
 
 void MatchingSheet::addGoal(bool asksRadius) {
     section({});
-    wide(choice("/weigh_in/matching/goal"), 200);
+    goal_ = wide(choice("/weigh_in/matching/goal"), 200);
     QWidget* moves = section({});
     number("/weigh_in/matching/permitted_spread_g")
         ->setObjectName(QStringLiteral("permitted_crankpin_spread"));
@@ -269,7 +269,6 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     button->setObjectName(QStringLiteral("move_parts"));
     button->setToolTip(tr("The weights change places on this sheet as the parts do."));
     button->setMinimumHeight(Theme::withText(cellHeight));
-    connect(button, &QPushButton::clicked, this, move_);
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
     found->addWidget(button, 0, Qt::AlignTop);
@@ -277,7 +276,23 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     back->setObjectName(QStringLiteral("move_back"));
     back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
     back->setMinimumHeight(Theme::withText(cellHeight));
-    connect(back, &QPushButton::clicked, this, moveBack_);
+    // The button goes with what it does, or rests while a placing is looked for: under the focus
+    // it would hand it on to what follows, and the sheet would scroll there.
+    const auto handOn = [this](QPushButton* pressed, QPushButton* other,
+                               const std::function<void()>& act) {
+        connect(pressed, &QPushButton::clicked, this, [other, act] {
+            other->setVisible(true);
+            other->setEnabled(true);
+            other->setFocus(Qt::OtherFocusReason);
+            act();
+        });
+    };
+    handOn(button, back, [this] {
+        if (!find_().isSearching) {
+            move_();
+        }
+    });
+    handOn(back, button, moveBack_);
     found->addWidget(back, 0, Qt::AlignTop);
     column()->addLayout(found);
     ResultTable* effects = addTable(tr("What the placing makes of the differences"));
@@ -286,7 +301,7 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     const auto show = [=, this, notCounted = std::move(notCounted)] {
         const Findings now = find_();
         back->setVisible(isMoved_());
-        button->setEnabled(!now.isSearching);
+        button->setEnabled(!now.isSearching || button->hasFocus());
         for (ResultTable* table : {effects, assignment, takeOff}) {
             table->setEnabled(!now.isSearching);
         }
@@ -301,6 +316,9 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
         said.removeAll(QString());
         summary->setText(said.join(QLatin1Char('\n')));
         colourText(summary, now.isAmber || !gaps.isEmpty() ? &Theme::warning : &Theme::text);
+        if (button->hasFocus() && !now.canMove) {
+            goal_->setFocus(Qt::OtherFocusReason);
+        }
         button->setVisible(now.canMove);
         effects->setOrHide(now.effects);
         assignment->setOrHide(now.assignment);

@@ -97,6 +97,7 @@ class MatchingSheet : public SheetForm {
     int rows_ = 0;                     ///< that have cells
     std::vector<NumberField*> cells_;  ///< column by column
     TroubleLine* trouble_ = nullptr;
+    QComboBox* goal_ = nullptr;  ///< what the parts are placed for
 };
 
 }  // namespace ravnoves

@@ -491,6 +491,7 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     QTest::mouseClick(move, Qt::LeftButton);
     EXPECT_FALSE(move->isVisibleTo(&page));
     EXPECT_EQ(placing().moved, 0);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("move_back")) << "the button in its place";
     EXPECT_NEAR(placing().spread, wanted.spread, 1e-12);
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(model->input().weigh_in->rod_sets[i], wanted.rods[i] + 1);
@@ -522,6 +523,8 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
                     pistons[i] * units::gram, 1e-12);
     }
     EXPECT_FALSE(back->isVisibleTo(&page));
+    settle();
+    EXPECT_EQ(page.focusWidget(), move);
     EXPECT_TRUE(find<QComboBox>("moves_pins")->isEnabled());
     model->history()->undo();
     EXPECT_EQ(placing().moved, 0) << "moved again";
