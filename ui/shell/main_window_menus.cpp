@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "shell/case_properties.h"
+#include "shell/changed_field.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
@@ -215,13 +216,16 @@ void MainWindow::buildMenus() {
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this] {
-        // What is refused is the newest of all, and in no history.
-        if (SceneModel& model = *currentPage()->model(); !takeBackRefused(model)) {
-            model.undo();
-        }
+        showWhatChanges(*currentPage(), [](SceneModel& model) {
+            // What is refused is the newest of all, and in no history.
+            if (!takeBackRefused(model)) {
+                model.undo();
+            }
+        });
     });
-    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
-                [this] { currentPage()->model()->redo(); });
+    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {}, [this] {
+        showWhatChanges(*currentPage(), [](SceneModel& model) { model.redo(); });
+    });
     redo_->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
     edit->addSeparator();
