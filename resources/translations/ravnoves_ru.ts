@@ -17342,6 +17342,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Save the job “%1” in the journal?</source>
         <translation>Сохранить работу «%1» в журнале?</translation>
     </message>
+    <message>
+        <source>The sheet has neither a number of engine or crankshaft nor a customer: nobody could find the job in the journal.</source>
+        <translation>На листе нет ни номера двигателя или вала, ни заказчика: эту работу в журнале никто не найдёт.</translation>
+    </message>
+    <message>
+        <source>&amp;Enter one</source>
+        <translation>&amp;Ввести</translation>
+    </message>
+    <message>
+        <source>Save &amp;without</source>
+        <translation>Сохранить &amp;без них</translation>
+    </message>
+    <message>
+        <source>A new job: weights and readings are those of its own parts, still empty.</source>
+        <translation>Новая работа: массы и показания у неё свои, они пока пусты.</translation>
+    </message>
 </context>
 <context>
     <name>studies</name>

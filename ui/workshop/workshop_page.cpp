@@ -481,6 +481,21 @@ void WorkshopPage::saveJob(bool isFinished) {
 }
 
 bool WorkshopPage::isJobKnown() {
+    if (desk()->isNameless()) {
+        QMessageBox box(QMessageBox::Question, tr("Journal"),
+                        tr("The sheet has neither a number of engine or crankshaft nor a customer: "
+                           "nobody could find the job in the journal."),
+                        QMessageBox::NoButton, this);
+        auto* enter = box.addButton(tr("&Enter one"), QMessageBox::RejectRole);
+        const auto* save = box.addButton(tr("Save &without"), QMessageBox::DestructiveRole);
+        box.setDefaultButton(enter);
+        box.setEscapeButton(enter);
+        box.exec();
+        if (box.clickedButton() != save) {
+            goToBeginning();
+            return false;
+        }
+    }
     const QString here = desk()->engineOnSheet();
     const auto same = desk()->sameJob();
     if (same) {
@@ -538,7 +553,19 @@ void WorkshopPage::newJob() {
     }
 }
 
-void WorkshopPage::showJournal() {
+void WorkshopPage::goToBeginning() {
+    sheets_->setCurrentIndex(0);
+    firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
+}
+
+void WorkshopPage::showNewJob(const QString& said) {
+    goToBeginning();
+    beginSheets();
+    const QString kept = said + QLatin1Char(' ') + carriedOver();
+    Q_EMIT status(kept.trimmed());
+}
+
+void WorkshopPage::showJournal(const QString& search) {
     if (!desk()->openJournal()) {
         QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
         return;

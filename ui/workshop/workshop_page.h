@@ -71,6 +71,7 @@ class WorkshopPage : public ScenePage {
     void buildActions();
     void buildCardLanguages();
     static QWidget* firstEntry(const SheetForm& sheet);
+    void goToBeginning();
     /// Where one goes on with a sheet: its first empty field, or where it begins.
     static QWidget* firstEmpty(const SheetForm& sheet);
     /// Another job is on the sheets: none of them is gone on with where the last one was.
@@ -85,8 +86,9 @@ class WorkshopPage : public ScenePage {
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     void saveJob(bool isFinished);
-    /// Where F2 would make a second job of the same engine and day, or overwrite the job of another
-    /// engine, or a verdict by readings that may not hold any more: asks. @return false to stay
+    /// Where F2 would save a job that nobody could find again, make a second one of the same engine
+    /// and day, or overwrite the job of another engine, or a verdict by readings that may not hold
+    /// any more: asks. @return false to stay
     bool isJobKnown();
     void backUp();
     void restore();

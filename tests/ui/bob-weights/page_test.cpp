@@ -604,6 +604,7 @@ TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
 }
 
 TEST_F(BobPageTest, TheWindowDoesNotWaitForThePlacing) {
+    type("customer", u"Smith"_s);
     typeShopCard();
     for (int i = 1; i <= 8; ++i) {
         type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(580 + i * i % 11));
@@ -820,6 +821,13 @@ TEST_F(BobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
     EXPECT_TRUE(jobs().isEmpty());
     type("cylinders", u"8"_s);
     typeShopCard();
+    page.sheets()->setCurrentIndex(3);
+    const auto nameless = answer(u"Enter one"_s);
+    save();
+    EXPECT_TRUE(nameless->contains(u"nobody could find the job"_s)) << nameless->toStdString();
+    EXPECT_TRUE(jobs().isEmpty());
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
+    answer(u"Save without"_s);
     save();
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_FALSE(jobs().at(0).isFinished) << "nobody could find it";
@@ -833,6 +841,7 @@ TEST_F(BobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
 }
 
 TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
+    type("customer", u"Smith"_s);
     typeShopCard();
     typeReadings();
     auto* grades = find<QComboBox>("grade_list");
@@ -906,6 +915,7 @@ TEST_F(BobPageTest, ACaseIsProposedByTheNameOfItsJob) {
 }
 
 TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
+    type("customer", u"Smith"_s);
     typeShopCard();
     type("cylinders", QString());
     EXPECT_FALSE(find<NumberField>("cylinders")->trouble().isEmpty()) << "it is needed";
@@ -965,6 +975,7 @@ TEST_F(BobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
 }
 
 TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {
+    type("customer", u"Smith"_s);
     CaseDocument document(model, {});
     typeShopCard();
     ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
@@ -1153,6 +1164,7 @@ TEST_F(BobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
 }
 
 TEST_F(BobPageTest, RunsFollowOneAnother) {
+    type("customer", u"Smith"_s);
     typeShopCard();
     EXPECT_FALSE(find<NumberField>("run_1_unbalance_1")->isVisibleTo(&page));
     typeReadings();

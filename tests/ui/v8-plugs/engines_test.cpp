@@ -64,6 +64,7 @@ TEST_F(V8PageTest, OwnEnginesByKeyboard) {
 }
 
 TEST_F(V8PageTest, EngineBringsItsPlugAndItsOwnSheets) {
+    type("customer", u"Smith"_s);
     type("height_mm", u"9.5"_s);
     type("bore_diameter_mm", u"12"_s);
     type("bore_depth_mm", u"5"_s);

@@ -117,6 +117,7 @@ TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
     EXPECT_TRUE(label("advice").startsWith(u"Leave the plugs as they are"_s));
     EXPECT_EQ(colour(), Theme::instance().text());
     EXPECT_EQ(field("repair_bearing")->value(), 0.0);
+    type("customer", u"Smith"_s);
     press(Qt::Key_F2);
     EXPECT_GT(model->desk()->jobId(), 0);
     press(Qt::Key_F4);
@@ -124,6 +125,7 @@ TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
 }
 
 TEST_F(V8PageTest, WhatWasRefusedGoesWithItsJob) {
+    type("customer", u"Smith"_s);
     const auto answer = [](QMessageBox::StandardButton button, QString& said) {
         whenModal<QMessageBox>([button, &said](QMessageBox* box) {
             said = box->text();

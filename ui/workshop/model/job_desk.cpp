@@ -165,6 +165,10 @@ void JobDesk::putJobId(qint64 id, int revision) {
     jobRevision_ = revision;
 }
 
+bool JobDesk::isNameless() const {
+    return jobId_ == 0 && !isNamed(scene_.entry()) && scene_.hasNumbers();
+}
+
 void JobDesk::forgetJob() {
     ++sheet_;
     putJobId(0, 0);

@@ -79,6 +79,8 @@ class JobDesk : public QObject {
     QString verdictToLose();
     QString verdictOnSheet() const { return scene_.entry().verdict; }
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
+    /// A job that is in no journal yet, and has nothing by which it could be found there.
+    bool isNameless() const;
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
     /// How a save ended, with a sentence for the status bar.
