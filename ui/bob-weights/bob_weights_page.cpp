@@ -39,8 +39,11 @@ std::unique_ptr<JobCard> BobWeightsPage::card() {
                                      model_->desk()->cardWords());
 }
 
-QString BobWeightsPage::emptySheet() {
+void BobWeightsPage::emptySheet() {
     model_->newJob();
+}
+
+QString BobWeightsPage::carriedOver() const {
     return model_->carriedOver();
 }
 

@@ -23,7 +23,8 @@ class BobWeightsPage : public WorkshopPage {
   protected:
     JobDesk* desk() const override;
     std::unique_ptr<JobCard> card() override;
-    QString emptySheet() override;
+    void emptySheet() override;
+    QString carriedOver() const override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
     void showRefused(const QStringList& refused) override;
 

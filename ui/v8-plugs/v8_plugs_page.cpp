@@ -50,8 +50,11 @@ std::unique_ptr<JobCard> V8PlugsPage::card() {
                                        model_->desk()->cardWords());
 }
 
-QString V8PlugsPage::emptySheet() {
+void V8PlugsPage::emptySheet() {
     model_->newJob();
+}
+
+QString V8PlugsPage::carriedOver() const {
     return model_->carriedOver();
 }
 

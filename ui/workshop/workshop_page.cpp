@@ -545,11 +545,8 @@ bool WorkshopPage::isJobKnown() {
 
 void WorkshopPage::newJob() {
     if (mayReplaceJob()) {
-        sheets_->setCurrentIndex(0);
-        const QString kept = emptySheet();
-        firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
-        const QString said = tr("The sheet is empty.") + QLatin1Char(' ') + kept;
-        Q_EMIT status(said.trimmed());
+        emptySheet();
+        showNewJob(tr("The sheet is empty."));
     }
 }
 
@@ -588,12 +585,14 @@ void WorkshopPage::showJournal(const QString& search) {
     if (!mayReplaceJob()) {
         return;
     }
-    const QString trouble = dialog.choice() == JournalDialog::Choice::Copy
-                                ? desk()->copyJob(dialog.chosenId())
-                                : desk()->openJob(dialog.chosenId());
+    const bool isCopy = dialog.choice() == JournalDialog::Choice::Copy;
+    const QString trouble =
+        isCopy ? desk()->copyJob(dialog.chosenId()) : desk()->openJob(dialog.chosenId());
     Q_EMIT status({});  // what was said of the sheet before
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);
+    } else if (isCopy) {
+        showNewJob(tr("A new job: weights and readings are those of its own parts, still empty."));
     }
 }
 

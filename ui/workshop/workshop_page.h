@@ -50,8 +50,10 @@ class WorkshopPage : public ScenePage {
     // What differs from scene to scene.
     virtual JobDesk* desk() const = 0;
     virtual std::unique_ptr<JobCard> card() = 0;
-    /// Empties the sheet for the next job. @return what it keeps of the one before, as a sentence
-    virtual QString emptySheet() = 0;
+    /// Empties the sheet for the next job.
+    virtual void emptySheet() = 0;
+    /// What a new job has of the one before, as a sentence.
+    virtual QString carriedOver() const = 0;
     /// Engine and result as the journal's list says them.
     virtual ListedJob listed(const Words& words, const JournalJob& job) const = 0;
 
@@ -93,8 +95,9 @@ class WorkshopPage : public ScenePage {
     void backUp();
     void restore();
     std::unique_ptr<JobCard> shopsCard();
-    void showJournal();
     void newJob();
+    /// The sheet of a new job, from its beginning. @param said  what became of the sheet
+    void showNewJob(const QString& said);
     void printCard();
     void previewCard();
     void exportCard();

@@ -383,9 +383,16 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_TRUE(model.notes().isEmpty());
     EXPECT_EQ(model.desk()->jobId(), 0);
     EXPECT_TRUE(model.input().job.engine_number.empty());
-    EXPECT_EQ(model.input().job.customer, "Автобаза");
+    // Other parts: nothing that was weighed, and no other's customer.
+    EXPECT_EQ(model.input().job.customer, "");
+    EXPECT_EQ(model.input().engine, saved.engine);
+    EXPECT_EQ(model.input().tolerance, saved.tolerance);
+    EXPECT_FALSE(model.input().changes_known());
+    EXPECT_FALSE(model.input().has_typed_changes());
+    EXPECT_TRUE(model.carriedOver().contains(u"the engine's values"_s));
     EXPECT_EQ(model.input().job.date, QDate::currentDate().toString(Qt::ISODate).toStdString());
     EXPECT_FALSE(model.input().balancing->front_reading);
+    number(model, "53-13");
     model.desk()->saveJob(&ok);
     EXPECT_NE(model.desk()->jobId(), id);
     EXPECT_EQ(model.desk()->journal()->search({}).size(), 2);

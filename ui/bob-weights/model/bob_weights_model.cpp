@@ -432,15 +432,19 @@ void BobWeightsModel::moveParts() {
 }
 
 void BobWeightsModel::newJob() {
+    beginJob(nextOf(input()));
+}
+
+Input BobWeightsModel::nextOf(const Input& before) const {
     Input next = scene().defaultInput();
-    next.engine = input().engine;
-    next.factor = input().factor;
-    next.balance = input().balance;
-    next.correction = input().correction;
+    next.engine = before.engine;
+    next.factor = before.factor;
+    next.balance = before.balance;
+    next.correction = before.correction;
     forgetReadings(next);
-    next.tolerance = input().tolerance;
-    next.weigh_in = rulesAlone(input());
-    beginJob(std::move(next));
+    next.tolerance = before.tolerance;
+    next.weigh_in = rulesAlone(before);
+    return next;
 }
 
 // ------------------------------------------------------------------------------------- journal

@@ -136,6 +136,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     std::optional<double> bobWeight() const override { return solution().bob_weight; }
     void noteBobWeight(bob_weights::Input& input, double bobWeight) const override;
     void noteShaft(bob_weights::Input& input, const bob_weights::Input& before) const override;
+    bob_weights::Input nextOf(const bob_weights::Input& before) const override;
     /// Where it reads stays.
     void forgetReadings(bob_weights::Input& input) const override;
 };

@@ -249,24 +249,41 @@ QString V8PlugsModel::editWeights(const QString& name,
 }
 
 void V8PlugsModel::newJob() {
+    Input next = nextOf(input());
+    next.tolerance = scene().defaultInput().tolerance;  // the shop's
+    carried_ = next;
+    beginJob(std::move(next));
+}
+
+Input V8PlugsModel::nextOf(const Input& before) const {
     Input next = scene().defaultInput();
-    next.preset = input().preset;
-    next.engine = input().engine;
-    next.crankshaft = input().crankshaft;
-    next.process = input().process;
-    next.plug = input().plug;
-    takeSheets(next, ownedSheets(input()));
-    if (input().weigh_in && (next.weigh_in || input().weigh_in->matching != WeighIn().matching)) {
+    next.preset = before.preset;
+    next.engine = before.engine;
+    next.crankshaft = before.crankshaft;
+    next.process = before.process;
+    next.tolerance = before.tolerance;
+    next.plug = before.plug;
+    takeSheets(next, ownedSheets(before));
+    if (before.weigh_in && (next.weigh_in || before.weigh_in->matching != WeighIn().matching)) {
         if (!next.weigh_in) {
             next.weigh_in.emplace();
         }
-        next.weigh_in->numbering = input().weigh_in->numbering;
-        next.weigh_in->matching = input().weigh_in->matching;
+        next.weigh_in->numbering = before.weigh_in->numbering;
+        next.weigh_in->matching = before.weigh_in->matching;
     }
-    next.balancing = input().balancing;
+    next.balancing = before.balancing;
     forgetReadings(next);
-    carried_ = next;
-    beginJob(std::move(next));
+    return next;
+}
+
+void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
+    std::optional<Input> carried;
+    if (isCopy) {
+        carried = nextOf(V8PlugsScene::read(file.input, context()));
+    }
+    carried_ = std::move(carried);
+    plugsBefore_.clear();
+    WorkshopModel::takeJob(file, isCopy);
 }
 
 QString V8PlugsModel::carriedOver() const {

@@ -141,11 +141,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
         plugsBefore_.clear();
         WorkshopModel::aboutToLoad();
     }
-    void takeJob(const CaseFile& file, bool isCopy) override {
-        carried_.reset();
-        plugsBefore_.clear();
-        WorkshopModel::takeJob(file, isCopy);
-    }
+    void takeJob(const CaseFile& file, bool isCopy) override;
     /// It is for the crankshaft that there is.
     bool isFitted(v8_plugs::OptionId id) const;
     QString optionTip(const v8_plugs::Option& option) const;
@@ -161,10 +157,11 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     void noteBobWeight(v8_plugs::Input& input, double bobWeight) const override;
     void noteShaft(v8_plugs::Input& input, const v8_plugs::Input& before) const override;
     void forgetReadings(v8_plugs::Input& input) const override;
+    v8_plugs::Input nextOf(const v8_plugs::Input& before) const override;
 
     Words words_;
     QList<JournalEngine> ownEngines_;
-    std::optional<v8_plugs::Input> carried_;                        ///< what newJob() began with
+    std::optional<v8_plugs::Input> carried_;                        ///< what a new job began with
     std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out
 };
 

@@ -548,13 +548,6 @@ JournalJob JobDesk::entryOf(const workshop::JobHeader& head) {
     return job;
 }
 
-void JobDesk::makeNew(workshop::JobHeader& head) {
-    head.engine_number.clear();
-    head.crankshaft_number.clear();
-    head.notes.clear();
-    head.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-}
-
 QString JobDesk::rememberedTechnician() {
     return QSettings().value(technicianKey).toString();
 }

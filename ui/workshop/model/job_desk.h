@@ -24,8 +24,8 @@ class JobDesk : public QObject {
         /// What the journal's lists and searches show of the job; id, revision, scene and form are
         /// the desk's.
         std::function<JournalJob()> entry;
-        /// Takes over a job's case, as it was or to be the sheet of another one: numbers, date,
-        /// notes and readings are new then. Nothing has changed where it throws.
+        /// Takes over a job's case, as it was or to be the sheet of another one: what says whose it
+        /// is, and all that was weighed and read, is new then. Nothing has changed where it throws.
         /// @throws InputError
         std::function<void(const CaseFile& file, bool isCopy)> take;
         /// False while no weight and no reading of the job is on the sheet.
@@ -97,7 +97,7 @@ class JobDesk : public QObject {
     QString restoreJournal(const QString& file);
     /// Opens a job. @return an empty string, or what went wrong
     QString openJob(qint64 id) { return takeJob(id, false); }
-    /// Its values as a new job.
+    /// What it keeps for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
     /// The model follows what was found without a change of what is on the sheet.
@@ -122,8 +122,6 @@ class JobDesk : public QObject {
     static QString nameOf(const JournalDraft& draft);
     /// What the journal keeps of the head of a job card.
     static JournalJob entryOf(const workshop::JobHeader& head);
-    /// The head of another engine's job, of today.
-    static void makeNew(workshop::JobHeader& head);
     /// Who did the job that was saved last on this computer.
     static QString rememberedTechnician();
 

@@ -135,6 +135,8 @@ class WorkshopModel : public CaseModel<Scene> {
     virtual void noteShaft(Input& input, const Input& before) const = 0;
     /// Those of the machine are of one shaft.
     virtual void forgetReadings(Input& input) const = 0;
+    /// What the job of another engine of the kind keeps: nothing that was weighed or read.
+    virtual Input nextOf(const Input& before) const = 0;
 
     PlacingSearch* placing_;
     bool isLoading_ = false;

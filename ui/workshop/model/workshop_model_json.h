@@ -36,8 +36,8 @@ template <typename Scene>
 void WorkshopModel<Scene>::takeJob(const CaseFile& file, bool isCopy) {
     Input next = Scene::read(file.input, this->context());
     if (isCopy) {
-        JobDesk::makeNew(next.job);
-        forgetReadings(next);
+        next = nextOf(next);  // other parts
+        next.job.technician = this->input().job.technician;
     }
     this->editText(QString::fromStdString(file.title),
                    isCopy ? QString() : QString::fromStdString(file.notes));
