@@ -12150,6 +12150,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Remove job %1 of %2 from the journal for good?</source>
         <translation>Удалить работу %1 от %2 из журнала навсегда?</translation>
     </message>
+    <message>
+        <source>Journal of jobs: %1</source>
+        <translation>Журнал работ: %1</translation>
+    </message>
+    <message>
+        <source>Jobs of “%1”: %2 – look at them</source>
+        <translation>Работы раздела «%1»: %2 – посмотреть</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MachineSheet</name>

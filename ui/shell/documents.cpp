@@ -172,6 +172,7 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
             Q_EMIT status(text);
         }
     });
+    connect(page, &ScenePage::journalWanted, this, &Documents::journalWanted);
     stack_->addWidget(page);
 }
 

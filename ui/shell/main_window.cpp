@@ -42,6 +42,7 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/plain_text.h"
+#include "workshop/journal_dialog.h"
 #include "workshop/scale_button.h"
 
 namespace ravnoves {
@@ -89,6 +90,9 @@ MainWindow::MainWindow(First first) {
     connect(documents_, &Documents::status, this, [this](const QString& text) {
         showHint(text.isEmpty() ? documents_->currentScene().summary : text);
     });
+    // The page's own list is to be gone before another comes.
+    connect(documents_, &Documents::journalWanted, this, &MainWindow::showJournal,
+            Qt::QueuedConnection);
     connect(documents_, &Documents::saved, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
     });
@@ -189,6 +193,10 @@ void MainWindow::showStart() {
         connect(start_, &StartPage::openRequested, this, &MainWindow::openOrSayWhy);
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
         connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
+        connect(start_, &StartPage::journalRequested, this, [this] {
+            const QString last = QSettings().value(journalKey).toString();
+            showJournal(last.isEmpty() ? QStringLiteral("bob-weights") : last, {});
+        });
     }
     if (documents_->hasCurrent()) {
         currentPage()->setActive(false);
@@ -206,6 +214,12 @@ void MainWindow::leaveStart() {
         }
         currentPage()->setActive(true);
         showCurrent();
+    }
+}
+
+void MainWindow::showJournal(const QString& scene, const QString& search) {
+    if (showScene(scene)) {
+        currentPage()->showJournal(search);
     }
 }
 

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
     void showHint(const QString& text);
     void updateCaseActions();
     void updateHistoryActions();
+    void showJournal(const QString& scene, const QString& search);
     void showHelp(const QString& topic);
     void showAbout();
     /// The window of the tolerances of the case in front; one that is open comes to the front.

@@ -61,9 +61,14 @@ class ScenePage : public QWidget {
     Left giveWay();
     void resume(const Left& left);
 
+    /// Looks into the journal of the page, where it keeps one.
+    virtual void showJournal(const QString& /*search*/) {}
+
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
+    /// The journal of another scene has what was searched for.
+    void journalWanted(const QString& scene, const QString& search);
 
   protected:
     /// The model that a page before this one has left, else a new one.

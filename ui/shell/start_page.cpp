@@ -1,6 +1,7 @@
 #include "shell/start_page.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -251,6 +252,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
         made->setToolTip(each.title);
     }
     examples->addStretch();
+    auto* journal = new QAction(this);
+    journal->setShortcut(QKeySequence(Qt::Key_F3));
+    connect(journal, &QAction::triggered, this, &StartPage::journalRequested);
+    addAction(journal);
     arrange();
     showRecent();
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));

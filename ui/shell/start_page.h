@@ -29,6 +29,8 @@ class StartPage : public QWidget {
     /// The user wants to be asked for a file, or for what a new case begins with.
     void openDialogRequested();
     void newDialogRequested();
+    /// The journal of the workshop, by F3 as on its pages.
+    void journalRequested();
 
   protected:
     void resizeEvent(QResizeEvent* event) override;

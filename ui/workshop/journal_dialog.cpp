@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "shell/scene_list.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
@@ -52,6 +53,15 @@ QList<JournalColumn> journalColumns() {
             {JournalDialog::tr("Machine, g·mm"), lastWidth}};
 }
 
+QString sceneTitle(const QString& scene) {
+    for (const SceneInfo& each : sceneList()) {
+        if (each.name == scene) {
+            return each.title;
+        }
+    }
+    return scene;
+}
+
 }  // namespace
 
 QDate readDay(const QString& text) {
@@ -75,7 +85,8 @@ QString dayTrouble(const QString& text) {
 
 JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent)
     : QDialog(parent), journal_(journal), scene_(scene), listed_(std::move(listed)) {
-    setWindowTitle(tr("Journal of jobs"));
+    setWindowTitle(scene.isEmpty() ? tr("Journal of jobs")
+                                   : tr("Journal of jobs: %1").arg(sceneTitle(scene)));
     resizeWithText(this, 1120, 560);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
@@ -156,6 +167,15 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     message_ = new QLabel(this);
     message_->setWordWrap(true);
     column->addWidget(message_);
+    elsewhere_ = new QPushButton(this);
+    elsewhere_->setObjectName(QStringLiteral("journal_elsewhere"));
+    elsewhere_->setMinimumHeight(Theme::withText(buttonHeight));
+    elsewhere_->setAutoDefault(false);
+    column->addWidget(elsewhere_, 0, Qt::AlignLeft);
+    connect(elsewhere_, &QPushButton::clicked, this, [this] {
+        choice_ = Choice::Elsewhere;
+        accept();
+    });
 
     FoldingRow* allButtons = folding();
     QHBoxLayout* buttons = partOf(allButtons, 1);
@@ -286,6 +306,34 @@ void JournalDialog::search() {
         : truncated_
             ? tr("The newest %1 jobs; more match. The export has them all.").arg(jobs_.size())
             : tr("Jobs found: %1").arg(jobs_.size()));
+    lookElsewhere();
+}
+
+void JournalDialog::lookElsewhere() {
+    other_.clear();
+    if (jobs_.isEmpty() && !scene_.isEmpty() && journal_->lastError().isEmpty()) {
+        JournalQuery all = query();
+        all.scene.clear();
+        all.limit = longestList;
+        const QList<JournalJob> found = journal_->search(all);
+        if (!found.isEmpty()) {
+            other_ = found.constFirst().scene;
+            const auto count =
+                std::count_if(found.begin(), found.end(),
+                              [this](const JournalJob& job) { return job.scene == other_; });
+            elsewhere_->setText(
+                tr("Jobs of “%1”: %2 – look at them").arg(sceneTitle(other_)).arg(count));
+        }
+    }
+    elsewhere_->setVisible(!other_.isEmpty());
+}
+
+void JournalDialog::searchFor(const QString& text) {
+    text_->setText(text);
+}
+
+QString JournalDialog::searched() const {
+    return text_->text();
 }
 
 QList<int> JournalDialog::neededWidths() const {

@@ -29,7 +29,7 @@ class JournalDialog : public QDialog {
     Q_OBJECT
 
   public:
-    enum class Choice { None, Open, Copy };
+    enum class Choice { None, Open, Copy, Elsewhere };
 
     using Listed = std::function<ListedJob(const Words& words, const JournalJob& job)>;
 
@@ -39,6 +39,11 @@ class JournalDialog : public QDialog {
     /// What the user wants with chosenId(); None where the dialog was only closed.
     Choice choice() const { return choice_; }
     qint64 chosenId() const { return chosen_; }
+    /// As if it were typed.
+    void searchFor(const QString& text);
+    QString searched() const;
+    /// The scene that has jobs as they are searched for, where this one has none.
+    QString otherScene() const { return other_; }
     /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
     QString exportTo(const QString& file);
 
@@ -56,6 +61,8 @@ class JournalDialog : public QDialog {
     /// Columns that need more width get it from those that need less.
     void giveRoom();
     void showDayTrouble(const JournalQuery& wanted);
+    /// Where nothing was found: offers the jobs of another scene.
+    void lookElsewhere();
     JournalQuery query() const;
     void choose(Choice choice);
     void removeSelected();
@@ -82,7 +89,12 @@ class JournalDialog : public QDialog {
     QPushButton* copy_;
     QPushButton* remove_;
     QPushButton* export_;
+    QPushButton* elsewhere_;  ///< to the journal of the other scene
+    QString other_;
 };
+
+/// The setting that says whose journal was looked at last.
+inline const QString journalKey = QStringLiteral("workshop/journal");
 
 /// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
 QDate readDay(const QString& text);

@@ -11,6 +11,7 @@
 #include <QPrinter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -167,7 +168,7 @@ void WorkshopPage::buildActions() {
         QKeySequence(Qt::Key_F4), tr("Next job: the engine's values stay, the rest is empty"),
         [this] { newJob(); });
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
-        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
+        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal({}); });
     actions_ << nullptr;
     add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Look at the job card"),
@@ -309,6 +310,7 @@ void WorkshopPage::goOn(QWidget* from) {
             Q_EMIT entry->editingFinished();  // what is typed counts, as where it is left
             entry->selectAll();
         }
+        return;
     }
 }
 
@@ -570,8 +572,14 @@ void WorkshopPage::showJournal(const QString& search) {
     JournalDialog dialog(
         desk()->journal(), model()->sceneName(),
         [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
+    QSettings().setValue(journalKey, model()->sceneName());
+    dialog.searchFor(search);
     connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    if (dialog.choice() == JournalDialog::Choice::Elsewhere) {
+        Q_EMIT journalWanted(dialog.otherScene(), dialog.searched());
         return;
     }
     // One that is open beside this one is not opened twice: the later saving would be a copy.

@@ -36,6 +36,7 @@ class WorkshopPage : public ScenePage {
     QString draftName() const override;
     void takeDraft(const QString& name) override;
     void dropDraft(const QString& name) override;
+    void showJournal(const QString& search) override;
 
     /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
     void openJournal();

@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QScrollArea>
@@ -39,6 +40,7 @@
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/checked_field.h"
+#include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/verdict.h"
 #include "workshop_page_test.h"

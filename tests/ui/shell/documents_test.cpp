@@ -13,7 +13,9 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
@@ -399,6 +401,68 @@ TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
     press(Qt::Key_F2, {});
     EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
     EXPECT_FALSE(test::named<QLabel>(*page, "banner")->isVisible());
+}
+
+TEST_F(DocumentsTest, TheJournalSaysWhoseItIsAndKnowsTheOther) {
+    QFile::remove(Journal::defaultPath());
+    press(Qt::Key_3);
+    QTest::qWait(100);  // until the page is there for its keys
+    set(u"job/engine_number=A-1"_s);
+    press(Qt::Key_F2, {});
+    JobDesk* desk = window.currentPage()->findChild<JobDesk*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    press(Qt::Key_4);
+    QTest::qWait(100);
+    QStringList titles;
+    test::whenModal<JournalDialog>(&window, [&](JournalDialog* dialog) {
+        titles << dialog->windowTitle();
+        auto* elsewhere = test::named<QPushButton>(*dialog, "journal_elsewhere");
+        EXPECT_TRUE(elsewhere->isVisible());
+        test::whenModal<JournalDialog>(&window, [&](JournalDialog* other) {
+            titles << other->windowTitle();
+            EXPECT_FALSE(test::named<QWidget>(*other, "journal_elsewhere")->isVisible());
+            other->reject();
+        });
+        elsewhere->click();
+    });
+    press(Qt::Key_F3, {});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return titles.size() == 2; }));
+    EXPECT_EQ(titles,
+              (QStringList{u"Journal of jobs: Bob weights"_s, u"Journal of jobs: V-8 workshop"_s}));
+    // At the start page it is the one looked at last.
+    press(Qt::Key_1);
+    window.showStart();
+    QTest::qWait(100);
+    test::whenModal<JournalDialog>(&window, [&](JournalDialog* dialog) {
+        titles << dialog->windowTitle();
+        dialog->reject();
+    });
+    press(Qt::Key_F3, {});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return titles.size() == 3; }));
+    EXPECT_EQ(titles.last(), titles.at(1));
+    EXPECT_FALSE(window.isAtStart());
+}
+
+TEST_F(DocumentsTest, UndoShowsWhatItChanges) {
+    press(Qt::Key_4);
+    QTest::qWait(100);
+    ScenePage* page = window.currentPage();
+    auto* sheets = page->findChild<QTabWidget*>();
+    auto* piston = test::named<QLineEdit>(*page, "piston");
+    sheets->setCurrentIndex(1);
+    piston->setFocus(Qt::TabFocusReason);
+    QTest::keyClicks(piston, u"583.9"_s);
+    QTest::keyClick(piston, Qt::Key_Return);
+    sheets->setCurrentIndex(3);
+    ASSERT_FALSE(piston->isVisible());
+    press(Qt::Key_Z);
+    EXPECT_EQ(piston->text(), QString());
+    EXPECT_EQ(sheets->currentIndex(), 1);
+    EXPECT_TRUE(piston->hasFocus());
+    sheets->setCurrentIndex(4);
+    press(Qt::Key_Y);
+    EXPECT_EQ(piston->text(), u"583.9"_s);
+    EXPECT_EQ(sheets->currentIndex(), 1);
 }
 
 TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
