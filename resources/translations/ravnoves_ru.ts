@@ -9137,6 +9137,10 @@ but nothing can be built</source>
         <source>Kept: engine, factor, planes, drills and limits.</source>
         <translation>Оставлено: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
     </message>
+    <message>
+        <source>Still needed: what the machine reads in both planes.</source>
+        <translation>Ещё нужны показания станка в обеих плоскостях.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobWeightsPage</name>

@@ -897,6 +897,62 @@ TEST_F(BobPageTest, JournalAndCard) {
     EXPECT_FALSE(model->input().correction->readings[0].unbalance);
     EXPECT_EQ(model->desk()->openJob(jobs[0].id), QString());
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    // So does a copy, and it begins on sheet 1 with a word about what it has.
+    page.sheets()->setCurrentIndex(3);
+    QString said;
+    QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
+    test::whenModal<JournalDialog>(qApp, [](JournalDialog* dialog) {
+        EXPECT_TRUE(dialog->windowTitle().contains(u"Bob weights"_s));
+        test::named<QPushButton>(*dialog, "journal_copy")->click();
+    });
+    QTest::keyClick(&page, Qt::Key_F3);
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_FALSE(model->solution().bob_weight);
+    EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
+    EXPECT_EQ(page.sheets()->currentIndex(), 0);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
+    EXPECT_TRUE(said.contains(u"planes, drills"_s)) << said.toStdString();
+}
+
+TEST_F(BobPageTest, AJobWithPlanesIsUnfinishedUntilItIsRead) {
+    typeShopCard();
+    type("engine_number", u"7"_s);
+    pressSave();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    type("position_1", u"60"_s);
+    pressSave();
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    typeReadings();
+    pressSave();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(BobPageTest, TabGoesAlongTheRowsOfThePlanes) {
+    page.sheets()->setCurrentIndex(3);
+    find<QWidget>("position_1")->setFocus(Qt::TabFocusReason);
+    const auto press = [](Qt::Key key) {
+        QTest::keyClick(QApplication::focusWidget(), key);
+        return QApplication::focusWidget()->objectName();
+    };
+    EXPECT_EQ(press(Qt::Key_Tab), u"position_2"_s);
+    EXPECT_EQ(press(Qt::Key_Tab), u"radius_1"_s);
+    EXPECT_EQ(press(Qt::Key_Return), u"read_at_1"_s) << "Enter goes down";
+    EXPECT_EQ(press(Qt::Key_Right), u"read_at_2"_s);
+    EXPECT_EQ(press(Qt::Key_Up), u"radius_2"_s);
+    find<QWidget>("unbalance_1")->setFocus(Qt::TabFocusReason);
+    EXPECT_EQ(press(Qt::Key_Right), u"angle_1"_s);
+}
+
+TEST_F(BobPageTest, EnterOnTheLastFieldStaysThereAndCounts) {
+    auto* last = find<QWidget>("slug_density_kg_m3");
+    type("slug_density_kg_m3", u"17500"_s);
+    EXPECT_EQ(page.sheets()->currentIndex(), 4);
+    EXPECT_EQ(page.focusWidget(), last);
+    EXPECT_FALSE(model->isTyped());
+    // On the way on, no list takes the keys.
+    type("technician", u"O. Bauer"_s);
+    EXPECT_EQ(page.sheets()->currentIndex(), 1);
+    EXPECT_NE(qobject_cast<EntryField*>(page.focusWidget()), nullptr);
 }
 
 TEST_F(BobPageTest, ACaseIsProposedByTheNameOfItsJob) {

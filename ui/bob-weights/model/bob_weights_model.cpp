@@ -472,6 +472,18 @@ bool BobWeightsModel::hasNumbers() const {
     return isTyped || isWeighed || isRead;
 }
 
+QString BobWeightsModel::answerLacks() const {
+    if (!solution().bob_weight) {
+        return headline();
+    }
+    const bool hasPlanes =
+        input().correction &&
+        std::any_of(input().correction->planes.begin(), input().correction->planes.end(),
+                    [](const Plane& plane) { return plane.position || plane.radius; });
+    return hasPlanes && !isRunRead() ? tr("Still needed: what the machine reads in both planes.")
+                                     : QString();
+}
+
 JournalJob BobWeightsModel::journalEntry() const {
     JournalJob job = JobDesk::entryOf(input().job);
     job.engine = bob_text::engineName(Words(QStringLiteral("en")), input().engine);

@@ -132,7 +132,8 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
 
     JournalJob journalEntry() const override;
     bool hasNumbers() const override;
-    QString answerLacks() const override { return solution().bob_weight ? QString() : headline(); }
+    /// With planes the crankshaft is to be read, too.
+    QString answerLacks() const override;
     std::optional<double> bobWeight() const override { return solution().bob_weight; }
     void noteBobWeight(bob_weights::Input& input, double bobWeight) const override;
     void noteShaft(bob_weights::Input& input, const bob_weights::Input& before) const override;
