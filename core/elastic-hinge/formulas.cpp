@@ -17,26 +17,27 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
                     CORE_TEXT("elastic-hinge", "λ = r/ℓ, ℓ length of the rod")});
     list.push_back(
         {CORE_TEXT("elastic-hinge", "Moment on the rod that makes the side force zero"),
-         "M<sub>12</sub> = P<sub>3</sub>h<sub>1</sub> + (P<sub>3</sub>/g) ẍ<sub>B</sub> "
-         "h<sub>2</sub> + I<sub>2</sub>ε<sub>2</sub> + (P<sub>2</sub>/g) (ÿ<sub>C</sub> "
-         "h<sub>3</sub> + ẍ<sub>C</sub> h<sub>4</sub>) + P<sub>2</sub>h<sub>3</sub>",
+         "M<sub>12</sub> = P<sub>3</sub>h<sub>1</sub> + (P<sub>3</sub>/g) a<sub>B</sub> "
+         "h<sub>2</sub> + I<sub>2</sub>ε<sub>2</sub> + (P<sub>2</sub>/g) (a<sub>Cy</sub> "
+         "h<sub>3</sub> + a<sub>Cx</sub> h<sub>4</sub>) + P<sub>2</sub>h<sub>3</sub>",
          zotov_sviridov, "(4)",
          CORE_TEXT("elastic-hinge",
                    "h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, "
-                   "ε₂ = −ψ̈; B slider pin, C middle of the rod")});
+                   "ε₂ = −d²ψ/dt²; a acceleration, B slider pin, C middle of the rod")});
     if (input.rod_counterweight) {
-        list.push_back(
-            {CORE_TEXT("elastic-hinge", "Part of the counterweight in M₁₂"),
-             input.rod_counterweight->inertia == CounterweightInertia::newton_euler
-                 ? "−P<sub>4</sub>h<sub>5</sub> − (P<sub>4</sub>/g) (ẍ<sub>4</sub> h<sub>6</sub> + "
-                   "ÿ<sub>4</sub> h<sub>5</sub>)"
-                 : "−P<sub>4</sub>h<sub>5</sub> + (P<sub>4</sub>/g) (ẍ<sub>4</sub> h<sub>6</sub> + "
-                   "ÿ<sub>4</sub> h<sub>5</sub>)",
-             zotov_sviridov, "(9)",
-             CORE_TEXT(
-                 "elastic-hinge",
-                 "h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ; the paper prints + before both inertia terms, "
-                 "Newton and Euler ask for −")});
+        list.push_back({CORE_TEXT("elastic-hinge", "Part of the counterweight in M₁₂"),
+                        input.rod_counterweight->inertia == CounterweightInertia::newton_euler
+                            ? "−P<sub>4</sub>h<sub>5</sub> − (P<sub>4</sub>/g) (a<sub>4x</sub> "
+                              "h<sub>6</sub> + "
+                              "a<sub>4y</sub> h<sub>5</sub>)"
+                            : "−P<sub>4</sub>h<sub>5</sub> + (P<sub>4</sub>/g) (a<sub>4x</sub> "
+                              "h<sub>6</sub> + "
+                              "a<sub>4y</sub> h<sub>5</sub>)",
+                        zotov_sviridov, "(9)",
+                        CORE_TEXT("elastic-hinge",
+                                  "h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a acceleration; the paper prints "
+                                  "+ before both inertia terms, "
+                                  "Newton and Euler ask for −")});
         list.push_back({CORE_TEXT("elastic-hinge", "Counterweight"),
                         "P<sub>4</sub> ℓ<sub>2</sub> = (P<sub>3</sub> + P<sub>2</sub>/2) ℓ",
                         zotov_sviridov, "(10)",
@@ -114,11 +115,13 @@ std::vector<Formula> formulas(const Input& input) {
                     "ρ)<sup>2</sup>)",
                     "", "", CORE_TEXT("elastic-hinge", "ε amplitude, n waves in a turn")});
     add_rod_hinge(list, input);
-    list.push_back({CORE_TEXT("elastic-hinge", "Motion"),
-                    "I φ̈ + ½ I′ φ̇<sup>2</sup> + V′ + Π′ = M<sub>c</sub>", "", "",
-                    CORE_TEXT("elastic-hinge",
-                              "solved by the energy at every angle; ′ by φ, on the right the "
-                              "constant moment on the crank")});
+    list.push_back(
+        {CORE_TEXT("elastic-hinge", "Motion"),
+         "I d<sup>2</sup>φ/dt<sup>2</sup> + ½ I′ (dφ/dt)<sup>2</sup> + V′ + Π′ = M<sub>c</sub>", "",
+         "",
+         CORE_TEXT("elastic-hinge",
+                   "solved by the energy at every angle; ′ by φ, on the right the "
+                   "constant moment on the crank")});
     return list;
 }
 

@@ -87,8 +87,8 @@ std::vector<Formula> formulas(const Input& input) {
     if (articulated) {
         add_articulated(list);
     }
-    list.push_back({CORE_TEXT("inertia-moments", "Inertia force, exact"), "F = −m<sub>j</sub> s̈",
-                    "", "",
+    list.push_back({CORE_TEXT("inertia-moments", "Inertia force, exact"),
+                    "F = −m<sub>j</sub> d<sup>2</sup>s/dt<sup>2</sup>", "", "",
                     CORE_TEXT("inertia-moments",
                               "orders 1 to 12 by a Fourier transform of the exact motion")});
     list.push_back({CORE_TEXT("inertia-moments", "Inertia force, two terms"),

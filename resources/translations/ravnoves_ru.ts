@@ -5426,16 +5426,16 @@
         <translation>Момент на шатуне, обращающий боковую силу в нуль</translation>
     </message>
     <message>
-        <source>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −ψ̈; B slider pin, C middle of the rod</source>
-        <translation>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −ψ̈; B — палец ползуна, C — середина шатуна</translation>
+        <source>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −d²ψ/dt²; a acceleration, B slider pin, C middle of the rod</source>
+        <translation>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −d²ψ/dt²; a — ускорение, B — палец ползуна, C — середина шатуна</translation>
     </message>
     <message>
         <source>Part of the counterweight in M₁₂</source>
         <translation>Доля противовеса в M₁₂</translation>
     </message>
     <message>
-        <source>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ; the paper prints + before both inertia terms, Newton and Euler ask for −</source>
-        <translation>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ; статья печатает + перед обоими инерционными членами, по Ньютону и Эйлеру нужен −</translation>
+        <source>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a acceleration; the paper prints + before both inertia terms, Newton and Euler ask for −</source>
+        <translation>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a — ускорение; статья печатает + перед обоими инерционными членами, по Ньютону и Эйлеру нужен −</translation>
     </message>
     <message>
         <source>Counterweight</source>

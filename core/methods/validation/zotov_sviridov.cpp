@@ -201,7 +201,7 @@ void stated(PaperRows& rows) {
     rows.given("P₂", "N", "6.5", input.rod_mass * g);
     rows.given("P₃", "N", "6", input.slider_mass * g);
     rows.given("λ", "", "0.3", input.lambda);
-    rows.given("φ̇", CORE_TEXT("core", "s⁻¹").english, "100", input.angular_speed);
+    rows.given("ω", CORE_TEXT("core", "s⁻¹").english, "100", input.angular_speed);
     rows.given("g", "m/s²", "9.82", g);
     rows.given(CORE_TEXT("methods", "guides 2: ρ₀"), "m", "0.09",
                input.spring->guide_radius_at_zero);
@@ -209,7 +209,7 @@ void stated(PaperRows& rows) {
     for (const int number : {4, 6}) {
         rows.at(figure(number));
         for (const char* speed : {"100", "300", "500"}) {
-            rows.given({Text{"", "φ̇ = %1"}, speed}, CORE_TEXT("core", "s⁻¹").english, speed,
+            rows.given({Text{"", "ω = %1"}, speed}, CORE_TEXT("core", "s⁻¹").english, speed,
                        std::nullopt, chosen);
         }
     }

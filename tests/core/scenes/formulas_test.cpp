@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "bibliography/bibliography.h"
 #include "case-file/json.h"
@@ -73,6 +74,13 @@ TEST(Formulas, AreWellFormed) {
                 EXPECT_EQ(count("<" + tag + ">"), count("</" + tag + ">")) << path << html;
             }
             EXPECT_EQ(html.find('&'), std::string::npos) << html;
+            // Combining dots, U+0307 and U+0308: a page of text sets them over the line above.
+            for (const std::string_view dots : {"\u0307", "\u0308"}) {
+                EXPECT_EQ(html.find(dots), std::string::npos) << html;
+                EXPECT_EQ(std::string_view(formula.where.english).find(dots),
+                          std::string_view::npos)
+                    << html;
+            }
             // Words stand where they are translated.
             std::smatch word;
             static const std::regex words("[a-z]{4,}");

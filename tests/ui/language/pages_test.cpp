@@ -280,6 +280,8 @@ TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
     for (const QString& topic : topics) {
         HelpWindow help(topic, nullptr);
         const QString text = help.findChild<QTextBrowser*>()->toPlainText();
+        EXPECT_FALSE(text.contains(QChar(0x307)) || text.contains(QChar(0x308)))
+            << topic.toStdString() << ": combining dots, which stand over the line above";
         EXPECT_GT(text.count(letters), 400) << topic.toStdString();
     }
 }
