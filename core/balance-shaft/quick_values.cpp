@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/input_check.h"
 #include "balance-shaft/moments.h"
 #include "case-file/input_error.h"
@@ -128,13 +129,46 @@ constexpr std::array quick_values{
                [](Answers& of) { return std::optional(of.moments.forces.moment_amplitude); }},
 };
 
+/// An input of which some numbers vary.
+class VariedInput {
+  public:
+    VariedInput(const Input& input, std::span<const std::string> varied)
+        : input_(input),
+          varied_(varied.begin(), varied.end()),
+          places_(find_numbers(input_, varied)) {}
+    VariedInput(const VariedInput&) = delete;  // the places are those of this one
+    VariedInput& operator=(const VariedInput&) = delete;
+
+    /// @return why it is refused; empty of an input that is whole
+    Reason set(std::span<const double> x) {
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            const NumberPlace& place = places_[j];
+            if (const Range* range = left_one({&place.range, &place.size}, x[j])) {
+                return {"/input" + varied_[j], range->message()};
+            }
+            *place.value = x[j] * place.unit;
+        }
+        try {
+            check_joined(input_);
+        } catch (const InputError& error) {
+            return {error.where_message(), error.allowed_message()};
+        }
+        return {};
+    }
+    const Input& input() const { return input_; }
+    const std::vector<std::string>& varied() const { return varied_; }
+
+  private:
+    Input input_;
+    std::vector<std::string> varied_;
+    std::vector<NumberPlace> places_;
+};
+
 class QuickResponse final : public Response {
   public:
     QuickResponse(const Input& input, std::span<const std::string> varied,
                   std::vector<const QuickValue*> values)
-        : input_(input),
-          varied_(varied.begin(), varied.end()),
-          places_(find_numbers(input_, varied)),
+        : input_(input, varied),
           values_(std::move(values)),
           keeps_torque_(std::none_of(varied.begin(), varied.end(),
                                      [](const std::string& pointer) {
@@ -147,19 +181,16 @@ class QuickResponse final : public Response {
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
-        for (std::size_t j = 0; j < x.size(); ++j) {
-            const NumberPlace& place = places_[j];
-            if (const Range* range = left_one({&place.range, &place.size}, x[j])) {
-                reason_ = {"/input" + varied_[j], range->message()};
-                return false;
-            }
-            *place.value = x[j] * place.unit;
+        if (Reason refused = input_.set(x); !refused.empty()) {
+            reason_ = std::move(refused);
+            last_.clear();
+            return false;
         }
+        const Input& input = input_.input();
         try {
-            check_joined(input_);
             if (!moves_shaft_alone(x) &&
-                (!moments_ || !keeps_torque_ || !moments_->follow(input_))) {
-                moments_.emplace(input_, needs_orders_);
+                (!moments_ || !keeps_torque_ || !moments_->follow(input))) {
+                moments_.emplace(input, needs_orders_);
             }
             last_.assign(x.begin(), x.end());
         } catch (const InputError& error) {
@@ -167,7 +198,7 @@ class QuickResponse final : public Response {
             reason_ = {error.where_message(), error.allowed_message()};
             return false;
         }
-        Answers answers(*moments_, input_);
+        Answers answers(*moments_, input);
         bool whole = true;
         for (std::size_t w = 0; w < y.size(); ++w) {
             const auto value = values_[w]->value(answers);
@@ -189,14 +220,12 @@ class QuickResponse final : public Response {
     bool moves_shaft_alone(std::span<const double> x) const {
         bool same = last_.size() == x.size();
         for (std::size_t j = 0; same && j < x.size(); ++j) {
-            same = x[j] == last_[j] || varied_[j] == "/shaft_angle_deg";
+            same = x[j] == last_[j] || input_.varied()[j] == "/shaft_angle_deg";
         }
         return same;
     }
 
-    Input input_;
-    std::vector<std::string> varied_;
-    std::vector<NumberPlace> places_;
+    VariedInput input_;
     std::vector<const QuickValue*> values_;
     bool keeps_torque_;
     bool needs_orders_;
@@ -236,6 +265,25 @@ std::unique_ptr<Response> quick_response(const Input& input, std::span<const std
         return nullptr;
     }
     return std::make_unique<QuickResponse>(input, varied, std::move(values));
+}
+
+BuildableOf quick_buildable(const Input& input, std::span<const std::string> varied) {
+    if (!have_places(input, varied)) {
+        return {};
+    }
+    return [moved = std::make_shared<VariedInput>(input, varied)](
+               std::span<const double> x) -> std::optional<AngleStretches> {
+        if (!moved->set(x).empty()) {
+            return std::nullopt;
+        }
+        AngleStretches found;
+        const Input& now = moved->input();
+        for (const AngleStretch& stretch :
+             buildable_angles(front_view(now), now.place_limits).stretches) {
+            found.emplace_back(stretch.from / degree, stretch.to / degree);
+        }
+        return found;
+    };
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -16,4 +16,10 @@ namespace ravnoves::balance_shaft {
 std::unique_ptr<Response> quick_response(const Input& input, std::span<const std::string> varied,
                                          std::span<const std::string> watched);
 
+/// The angles of the shaft that can be built as these numbers vary; those of shaft_angle too, which
+/// they do not depend on.
+/// @param input  as read_input() leaves it
+/// @return nothing where a pointer is not a number of its own
+BuildableOf quick_buildable(const Input& input, std::span<const std::string> varied);
+
 }  // namespace ravnoves::balance_shaft

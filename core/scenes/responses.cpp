@@ -17,6 +17,15 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
     return nullptr;
 }
 
+BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
+                            std::span<const std::string> varied) {
+    if (file.scene == "balance-shaft") {
+        return balance_shaft::quick_buildable(balance_shaft::read_input(file.input, context),
+                                              varied);
+    }
+    return {};
+}
+
 std::optional<BestChoice> best_choice(const CaseFile& file) {
     if (file.scene == "balance-shaft") {
         return BestChoice{"/shaft_angle_deg",

@@ -19,6 +19,12 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
                                          std::span<const std::string> varied,
                                          std::span<const std::string> watched);
 
+/// The angles of best_choice() that can be built as the inputs at these pointers vary.
+/// @return nothing where the scene has none for these pointers
+/// @throws InputError where the case is wrong
+BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
+                            std::span<const std::string> varied);
+
 /// An angle of a scene's input that is there to make one of its results least.
 struct BestChoice {
     std::string input;           ///< pointer to the angle, degrees, below "input"

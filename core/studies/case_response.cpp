@@ -63,10 +63,11 @@ Message why_missing(const Json& result, const Pointer& place, const SaidMessages
     return no_value;
 }
 
-std::vector<std::string> watched_pointers(const Study& study) {
+template <typename Named>
+std::vector<std::string> pointers_of(const std::vector<Named>& named) {
     std::vector<std::string> pointers;
-    for (const Watched& watched : study.watch) {
-        pointers.push_back(watched.pointer);
+    for (const Named& each : named) {
+        pointers.push_back(each.pointer);
     }
     return pointers;
 }
@@ -84,7 +85,7 @@ class CaseResponse final : public Response {
         for (const Watched& watched : study.watch) {
             places_.emplace_back(watched.pointer);
         }
-        wanted_ = Wanted(watched_pointers(study));
+        wanted_ = Wanted(pointers_of(study.watch));
     }
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
@@ -146,7 +147,7 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
 /// @throws InputError where the case cannot be solved, or the result has no such values
 std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, const CaseFile& file,
                                                   const CaseContext& context, const Study& study) {
-    const Json result = solver.solve(file.input, context, Wanted(watched_pointers(study)));
+    const Json result = solver.solve(file.input, context, Wanted(pointers_of(study.watch)));
     std::vector<std::optional<double>> values;
     for (const Watched& watched : study.watch) {
         const Pointer place(watched.pointer);
@@ -169,11 +170,8 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
 MakeResponse responses_of(const SceneSolver& solver, const CaseFile& file,
                           const CaseContext& context, const Study& study) {
     return [&solver, file, context, study]() -> std::unique_ptr<Response> {
-        std::vector<std::string> varied;
-        for (const Varied& each : study.vary) {
-            varied.push_back(each.pointer);
-        }
-        if (auto quick = quick_response(file, context, varied, watched_pointers(study))) {
+        if (auto quick =
+                quick_response(file, context, pointers_of(study.vary), pointers_of(study.watch))) {
             return quick;
         }
         return std::make_unique<CaseResponse>(solver, file.input, context, study);
@@ -210,6 +208,9 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
         problem.choice = {.input = choice->input,
                           .value = choice->value,
                           .make = responses_of(solver, file, context, tried)};
+        problem.choice->make_buildable = [file, context, vary = tried.vary] {
+            return quick_buildable(file, context, pointers_of(vary));
+        };
         const SaidMessages said;
         const Json result = solver.solve(
             file.input, context, Wanted({choice->best, choice->best_buildable, choice->buildable}));

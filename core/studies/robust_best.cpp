@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <thread>
 
@@ -22,6 +23,78 @@ namespace {
 constexpr std::uint64_t robust_samples = 2048;
 constexpr std::uint64_t fewest_samples = 64;
 constexpr std::size_t left_out_groups = 16;
+
+bool are_around(const AngleStretches& stretches, double angle) {
+    return std::any_of(stretches.begin(), stretches.end(), [&](const auto& stretch) {
+        constexpr double rounding = 1e-9;
+        return wrap(angle - stretch.first + rounding, turn_deg) <=
+               stretch.second - stretch.first + 2.0 * rounding;
+    });
+}
+
+/// What is left of the stretches where enough of the samples can be built: the share that robust
+/// angles ask for, or where that is nowhere so, the most there is.
+AngleStretches enough_buildable(const AngleStretches& stretches,
+                                const std::vector<std::optional<AngleStretches>>& samples) {
+    // How many more can be built behind an angle than before it, about the turn from 0°.
+    std::map<double, int> steps{{0.0, 0}, {turn_deg, 0}};
+    const auto add = [&](const std::pair<double, double>& stretch, int one) {
+        const double from = wrap(stretch.first, turn_deg);
+        const double to = from + std::min(stretch.second - stretch.first, turn_deg);
+        steps[from] += one;
+        steps[std::min(to, turn_deg)] -= one;
+        if (to > turn_deg) {
+            steps[0.0] += one;
+            steps[to - turn_deg] -= one;
+        }
+    };
+    int known = 0;
+    for (const auto& sample : samples) {
+        known += sample ? 1 : 0;
+        for (const auto& stretch : sample.value_or(AngleStretches())) {
+            add(stretch, 1);
+        }
+    }
+    for (const auto& stretch : stretches) {
+        add(stretch, 0);  // its ends
+    }
+    struct Part {
+        std::pair<double, double> stretch;
+        int built;
+    };
+    std::vector<Part> parts;
+    int most = 0;
+    int built = 0;
+    for (auto step = steps.begin(); std::next(step) != steps.end(); ++step) {
+        built += step->second;
+        const double to = std::next(step)->first;
+        if (are_around(stretches, 0.5 * (step->first + to))) {
+            parts.push_back({{step->first, to}, built});
+            most = std::max(most, built);
+        }
+    }
+    if (known == 0) {
+        return stretches;
+    }
+    const int needed =
+        std::min(most, static_cast<int>(std::ceil(RobustBest::least_buildable * known)));
+    AngleStretches left;
+    for (const Part& part : parts) {
+        if (part.built < needed) {
+            continue;
+        }
+        if (!left.empty() && left.back().second == part.stretch.first) {
+            left.back().second = part.stretch.second;
+        } else {
+            left.push_back(part.stretch);
+        }
+    }
+    if (left.size() > 1 && left.front().first == 0.0 && left.back().second == turn_deg) {
+        left.back().second += left.front().second;
+        left.erase(left.begin());
+    }
+    return left;
+}
 
 /// The value of every sample at every angle that was tried.
 class AngleTable {
@@ -46,6 +119,49 @@ class AngleTable {
             response = problem.choice->make();
         }
         steepest_.resize(responses_.size());
+        stretches_ = problem.choice->buildable;
+    }
+
+    /// Keeps to the angles at which enough of the samples can be built.
+    /// @return false where the work was stopped
+    bool find_buildable() {
+        const auto& make = problem_.choice->make_buildable;
+        if (!make || !make() || !stretches_) {
+            return true;
+        }
+        samples_stretches_.resize(count_);
+        std::atomic<bool> stopped{false};
+        run_workers(
+            responses_.size(),
+            [&](std::size_t worker) {
+                const BuildableOf buildable = make();
+                each_sample(worker, stopped, [&](std::uint64_t k, std::vector<double>& x) {
+                    auto found = buildable(x);
+                    const double off = off_of(x);
+                    for (auto& [from, to] : found.value_or(AngleStretches())) {
+                        const double width = to - from;
+                        from = wrap(from - off, turn_deg);
+                        to = from + width;
+                    }
+                    samples_stretches_[k] = std::move(found);
+                });
+            },
+            [&] { stopped = true; });
+        if (!stopped) {
+            stretches_ = enough_buildable(*stretches_, samples_stretches_);
+        }
+        return !stopped;
+    }
+    /// Share of the samples that can be built at an angle.
+    std::optional<double> buildable_share(double angle) const {
+        std::size_t known = 0;
+        std::size_t built = 0;
+        for (const auto& stretches : samples_stretches_) {
+            known += stretches ? 1 : 0;
+            built += stretches && are_around(*stretches, angle) ? 1 : 0;
+        }
+        return known > 0 ? std::optional(static_cast<double>(built) / static_cast<double>(known))
+                         : std::nullopt;
     }
 
     /// @return false where the work was stopped
@@ -63,21 +179,12 @@ class AngleTable {
         return !stopped;
     }
 
-    /// Whether there is room for the shaft at an angle.
-    bool is_buildable(double angle) const {
-        const auto& stretches = problem_.choice->buildable;
-        return !stretches ||
-               std::any_of(stretches->begin(), stretches->end(), [&](const auto& stretch) {
-                   constexpr double rounding = 1e-9;
-                   return wrap(angle - stretch.first + rounding, turn_deg) <=
-                          stretch.second - stretch.first + 2.0 * rounding;
-               });
-    }
+    /// Whether there is room for the shaft at an angle, in enough of the samples.
+    bool is_buildable(double angle) const { return !stretches_ || are_around(*stretches_, angle); }
     /// Ends of the stretches that can be built.
     std::vector<double> ends() const {
         std::vector<double> found;
-        for (const auto& [from, to] :
-             problem_.choice->buildable.value_or(std::vector<std::pair<double, double>>())) {
+        for (const auto& [from, to] : stretches_.value_or(AngleStretches())) {
             found.insert(found.end(), {from, to});
         }
         return found;
@@ -123,14 +230,19 @@ class AngleTable {
   private:
     std::size_t place() const { return place_.value_or(laws_.size()); }
 
-    void fill(std::size_t worker, std::size_t first, std::atomic<bool>& stopped) {
-        Response& response = *responses_[worker];
+    /// An angle that scatters does so about each that is tried.
+    double off_of(const std::vector<double>& x) const {
+        return place_ ? x[*place_] - laws_[*place_].mean : 0.0;
+    }
+
+    /// Calls `look` with each sample of a worker and its inputs.
+    template <typename Look>
+    void each_sample(std::size_t worker, std::atomic<bool>& stopped, const Look& look) {
         Sampler sampler(method_,
                         is_sampled(problem_.study.method) ? problem_.study.samples : count_,
                         problem_.study.seed, laws_.size());
         std::vector<double> u(laws_.size());
         std::vector<double> x(std::max(laws_.size(), place() + 1));
-        std::array<double, 2> y{};
         const std::uint64_t end = count_ * (worker + 1) / responses_.size();
         for (std::uint64_t k = count_ * worker / responses_.size(); k < end; ++k) {
             if (worker == 0 && k % 64 == 0 && goes_on_ && !goes_on_()) {
@@ -139,25 +251,29 @@ class AngleTable {
             if (stopped) {
                 return;
             }
-            if (refused_[k] != 0) {
-                continue;
-            }
             sampler.point(k, u);
             for (std::size_t j = 0; j < laws_.size(); ++j) {
                 x[j] = laws_[j].at(u[j]);
             }
-            // An angle that scatters does so about each that is tried.
-            const double off = place_ ? x[*place_] - laws_[*place_].mean : 0.0;
-            for (std::size_t i = first; i < angles_.size(); ++i) {
+            look(k, x);
+        }
+    }
+
+    void fill(std::size_t worker, std::size_t first, std::atomic<bool>& stopped) {
+        Response& response = *responses_[worker];
+        std::array<double, 2> y{};
+        each_sample(worker, stopped, [&](std::uint64_t k, std::vector<double>& x) {
+            const double off = off_of(x);
+            for (std::size_t i = first; i < angles_.size() && refused_[k] == 0; ++i) {
                 x[place()] = angles_[i] + off;
                 if (!response.evaluate(x, y)) {
                     refused_[k] = 1;
-                    break;
+                    return;
                 }
                 columns_[i][k] = y[0];
                 steepest_[worker] = std::max(steepest_[worker], 2.0 * y[1] * degree);
             }
-        }
+        });
     }
 
     const Problem& problem_;
@@ -168,6 +284,9 @@ class AngleTable {
     std::optional<std::size_t> place_;  ///< of the angle, where it is varied
     std::vector<std::unique_ptr<Response>> responses_;
     std::vector<double> steepest_;  ///< by worker
+    /// That may be tried: of the inputs as they are, later of enough of the samples.
+    std::optional<AngleStretches> stretches_;
+    std::vector<std::optional<AngleStretches>> samples_stretches_;  ///< empty: not known
     std::vector<double> angles_;
     std::vector<std::vector<double>> columns_;
     std::vector<char> refused_;
@@ -193,8 +312,10 @@ double percentile_error(AngleTable& table, std::size_t i) {
     return jackknife_error(found);
 }
 
-std::vector<double> percentiles(AngleTable& table, std::size_t group = left_out_groups) {
-    std::vector<double> found(table.size());
+/// Of the first `count` angles.
+std::vector<double> percentiles(AngleTable& table, std::size_t count,
+                                std::size_t group = left_out_groups) {
+    std::vector<double> found(count);
     for (std::size_t i = 0; i < found.size(); ++i) {
         found[i] = table.percentile(i, group);
     }
@@ -259,7 +380,7 @@ bool search_angles(AngleTable& table) {
         if (!has_enough(table)) {
             return true;
         }
-        const auto values = percentiles(table);
+        const auto values = percentiles(table, table.size());
         const std::size_t best = least(values);
         if (is_flat(values)) {
             return true;
@@ -268,7 +389,7 @@ bool search_angles(AngleTable& table) {
                         0.05 * percentile_error(table, best) + 1e-9 * std::abs(values[best]));
     }
     for (const double width : {0.08, 0.01}) {
-        const double best = table.angle(least(percentiles(table)));
+        const double best = table.angle(least(percentiles(table, table.size())));
         std::vector<double> about;
         for (int k = -7; k <= 7; ++k) {
             if (const double angle = best + 0.125 * k * width;
@@ -287,7 +408,8 @@ RobustBest::Place place_at(AngleTable& table, std::size_t i) {
     return {.angle = table.angle(i),
             .percentile = table.percentile(i),
             .percentile_error = percentile_error(table, i),
-            .nominal = table.nominal(table.angle(i))};
+            .nominal = table.nominal(table.angle(i)),
+            .buildable = table.buildable_share(table.angle(i))};
 }
 
 Json write_place(const std::optional<RobustBest::Place>& place) {
@@ -298,18 +420,25 @@ Json write_place(const std::optional<RobustBest::Place>& place) {
             {"at_error", place->angle_error},
             {"value", place->percentile},
             {"error", place->percentile_error},
-            {"nominal", place->nominal ? Json(*place->nominal) : Json(nullptr)}};
+            {"nominal", place->nominal ? Json(*place->nominal) : Json(nullptr)},
+            {"buildable_share", place->buildable ? Json(*place->buildable) : Json(nullptr)}};
 }
 
 std::optional<RobustBest::Place> read_place(const Json& json) {
     if (json.is_null()) {
         return std::nullopt;
     }
-    const Json& nominal = json.at("nominal");
+    const auto number = [&](const char* key) {
+        const Json& value = json.at(key);
+        return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+    };
     return RobustBest::Place{
-        json.at("at").get<double>(), json.at("at_error").get<double>(),
-        json.at("value").get<double>(), json.at("error").get<double>(),
-        nominal.is_null() ? std::nullopt : std::optional(nominal.get<double>())};
+        .angle = json.at("at").get<double>(),
+        .angle_error = json.at("at_error").get<double>(),
+        .percentile = json.at("value").get<double>(),
+        .percentile_error = json.at("error").get<double>(),
+        .nominal = number("nominal"),
+        .buildable = json.contains("buildable_share") ? number("buildable_share") : std::nullopt};
 }
 
 }  // namespace
@@ -327,15 +456,6 @@ std::optional<RobustBest> find_robust_best(const Problem& problem, int threads,
     if (!problem.choice || problem.study.method == Method::grid) {
         return std::nullopt;
     }
-    AngleTable table(problem, threads, goes_on);
-    std::size_t of_nominal = table.size();
-    if (const auto nominal = problem.choice->nominal_best) {
-        if (!table.add({*nominal})) {
-            return std::nullopt;
-        }
-    } else {
-        of_nominal = std::numeric_limits<std::size_t>::max();
-    }
     RobustBest found{.input = problem.choice->input, .value = problem.choice->value};
     const auto& buildable = problem.choice->buildable;
     if (buildable && buildable->empty()) {
@@ -343,8 +463,23 @@ std::optional<RobustBest> find_robust_best(const Problem& problem, int threads,
                         problem.choice->unbuildable};
         return found;
     }
-    if (!search_angles(table)) {
+    AngleTable table(problem, threads, goes_on);
+    if (!table.find_buildable()) {
         return std::nullopt;
+    }
+    // An angle that the search may not find is added behind what it tries, and never the best.
+    const auto nominal = problem.choice->nominal_best;
+    const bool tries_nominal = nominal && table.is_buildable(*nominal);
+    if ((tries_nominal && !table.add({*nominal})) || !search_angles(table)) {
+        return std::nullopt;
+    }
+    const std::size_t tried = table.size();
+    std::size_t of_nominal = 0;
+    if (nominal && !tries_nominal) {
+        of_nominal = tried;
+        if (!table.add({*nominal})) {
+            return std::nullopt;
+        }
     }
     found.samples = table.samples();
     found.refused = table.refused();
@@ -354,24 +489,23 @@ std::optional<RobustBest> find_robust_best(const Problem& problem, int threads,
                         std::to_string(found.samples)};
         return found;
     }
-    const auto values = percentiles(table);
+    const auto values = percentiles(table, tried);
     const std::size_t best = least(values);
     if (values.size() > 1 && is_flat(values)) {
         found.reason = CORE_TEXT("studies", "No angle is better than another.");
         return found;
     }
     found.robust = place_at(table, best);
-    const bool both = of_nominal < table.size();
-    if (both) {
+    if (nominal) {
         found.nominal = place_at(table, of_nominal);
         found.gain = found.nominal->percentile - found.robust->percentile;
     }
     std::array<double, left_out_groups> angles{};
     std::array<double, left_out_groups> gains{};
     for (std::size_t g = 0; g < left_out_groups; ++g) {
-        const auto without = percentiles(table, g);
+        const auto without = percentiles(table, tried, g);
         angles[g] = std::remainder(table.angle(least(without)) - found.robust->angle, turn_deg);
-        gains[g] = both ? without[of_nominal] - without[best] : 0.0;
+        gains[g] = nominal ? table.percentile(of_nominal, g) - without[best] : 0.0;
     }
     found.robust->angle_error = jackknife_error(angles);
     found.gain_error = jackknife_error(gains);

@@ -49,11 +49,14 @@ struct Problem {
         std::optional<double> nominal_best{};  ///< degrees, by the scene
         /// Stretches of angles that can be built, degrees, and why there is none; nothing where the
         /// scene knows none that cannot.
-        std::optional<std::vector<std::pair<double, double>>> buildable{};
+        std::optional<AngleStretches> buildable{};
         Message unbuildable{};
         /// The study's inputs and, unless it is one of them, the angle; the value and half its
         /// steepest slope per radian.
         MakeResponse make;
+        /// Those that can be built of the same inputs; makes one for each thread. Nothing where
+        /// that cannot be told.
+        std::function<BuildableOf()> make_buildable{};
     };
     std::optional<Choice> choice{};
 };

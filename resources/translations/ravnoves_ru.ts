@@ -3604,6 +3604,10 @@
         <source>Sum of the file</source>
         <translation>Сумма файла</translation>
     </message>
+    <message>
+        <source>Over the speed band the gas torque stays that of the one pressure trace, cycle or torque given: how it changes with the speed is not known.</source>
+        <translation>В диапазоне частот момент газов остаётся тем же: от одной заданной записи давления, цикла или кривой момента. Как он меняется с частотой, неизвестно.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -4929,6 +4933,10 @@
     <message>
         <source>must be two numbers or one: write %1 or %2</source>
         <translation>должно быть двумя числами или одним: напишите %1 или %2</translation>
+    </message>
+    <message>
+        <source>must be the name of a variant</source>
+        <translation>должно быть именем варианта</translation>
     </message>
 </context>
 <context>
@@ -13910,6 +13918,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Taken as</source>
         <translation>Принято</translation>
     </message>
+    <message>
+        <source>Pages</source>
+        <translation>Страницы</translation>
+    </message>
+    <message>
+        <source>Samples of the tolerances</source>
+        <translation>Пробы по допускам</translation>
+    </message>
+    <message>
+        <source>Of the samples %1 can be built at this angle.</source>
+        <translation>При этом угле можно построить %1 проб.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>
@@ -14699,8 +14719,24 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Запустить</translation>
     </message>
     <message>
-        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are. Both of the angles that can be built.</source>
-        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков. Рядом α, наилучший при заданных исходных данных. Оба — среди углов, которые можно построить.</translation>
+        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances, and as many can be built at it. Beside it the α that is best of the inputs as they are, of the angles that can be built then.</source>
+        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков, и столько же при нём можно построить. Рядом α, наилучший при заданных исходных данных, — среди углов, которые можно построить при них.</translation>
+    </message>
+    <message>
+        <source>built, %</source>
+        <translation>строится, %</translation>
+    </message>
+    <message>
+        <source>So many of the samples can be built at this α.</source>
+        <translation>Столько проб можно построить при этом α.</translation>
+    </message>
+    <message>
+        <source>%1: its 95 % point is more by %2 at the robust α.</source>
+        <translation>%1: при надёжном α точка 95&#xa0;% больше на %2.</translation>
+    </message>
+    <message>
+        <source>At no α can 95 % of the samples be built, at the robust one %1.</source>
+        <translation>Ни при каком α нельзя построить 95&#xa0;% проб, при надёжном — %1.</translation>
     </message>
 </context>
 <context>
@@ -15827,6 +15863,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3, the %1 is %4 % %5.</source>
         <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4&#xa0;% %5.</translation>
+    </message>
+    <message>
+        <source>The gas torque at every speed is that of the one pressure trace.</source>
+        <translation>Момент газов при любой частоте взят из одной записи давления.</translation>
+    </message>
+    <message>
+        <source>The load is the same at every speed.</source>
+        <translation>Нагрузка при любой частоте одна и та же.</translation>
+    </message>
+    <message>
+        <source>The gas torque at every speed is that of the one torque given.</source>
+        <translation>Момент газов при любой частоте взят из одного заданного момента.</translation>
     </message>
 </context>
 <context>

@@ -169,14 +169,24 @@ void addRobustBest(Report& report, StudyModel& study, const Patience& patience) 
     }
     constexpr int decimals = 2;
     const auto shown = [](double value) { return fixedDecimals(value, decimals, QLocale()); };
-    const double factor = resultName(best->value).shown().factor;
+    const ShownUnit unit = resultName(best->value).shown();
+    const double factor = unit.factor;
+    const auto sayBuildable = [&](const studies::RobustBest::Place& at) {
+        return at.buildable ? QLatin1Char(' ') +
+                                  ReportWords::tr("Of the samples %1 can be built at this angle.")
+                                      .arg(percentText(*at.buildable))
+                            : QString();
+    };
     say(ReportWords::tr("Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.")
             .arg(shown(best->robust->angle), shown(best->robust->angle_error),
                  resultName(best->value).withUnit(), shown(factor * best->robust->percentile),
-                 shown(factor * best->robust->percentile_error)));
+                 shown(factor * best->robust->percentile_error)) +
+        sayBuildable(*best->robust));
     if (best->nominal) {
         say(ReportWords::tr("At the α that is best of the inputs as they are, %1°, it is %2.")
-                .arg(shown(best->nominal->angle), shown(factor * best->nominal->percentile)));
+                .arg(shown(best->nominal->angle),
+                     withUnit(shown(factor * best->nominal->percentile), unit.name)) +
+            sayBuildable(*best->nominal));
     }
 }
 

@@ -37,9 +37,9 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);
     auto* about =
         captionLabel(tr("The α whose 95 % point is least: nineteen of twenty engines have "
-                        "at most that, each with parts within their tolerances. Beside "
-                        "it the α that is best of the inputs as they are. Both of the angles "
-                        "that can be built."),
+                        "at most that, each with parts within their tolerances, and as many can "
+                        "be built at it. Beside it the α that is best of the inputs as they are, "
+                        "of the angles that can be built then."),
                      this);
     column->addWidget(about);
     table_ = new ResultTable(this);
@@ -47,7 +47,8 @@ RobustView::RobustView(StudyModel* study, QWidget* parent)
     table_->setColumns({tr("Best α"),
                         QStringLiteral("α, °"),
                         {tr("nominal"), tr("Of the inputs as they are.")},
-                        {QStringLiteral("95 %"), tr("One sample of twenty is more.")}});
+                        {QStringLiteral("95 %"), tr("One sample of twenty is more.")},
+                        {tr("built, %"), tr("So many of the samples can be built at this α.")}});
     column->addWidget(table_, 1);
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -106,16 +107,27 @@ void RobustView::showBest() {
                      at->nominal ? fixedNumber(unit.factor * *at->nominal, valueDecimals, QLocale())
                                  : QStringLiteral("–"),
                      withError(unit.factor * at->percentile, unit.factor * at->percentile_error,
-                               valueDecimals)});
+                               valueDecimals),
+                     at->buildable ? fixedDecimals(100.0 * *at->buildable, 1, QLocale())
+                                   : QStringLiteral("–")});
             }
         };
         add(tr("of the inputs as they are"), best->nominal);
         add(tr("robust"), best->robust);
         if (best->robust && best->nominal) {
-            lines << tr("%1: its 95 % point is less by %2 at the robust α.")
-                         .arg(resultName(best->value).withUnit(),
-                              withError(unit.factor * best->gain, unit.factor * best->gain_error,
-                                        2));
+            const QString by =
+                withUnit(withError(unit.factor * std::abs(best->gain),
+                                   unit.factor * best->gain_error, std::max(2, unit.decimals)),
+                         unit.name);
+            const QString name = resultName(best->value).text;
+            lines << (best->gain >= 0.0
+                          ? tr("%1: its 95 % point is less by %2 at the robust α.").arg(name, by)
+                          : tr("%1: its 95 % point is more by %2 at the robust α.").arg(name, by));
+        }
+        if (best->robust && best->robust->buildable &&
+            *best->robust->buildable < studies::RobustBest::least_buildable) {
+            lines << tr("At no α can 95 % of the samples be built, at the robust one %1.")
+                         .arg(percentText(*best->robust->buildable));
         }
         if (best->samples > 0) {
             lines << tr("Samples: %1")
