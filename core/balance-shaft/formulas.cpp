@@ -166,6 +166,9 @@ std::span<const Text> left_out() {
                   "own counterweights."),
         CORE_TEXT("balance-shaft",
                   "The engine block is rigid, and the speed within a cycle is constant."),
+        CORE_TEXT("balance-shaft",
+                  "Over the speed band the gas torque stays that of the one pressure trace, cycle "
+                  "or torque given: how it changes with the speed is not known."),
         CORE_TEXT(
             "balance-shaft",
             "The play of the gears moves the shaft to any place within it; how it moves there "

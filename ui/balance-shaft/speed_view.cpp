@@ -1,6 +1,7 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -138,7 +139,7 @@ QWidget* SpeedView::buildSliders() {
                              .hint = tr("Indicated mean effective pressure of the computed cycle."),
                              .name = QStringLiteral("study_load_bar"),
                              .isMovable = [this] { return study_->hasLoad(); },
-                             .read = [this] { return study_->hasLoad() ? study_->load() : 0.0; },
+                             .read = [this] { return study_->load().value_or(0.0); },
                              .write = [this](double value) { study_->setLoad(value); }});
     column->addWidget(load_);
     return sliders;
@@ -195,6 +196,7 @@ void SpeedView::showEvent(QShowEvent* event) {
 }
 
 void SpeedView::showInput() {
+    load_->box()->setSpecialValueText(study_->load() ? QString() : QStringLiteral("–"));
     load_->setToolTip(study_->hasLoad() ? QString()
                                         : tr("The load can be moved when the torque is a computed "
                                              "cycle (Torque tab)."));

@@ -18,6 +18,7 @@
 #include "balance-shaft/flywheel_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/solver.h"
@@ -306,6 +307,8 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     EXPECT_NEAR(model->input().angular_speed / units::rpm, before, 1e-9);
     // The load is that of a computed cycle alone.
     EXPECT_FALSE(load->isEnabled());
+    auto* shown = test::named<QDoubleSpinBox>(*view, "study_load_bar");
+    EXPECT_EQ(shown->text(), QStringLiteral("–"));
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     EXPECT_TRUE(load->isEnabled());
     const double imep = model->result().indicated->imep / units::bar;
@@ -316,7 +319,17 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     // A case beyond the slider's ends is shown as it is.
     model->editField("/torque/cycle/indicated_mean_effective_pressure_bar", 31.0,
                      QStringLiteral("IMEP"));
-    EXPECT_NEAR(test::named<QDoubleSpinBox>(*view, "study_load_bar")->value(), 31.0, 0.005);
+    EXPECT_NEAR(shown->value(), 31.0, 0.005);
+    // That of a pressure trace is what the trace has.
+    model->edit(QStringLiteral("trace"), [&](balance_shaft::Input& input) {
+        input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
+        input.torque.trace.crank_angle_deg = model->result().curves.crank_angle_deg;
+        input.torque.trace.pressure = model->result().curves.pressure;
+    });
+    EXPECT_FALSE(load->isEnabled());
+    ASSERT_TRUE(model->result().indicated.has_value());
+    EXPECT_NEAR(shown->value(), model->result().indicated->imep / units::bar, 0.005);
+    EXPECT_TRUE(SpeedStudyModel(model).gasAtEverySpeed().contains(QStringLiteral("trace")));
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {

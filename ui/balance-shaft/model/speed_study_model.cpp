@@ -198,7 +198,7 @@ QString SpeedStudyModel::answer() const {
                     shownNumber(best.worst_speed, units::rpm, 0),
                     fixedNumber(std::abs(change), 1, locale),
                     change > 0.0 ? tr("larger") : tr("smaller")) +
-           other;
+           other + QLatin1Char(' ') + gasAtEverySpeed();
 }
 
 void SpeedStudyModel::pick(double angleDeg, double speed) {
@@ -213,8 +213,21 @@ bool SpeedStudyModel::hasLoad() const {
            model_->result().indicated.has_value();
 }
 
-double SpeedStudyModel::load() const {
-    return model_->result().indicated->imep / units::bar;
+std::optional<double> SpeedStudyModel::load() const {
+    const auto& indicated = model_->result().indicated;
+    return indicated ? std::optional(indicated->imep / units::bar) : std::nullopt;
+}
+
+QString SpeedStudyModel::gasAtEverySpeed() const {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    switch (model_->input().torque.kind) {
+        case Kind::pressure:
+            return tr("The gas torque at every speed is that of the one pressure trace.");
+        case Kind::cycle:
+            return tr("The load is the same at every speed.");
+        default:
+            return tr("The gas torque at every speed is that of the one torque given.");
+    }
 }
 
 void SpeedStudyModel::setLoad(double load) {

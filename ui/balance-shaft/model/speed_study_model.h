@@ -80,7 +80,10 @@ class SpeedStudyModel : public QObject {
     void pick(double angleDeg, double speed);
     /// The load can be moved where the torque is a computed cycle.
     bool hasLoad() const;
-    double load() const;        ///< indicated mean effective pressure, bar
+    /// Indicated mean effective pressure, bar; of a torque without pressures nothing.
+    std::optional<double> load() const;
+    /// What the study takes for the gas torque, as a sentence.
+    QString gasAtEverySpeed() const;
     void setLoad(double load);  ///< part of a drag; nothing without a load
 
   Q_SIGNALS:
