@@ -193,6 +193,7 @@ class CaseModel : public SceneModel {
     /// After a change of what the scene solves beside the input.
     void solveAgain() {
         solved_ = solve(input_);
+        countSolution();
         Q_EMIT changed();
     }
     /// Begins a history of its own with an input.
@@ -414,6 +415,9 @@ class CaseModel : public SceneModel {
         apply(std::move(input), std::move(solved));
     }
     void apply(Input&& input, Solved&& solved) {
+        if (!(input == input_)) {
+            countSolution();
+        }
         solved_ = std::move(solved);
         input_ = std::move(input);
         if constexpr (requires { scene_.took(solved_); }) {

@@ -216,6 +216,8 @@ class SceneModel : public QObject {
     virtual void stopSolving() {}
     /// True while what is loaded, undone or redone is solved: the caller waits for it.
     bool isWaiting() const { return waiting_; }
+    /// Grows with each solution of an input that is another, or that is solved otherwise.
+    int solutions() const { return solutions_; }
     /// Why nothing can be written or kept while isSolving(), as a sentence.
     static QString solvingText();
 
@@ -252,6 +254,7 @@ class SceneModel : public QObject {
 
   protected:
     void setContext(const CaseContext& context) { context_ = context; }
+    void countSolution() { ++solutions_; }
     void setStudy(const std::string& study);
     const Variants& variantState() const { return variants_; }
     /// Other variants; while they are the same, the reference stays what it is.
@@ -318,6 +321,7 @@ class SceneModel : public QObject {
     QString notes_;
     Variants variants_;
     std::string study_;
+    int solutions_ = 0;
     int step_ = 0;
     QString lastName_;
     bool moved_ = false;

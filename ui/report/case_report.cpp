@@ -324,7 +324,8 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
                                            : shortened(model.titleShown().simplified());
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
-    std::vector<PageGroup> groups = pageParts(page, patience);
+    std::vector<PageGroup> groups =
+        pageParts(page, patience.of(0.0, model.study().empty() ? 0.9 : 0.7));
     addCase(report, model, document);
     report.items.push_back(Heading{ReportWords::tr("Inputs")});
     for (Table& table : inputTables(model)) {
@@ -334,10 +335,15 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
         report.items.push_back(std::move(*missing));
     }
     addVariants(report, model);
+    if (!model.study().empty()) {
+        patience.tell(ReportWords::tr("Tolerances"), 0.7);
+    }
     addTolerances(report, model, patience);
     addResults(report, std::move(groups));
     addTheory(report, model);
+    patience.tell(ReportWords::tr("Validation of the methods"), 0.9);
     addValidation(report, model.sceneName(), patience);
+    patience.tell(ReportWords::tr("Pages"), 0.95);
     return report;
 }
 

@@ -8,10 +8,15 @@
 #include <QScopeGuard>
 #include <QTabWidget>
 #include <algorithm>
+#include <cmath>
 
+#include "model/background_job.h"
+#include "model/scene_model.h"
 #include "plot/plot_view.h"
 #include "report/patience.h"
 #include "shell/scene_page.h"
+#include "studies/tolerance_bands.h"
+#include "studies/tolerance_switch.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/figure.h"
@@ -29,6 +34,7 @@ constexpr int figureWidth = 660;     ///< pixels, of a plot
 constexpr int narrowWidth = 480;     ///< of one that is high
 constexpr int pictureWidth = 430;    ///< of a picture
 constexpr qint64 patience = 60'000;  // ms
+constexpr double bandsShare = 0.8;   ///< of the time that the parts of the page take
 
 /// A plain text as a fragment of HTML.
 QString fragment(const QString& text) {
@@ -142,20 +148,94 @@ class Collector {
     }
 
     std::vector<PageGroup> collect() {
-        wait();
+        auto* bands = page_.findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
+        if (bands == nullptr || page_.model()->study().empty() ||
+            !ToleranceSwitch::instance().isOn()) {
+            bands = nullptr;
+        }
+        const auto release = qScopeGuard([bands = QPointer(bands)] {
+            if (bands) {
+                bands->setOfAll(false);
+                bands->hold(true);  // what is interrupted begins again
+                bands->hold(false);
+            }
+        });
+        if (bands != nullptr) {
+            findBands(bands);
+        } else {
+            wait();
+        }
+        for (const QTabWidget* tabs : page_.findChildren<QTabWidget*>()) {
+            tabs_ += tabs->count();
+        }
         walk(&page_, 0);
         return std::move(groups_);
     }
 
   private:
-    void wait() const {
+    /// Those of all tabs at once: each sample is solved once rather than for each tab.
+    void findBands(ToleranceBands* bands) {
+        bands->hold(true);
+        wait();
+        fillTabs(&page_);
+        bands->hold(false);
+        bands->setOfAll(true);
+        const QObject told;
+        QObject::connect(bands->job(), &BackgroundJob::progress, &told, [this](double part) {
+            patience_.tell(ReportWords::tr("Samples of the tolerances"), bandsShare * part);
+        });
+        constexpr qint64 forAll = 4;
+        wait(forAll * patience);
+        bands->setOfAll(false);
+        bands->hold(true);
+    }
+
+    /// Each tab is shown once.
+    void fillTabs(QWidget* widget) {
+        if (auto* tabs = qobject_cast<QTabWidget*>(widget)) {
+            eachTab(tabs, [&](int i) { fillTabs(tabs->widget(i)); });
+        } else {
+            eachBelow(widget, [&](QWidget* below) { fillTabs(below); });
+        }
+    }
+
+    /// Brings one tab after the other to the front, and back the one that was there.
+    template <typename Look>
+    void eachTab(QTabWidget* tabs, const Look& look) {
+        const auto bringBack =
+            qScopeGuard([tabs, front = tabs->currentIndex()] { tabs->setCurrentIndex(front); });
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->isTabVisible(i) && tabs->isTabEnabled(i)) {
+                tabs->setCurrentIndex(i);
+                wait();
+                look(i);
+            }
+        }
+    }
+
+    /// What is shown directly in a widget.
+    template <typename Look>
+    static void eachBelow(const QWidget* widget, const Look& look) {
+        // Events that are handled meanwhile may take some away.
+        QList<QPointer<QWidget>> children;
+        for (QObject* child : widget->children()) {
+            children << qobject_cast<QWidget*>(child);
+        }
+        for (const QPointer<QWidget>& below : children) {
+            if (below && !below->isHidden() && !below->isWindow()) {
+                look(below);
+            }
+        }
+    }
+
+    void wait(qint64 longest = patience) const {
         QElapsedTimer waited;
         waited.start();
         // Layout, then what a shown tab computes.
         for (int turn = 0; turn < 3; ++turn) {
             patience_.wait();
         }
-        while (page_.isBusy() && waited.elapsed() < patience) {
+        while (page_.isBusy() && waited.elapsed() < longest) {
             patience_.wait(50);
         }
         patience_.wait();
@@ -169,35 +249,22 @@ class Collector {
         if (take(widget, group)) {
             return;
         }
-        // Events that are handled meanwhile may take some away.
-        QList<QPointer<QWidget>> children;
-        for (QObject* child : widget->children()) {
-            children << qobject_cast<QWidget*>(child);
-        }
-        for (const QPointer<QWidget>& below : children) {
-            if (below && !below->isHidden() && !below->isWindow()) {
-                walk(below, group);
-            }
-        }
+        eachBelow(widget, [&](QWidget* below) { walk(below, group); });
     }
 
     void walkTabs(QTabWidget* tabs, std::size_t group) {
-        const auto bringBack =
-            qScopeGuard([tabs, front = tabs->currentIndex()] { tabs->setCurrentIndex(front); });
-        for (int i = 0; i < tabs->count(); ++i) {
-            if (!tabs->isTabVisible(i) || !tabs->isTabEnabled(i)) {
-                continue;
-            }
-            tabs->setCurrentIndex(i);
-            wait();
+        eachTab(tabs, [&](int i) {
             const std::size_t own = groups_.size();
             QString title = tabs->tabText(i).remove(QLatin1Char('&'));
+            patience_.tell(title, std::lerp(bandsShare, 1.0,
+                                            static_cast<double>(seen_) / std::max(tabs_, seen_)));
+            ++seen_;
             if (group > 0) {
                 title = groups_[group].title + QStringLiteral(": ") + title;
             }
             groups_.push_back({title, {}, {}, {}, {}});
             walk(tabs->widget(i), own);
-        }
+        });
     }
 
     /// @return true where nothing below the widget is looked at
@@ -248,6 +315,8 @@ class Collector {
     ScenePage& page_;
     const Patience& patience_;
     std::vector<PageGroup> groups_;
+    int tabs_ = 0;
+    int seen_ = 0;
 };
 
 }  // namespace

@@ -2,17 +2,38 @@
 
 #include <QCoreApplication>
 #include <QEventLoop>
+#include <QTimer>
+#include <cmath>
 #include <utility>
 
 namespace ravnoves {
 
-Patience::Patience(std::function<bool()> isCancelled) : isCancelled_(std::move(isCancelled)) {}
+Patience::Patience(std::function<bool()> isCancelled,
+                   std::function<void(const QString&, double)> tell)
+    : isCancelled_(std::move(isCancelled)), tell_(std::move(tell)) {}
+
+void Patience::tell(const QString& stage, double part) const {
+    if (tell_) {
+        tell_(stage, part);
+    }
+}
+
+Patience Patience::of(double from, double to) const {
+    return Patience(isCancelled_, [tell = tell_, from, to](const QString& stage, double part) {
+        if (tell) {
+            tell(stage, std::lerp(from, to, part));
+        }
+    });
+}
 
 void Patience::wait(int longest) const {
     const QEventLoop::ProcessEventsFlags flags =
         isCancelled_ ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents;
     if (longest > 0) {
-        QCoreApplication::processEvents(flags | QEventLoop::WaitForMoreEvents, longest);
+        // processEvents() with a time looks for events without a pause instead of waiting.
+        QEventLoop loop;
+        QTimer::singleShot(longest, &loop, [] {});
+        loop.processEvents(flags | QEventLoop::WaitForMoreEvents);
     } else {
         QCoreApplication::processEvents(flags);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <exception>
 #include <functional>
 
@@ -16,7 +17,13 @@ class Patience {
   public:
     /// @param isCancelled  of a dialog that is shown and blocks the rest of the program; without it
     ///                     no input is handled, for it would change what is reported
-    explicit Patience(std::function<bool()> isCancelled = {});
+    /// @param tell         sees what is being made and how much of all is, 0…1
+    explicit Patience(std::function<bool()> isCancelled = {},
+                      std::function<void(const QString& stage, double part)> tell = {});
+
+    void tell(const QString& stage, double part) const;
+    /// For a part of all work: what is told goes from here to there.
+    Patience of(double from, double to) const;
 
     /// Handles what there is to handle; where there is nothing, waits so long for it, ms.
     /// @throws ReportCancelled
@@ -24,6 +31,7 @@ class Patience {
 
   private:
     std::function<bool()> isCancelled_;
+    std::function<void(const QString&, double)> tell_;
 };
 
 }  // namespace ravnoves

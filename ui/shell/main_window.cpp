@@ -513,7 +513,9 @@ void MainWindow::exportReport() {
         return;
     }
     // Tolerances take up to a minute.
-    QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 0, this);
+    QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 100, this);
+    progress.setAutoClose(false);
+    progress.setAutoReset(false);
     progress.setWindowTitle(tr("Report"));
     progress.setWindowModality(Qt::ApplicationModal);
     // The Return that ended the dialog before, or one more, cancels nothing: Space and Escape do.
@@ -523,7 +525,13 @@ void MainWindow::exportReport() {
     // gone through.
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     const QString trouble =
-        writeReport(path, Patience([&progress] { return progress.wasCanceled(); }));
+        writeReport(path, Patience([&progress] { return progress.wasCanceled(); },
+                                   [&progress](const QString& stage, double part) {
+                                       progress.setLabelText(tr("Writing the report…") +
+                                                             QLatin1Char('\n') + stage);
+                                       const int percent = static_cast<int>(100.0 * part);
+                                       progress.setValue(std::max(percent, progress.value()));
+                                   }));
     const bool isCancelled = progress.wasCanceled();
     progress.reset();
     if (isCancelled) {

@@ -43,25 +43,29 @@ QList<Part*> inOrder(const ScenePage& page) {
     return parts;
 }
 
-/// Those of the page that are seen, with their counterparts.
-template <typename Part>
-std::vector<std::pair<QPointer<Part>, QPointer<Part>>> seen(const ScenePage& page,
-                                                            const ScenePage& twin) {
-    const QList<Part*> parts = inOrder<Part>(page);
-    const QList<Part*> others = inOrder<Part>(twin);
-    std::vector<std::pair<QPointer<Part>, QPointer<Part>>> pairs;
-    for (qsizetype i = 0; i < std::min(parts.size(), others.size()); ++i) {
-        if (parts[i]->isVisible()) {
-            pairs.emplace_back(parts[i], others[i]);
-        }
-    }
-    return pairs;
-}
-
 bool isEmpty(const PlotView& plot) {
     const auto& curves = plot.data().curves;
     return std::all_of(curves.begin(), curves.end(),
                        [](const PlotCurve& curve) { return curve.x.empty(); });
+}
+
+bool isEmpty(const ResultTable& table) {
+    return table.rowCount() == 0;
+}
+
+/// Those of the page that are seen, or all of them, with their counterparts.
+template <typename Part>
+std::vector<std::pair<QPointer<Part>, QPointer<Part>>> seen(const ScenePage& page,
+                                                            const ScenePage& twin, bool orNot) {
+    const QList<Part*> parts = inOrder<Part>(page);
+    const QList<Part*> others = inOrder<Part>(twin);
+    std::vector<std::pair<QPointer<Part>, QPointer<Part>>> pairs;
+    for (qsizetype i = 0; i < std::min(parts.size(), others.size()); ++i) {
+        if (parts[i]->isVisible() || (orNot && !isEmpty(*parts[i]))) {
+            pairs.emplace_back(parts[i], others[i]);
+        }
+    }
+    return pairs;
 }
 
 /// Numbers that the worker waits for.
@@ -102,9 +106,14 @@ ToleranceBands::ToleranceBands(ScenePage* page)
     rest_.setInterval(handRestsMs);
     connect(&rest_, &QTimer::timeout, this, &ToleranceBands::beginSamples);
     const SceneModel* model = page->model();
-    for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged}) {
-        connect(model, signal, this, [this] { outdate(true); });
-    }
+    connect(model, &SceneModel::changed, this, [this, model] {
+        // A title, or a variant that is kept, is another case but no other result.
+        const bool isSolved = std::exchange(solutions_, model->solutions()) != model->solutions();
+        if (isAnother() || isSolved || outdated_) {
+            outdate(true);
+        }
+    });
+    connect(model, &SceneModel::viewChanged, this, [this] { outdate(true); });
     for (const auto signal : {&SceneModel::historyChanged, &SceneModel::studyChanged}) {
         connect(model, signal, this, [this] {
             if (isAnother()) {
@@ -138,6 +147,26 @@ void ToleranceBands::stop(const QString& why) {
     }
 }
 
+void ToleranceBands::setOfAll(bool ofAll) {
+    isOfAll_ = ofAll;
+    if (ofAll) {
+        outdate(false);
+    }
+}
+
+void ToleranceBands::hold(bool held) {
+    isHeld_ = held;
+    if (held) {
+        isInterrupted_ = isInterrupted_ || isBusy();
+        later_.stop();
+        rest_.stop();
+        job_->cancel();
+        run_.reset();
+    } else if (std::exchange(isInterrupted_, false)) {
+        outdate(true);
+    }
+}
+
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == page_ && event->type() == QEvent::Show) {
         outdate(false);
@@ -161,6 +190,9 @@ bool ToleranceBands::isAnother() {
 }
 
 void ToleranceBands::outdate(bool isOther) {
+    if (isHeld_) {
+        return;
+    }
     ++number_;
     rest_.stop();
     job_->cancel();
@@ -325,8 +357,8 @@ std::unique_ptr<BandRun> ToleranceBands::begin() {
     } catch (const InputError&) {
         return nullptr;
     }
-    run->plots = seen<PlotView>(*page_, *twin_);
-    run->tables = seen<ResultTable>(*page_, *twin_);
+    run->plots = seen<PlotView>(*page_, *twin_, isOfAll_);
+    run->tables = seen<ResultTable>(*page_, *twin_, isOfAll_);
     for (const auto& [plot, twin] : run->plots) {
         run->shown.append(twin);
     }

@@ -47,6 +47,11 @@ class ToleranceBands : public QObject {
     bool isTooLarge() const;
     /// No more samples, until something changes: what there is stays, and the tables say so.
     void stop(const QString& why);
+    /// Of all that the page has, also of what is not seen, in one run: each sample is solved once.
+    /// What has never been shown is empty. Back to what is seen, the bands that there are stay.
+    void setOfAll(bool ofAll);
+    /// Nothing is begun meanwhile; bands that there are stay, and what was under way begins again.
+    void hold(bool held);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -84,6 +89,10 @@ class ToleranceBands : public QObject {
     bool outdated_ = false;
     bool isOther_ = false;  ///< since the run began
     bool isClear_ = true;
+    bool isHeld_ = false;
+    bool isInterrupted_ = false;  ///< it was busy when it was held
+    bool isOfAll_ = false;
+    int solutions_ = -1;  ///< of the model, at the last look
 };
 
 }  // namespace ravnoves

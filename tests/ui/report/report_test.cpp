@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
@@ -17,6 +18,7 @@
 
 #include "case-file/json.h"
 #include "events.h"
+#include "model/background_job.h"
 #include "model/case_document.h"
 #include "plot/plot_view.h"
 #include "report/case_report.h"
@@ -24,6 +26,7 @@
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
+#include "studies/tolerance_bands.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
@@ -324,6 +327,41 @@ TEST_F(ReportInWindow, CanBeCancelledAndLeavesTheTabsAsTheyWere) {
         EXPECT_EQ(fronts(), before);
         EXPECT_TRUE(window.updatesEnabled());
     }
+}
+
+TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    ScenePage* page = window.currentPage();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    const Json study = {{"vary", {{"/centre_distance_mm", {{"plus_minus", 2}}}}},
+                        {"watch", Json::object()},
+                        {"method", "sobol"},
+                        {"samples", 64}};
+    page->model()->changeStudy(u"tolerances"_s, study.dump());
+    auto* bands = page->findChild<ToleranceBands*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    const QSignalSpy runs(bands->job(), &BackgroundJob::finished);
+    QStringList stages;
+    double last = 0.0;
+    const Patience patience({}, [&](const QString& stage, double part) {
+        stages << stage;
+        EXPECT_GE(part, last) << stage.toStdString();
+        last = part;
+    });
+    ASSERT_EQ(window.writeReport(file(u"a.html"_s), patience), QString());
+    EXPECT_EQ(runs.count(), 1);
+    EXPECT_TRUE(stages.contains(u"Samples of the tolerances"_s));
+    EXPECT_GE(last, 0.9);
+    int spread = 0;
+    for (const PlotView* plot : page->findChildren<PlotView*>()) {
+        spread += !plot->isVisible() && plot->data().curves.size() > 1 &&
+                          plot->data().curve(1).hasSpread()
+                      ? 1
+                      : 0;
+    }
+    EXPECT_GT(spread, 1);  // on other tabs
+    QApplication::processEvents();
+    EXPECT_FALSE(page->isBusy());
 }
 
 TEST_F(ReportInWindow, AZoomedPlotIsSaidToBeASection) {

@@ -126,6 +126,17 @@ TEST_F(Bands, GoWithTheCurveWhileAHandMovesAndFollow) {
     EXPECT_NE(curve(moments, 1).above, before);
 }
 
+TEST_F(Bands, StayWhereTheTextOfTheCaseChanges) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"normal_sd", 2.0}}}});
+    const auto* bands = page->findChild<ToleranceBands*>();
+    page->model()->editText(u"another title"_s, u"notes"_s);
+    EXPECT_FALSE(bands->isBusy());
+    page->model()->keepVariant();
+    EXPECT_FALSE(bands->isBusy());
+    page->model()->setByKey(u"centre_distance_mm"_s, u"130"_s);
+    EXPECT_TRUE(bands->isBusy());
+}
+
 TEST_F(Bands, AreSwitchedOffAndOn) {
     open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
     ToleranceSwitch::instance().setOn(false);
