@@ -92,8 +92,11 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
-    /// Where differences stand: in columns, or below the numbers in one line or in two.
-    enum class Place { Columns, Line, Lines };
+    /// Where differences and ± stand: in columns, or below the numbers in one line, in one for each
+    /// of the two, or in three, which words beside them have too.
+    enum class Place { Columns, Line, Pair, Lines, Words };
+    /// So many parts are in the first line below a number.
+    static int joinedIn(Place place);
 
     QString joined(QChar separator, bool selectionOnly) const;
     bool hasSelection() const;

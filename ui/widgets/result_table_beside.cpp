@@ -32,9 +32,11 @@ int differenceHeight() {
     return QFontMetrics(differenceFont()).height() - 1;
 }
 
-QStringList inOneLine(QStringList parts) {
-    parts.removeAll(QString());
-    return {parts.join(QStringLiteral("  "))};
+/// The first so many parts stand in one line.
+QStringList linesOf(const QStringList& parts, int joined) {
+    QStringList first = parts.mid(0, joined);
+    first.removeAll(QString());
+    return QStringList(first.join(QStringLiteral("  "))) + parts.mid(joined);
 }
 
 QStringList besideOf(const QVariant& difference, const QVariant& spread) {
@@ -91,7 +93,7 @@ class DifferenceDelegate final : public CellDelegate {
     using CellDelegate::CellDelegate;
 
     bool below = false;    ///< differences stand below the numbers
-    bool inLine = false;   ///< both parts in one line
+    int joined = 1;        ///< parts in the first line
     bool isAmber = false;  ///< what is small
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -131,7 +133,7 @@ class DifferenceDelegate final : public CellDelegate {
         painter->setPen(isSelected ? colour : isAmber ? theme.warning() : theme.mutedText());
         line.moveTop(line.top() + ResultTable::plainRowHeight() - 3);
         line.setHeight(differenceHeight());
-        for (const QString& part : inLine ? inOneLine(parts) : parts) {
+        for (const QString& part : linesOf(parts, joined)) {
             painter->drawText(line, side, part);
             line.translate(0, differenceHeight());
         }
@@ -271,16 +273,25 @@ void ResultTable::showDifferences() {
     placeBeside();
 }
 
+int ResultTable::joinedIn(Place place) {
+    constexpr int difference = 2;
+    return place == Place::Line ? difference + 1 : place == Place::Pair ? difference : 1;
+}
+
 int ResultTable::widthOf(int row, int column, Place place) const {
     const QTableWidgetItem* cell = item(row, column);
     if (cell == nullptr) {
         return 0;
     }
-    int width = qCeil(textWidth(font(), cell->text()));
+    int width = 0;
+    const bool wraps = place == Place::Words && column > 0 && besideAt(row, column).isEmpty();
+    for (const QString& part :
+         wraps ? cell->text().split(QLatin1Char(' ')) : QStringList(cell->text())) {
+        width = std::max(width, qCeil(textWidth(font(), part)));
+    }
     if (place != Place::Columns) {
-        const QStringList parts = besideAt(row, column);
         const QFontMetrics small(differenceFont());
-        for (const QString& part : place == Place::Line ? inOneLine(parts) : parts) {
+        for (const QString& part : linesOf(besideAt(row, column), joinedIn(place))) {
             width = std::max(width, small.horizontalAdvance(part));
         }
     }
@@ -290,13 +301,19 @@ int ResultTable::widthOf(int row, int column, Place place) const {
 int ResultTable::roomFor(Place place) const {
     int sum = 0;
     if (place == Place::Columns) {
-        sum = Theme::withText(compared_.isEmpty() ? 0 : 120);
-        int spread = spread_.isEmpty() ? 0 : Theme::withText(40);
-        for (int row = 0; row < rowCount() && !spread_.isEmpty(); ++row) {
-            const QString text = spreadAt(row, spread_.front());
-            spread = std::max(spread, qCeil(textWidth(font(), text)) + padding());
+        const auto add = [&](int least, const auto& textAt) {
+            int width = Theme::withText(least);
+            for (int row = 0; row < rowCount(); ++row) {
+                width = std::max(width, qCeil(textWidth(font(), textAt(row))) + padding());
+            }
+            sum += width;
+        };
+        for (int part = 0; part < 2 && !compared_.isEmpty(); ++part) {
+            add(60, [&](int row) { return differenceAt(row, compared_.front()).value(part); });
         }
-        sum += spread;
+        if (!spread_.isEmpty()) {
+            add(40, [&](int row) { return spreadAt(row, spread_.front()); });
+        }
     }
     for (int column = 0; column < columns_; ++column) {
         int width = column > 0 ? headingWidth(column) : 0;
@@ -331,8 +348,13 @@ void ResultTable::placeBeside() {
         }
         const int room = viewport()->width();
         if (beside.size() > 1 || roomFor(Place::Columns) > room) {
-            leastPlace_ =
-                std::max(leastPlace_, roomFor(Place::Line) <= room ? Place::Line : Place::Lines);
+            const bool hasPairs = !compared_.isEmpty() && !spread_.isEmpty();
+            Place needed = Place::Line;
+            while (needed != Place::Words &&
+                   ((needed == Place::Pair && !hasPairs) || roomFor(needed) > room)) {
+                needed = static_cast<Place>(static_cast<int>(needed) + 1);
+            }
+            leastPlace_ = std::max(leastPlace_, needed);
         }
         place = leastPlace_;
     }
@@ -344,9 +366,9 @@ void ResultTable::placeBeside() {
         QStringList(inColumns && !spread_.isEmpty() ? QStringList{QStringLiteral("±")}
                                                     : QStringList());
     const int wanted = columns_ + static_cast<int>(headings.size());
-    const int lines = (compared_.isEmpty() ? 0 : 2) + (spread_.isEmpty() ? 0 : 1);
-    const int height = plainRowHeight() +
-                       (inColumns ? 0 : (place == Place::Line ? 1 : lines) * differenceHeight());
+    const int parts = (compared_.isEmpty() ? 0 : 2) + (spread_.isEmpty() ? 0 : 1);
+    const int lines = std::max(1, parts - joinedIn(place) + 1);
+    const int height = plainRowHeight() + (inColumns ? 0 : lines * differenceHeight());
     if (columnCount() != wanted || place != place_) {
         fitted_ = false;
         place_ = place;
@@ -354,7 +376,7 @@ void ResultTable::placeBeside() {
     }
     if (auto* delegate = dynamic_cast<DifferenceDelegate*>(itemDelegate())) {
         delegate->below = !inColumns;
-        delegate->inLine = place == Place::Line;
+        delegate->joined = joinedIn(place);
         delegate->isAmber = areSpreadsStopped_;
     }
     if (verticalHeader()->defaultSectionSize() != height) {
