@@ -49,12 +49,27 @@ FieldNames namesOf(const SceneModel& model) {
     return FieldNames({model.describedFields(), model.fields()});
 }
 
-QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
+/// Six, as what was computed or converted needs; more where two numbers would look equal, or one
+/// needs them before its point.
+int digitsOf(double now, double was) {
+    constexpr double mostInSix = 1e6;
+    constexpr int all = 17;
+    const auto shown = [](double value, int digits) {
+        return formNumber(value, QLocale::c(), digits);
+    };
+    int digits = std::max(std::abs(now), std::abs(was)) < mostInSix ? 6 : 10;
+    while (digits < all && shown(now, digits) == shown(was, digits)) {
+        ++digits;
+    }
+    return digits;
+}
+
+QString shownValue(const Json* value, const FieldEntry* entry, double factor, int digits) {
     if (value == nullptr || value->is_null()) {
         return {};
     }
     if (value->is_number()) {
-        return shownFormNumber(factor * value->get<double>(), QLocale(), factor == 1.0 ? 10 : 7);
+        return shownFormNumber(factor * value->get<double>(), QLocale(), digits);
     }
     if (value->is_boolean()) {
         return value->get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")
@@ -72,8 +87,8 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
 }
 
 /// So many decimals that the number shows its value, six at most beyond its first digits.
-int decimalsOf(double value) {
-    const QString text = formNumber(value, QLocale::c());
+int decimalsOf(double value, int digits) {
+    const QString text = formNumber(value, QLocale::c(), digits);
     const qsizetype point = text.indexOf(QLatin1Char('.'));
     return point < 0 || text.contains(QLatin1Char('e')) ? 0
                                                         : static_cast<int>(text.size() - point) - 1;
@@ -86,7 +101,8 @@ QString InputDifference::absolute() const {
         return {};
     }
     const double value = *presentValue - *referenceValue;
-    const int decimals = std::max(decimalsOf(*presentValue), decimalsOf(*referenceValue));
+    const int decimals =
+        std::max(decimalsOf(*presentValue, digits), decimalsOf(*referenceValue, digits));
     const QString shown = signedNumber(value, decimals);
     return value != 0.0 && shown == QLatin1String("0") ? formNumber(value, QLocale(), 3) : shown;
 }
@@ -117,11 +133,16 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
         }
         const FieldEntry* entry = names.described(pointer);
         const ShownUnit unit = entry != nullptr ? shownUnit(entry->field) : ShownUnit{};
+        const int digits = areNumbers           ? digitsOf(unit.factor * now->get<double>(),
+                                                           unit.factor * was->get<double>())
+                           : unit.factor == 1.0 ? 10
+                                                : 7;
         InputDifference difference{.pointer = pointer,
                                    .name = names.name(pointer),
                                    .unit = unit.name,
-                                   .present = shownValue(now, entry, unit.factor),
-                                   .reference = shownValue(was, entry, unit.factor)};
+                                   .present = shownValue(now, entry, unit.factor, digits),
+                                   .reference = shownValue(was, entry, unit.factor, digits),
+                                   .digits = digits};
         const bool isInteger = areNumbers && now->is_number_integer() && was->is_number_integer();
         // Numbers of cylinders are names.
         const bool isName = isInteger && entry != nullptr && entry->kind == FieldKind::list &&

@@ -21,6 +21,7 @@ struct InputDifference {
     // Where both are numbers, in the unit:
     std::optional<double> presentValue = {};
     std::optional<double> referenceValue = {};
+    int digits = 10;       ///< significant ones, with which both are shown
     bool isCount = false;  ///< of what is counted a percentage says nothing
 
     QString absolute() const;  ///< present − reference with its sign; empty where that is nothing

@@ -223,6 +223,14 @@ TEST_F(VariantsTest, InputsThatDifferAreListedByLabel) {
     EXPECT_TRUE(lists[0].present.isEmpty());
     EXPECT_EQ(lists[2].reference, QStringLiteral("x"));
     EXPECT_TRUE(lists[2].absolute().isEmpty());
+    // No more digits than it takes to tell them apart.
+    const auto computed = [&](double square) {
+        const auto all = inputDifferences(model, {{"crank_radius_mm", square}});
+        return QStringList{all.front().present, all.front().reference, all.front().absolute()};
+    };
+    using namespace Qt::StringLiterals;
+    EXPECT_EQ(computed(11.14493322), (QStringList{u"5"_s, u"11.1449"_s, u"−6.1449"_s}));
+    EXPECT_EQ(computed(5.00000012), (QStringList{u"5"_s, u"5.0000001"_s, u"−0.0000001"_s}));
 }
 
 TEST(ResultCells, DifferByTheNumbersThatAreShown) {
