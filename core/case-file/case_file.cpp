@@ -268,6 +268,13 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     if (reader.has("variants")) {
         file.variants = read_variants(reader.list("variants"));
     }
+    file.reference = reader.text("reference", "");
+    if (!file.reference.empty() &&
+        std::none_of(file.variants.begin(), file.variants.end(),
+                     [&](const CaseVariant& variant) { return variant.name == file.reference; })) {
+        throw InputError("/reference", CORE_TEXT("core", "must be the name of a variant"),
+                         show(Json(file.reference)));
+    }
     if (reader.has("study")) {
         file.study = checked_object(reader.raw("study"), "/study");
     }
@@ -292,6 +299,9 @@ Json write_case(const CaseFile& file) {
     document["input"] = file.input;
     for (const CaseVariant& variant : file.variants) {
         document["variants"].push_back({{"name", variant.name}, {"input", variant.input}});
+    }
+    if (!file.reference.empty()) {
+        document["reference"] = file.reference;
     }
     for (const auto& [key, value] :
          {std::pair("study", &file.study), std::pair("kept", &file.kept)}) {

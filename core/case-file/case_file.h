@@ -27,7 +27,8 @@ struct CaseFile {
     Json input;
     std::string notes{};  ///< the user's own words
     std::vector<CaseVariant> variants{};
-    Json study{};  ///< an object that is kept as it is; null where there is none
+    std::string reference{};  ///< name of the variant that results are seen against; empty: none
+    Json study{};             ///< an object that is kept as it is; null where there is none
     /// What the input does not use now, under the keys that it would have there: an object that is
     /// kept as it is; null where there is none.
     Json kept{};

@@ -158,6 +158,9 @@ CaseFile SceneModel::caseFile() const {
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }
+    if (variants_.reference >= 0) {
+        file.reference = variants_.list.at(variants_.reference).name.toStdString();
+    }
     return file;
 }
 

@@ -32,6 +32,9 @@ QString tellBroughtIn(SceneModel* model, const QString& why) {
 Variants variantsOf(const CaseFile& file) {
     Variants variants;
     for (const CaseVariant& variant : file.variants) {
+        if (variant.name == file.reference) {
+            variants.reference = static_cast<int>(variants.list.size());
+        }
         variants.list.push_back({QString::fromStdString(variant.name), variant.input.dump()});
     }
     return variants;
@@ -105,7 +108,7 @@ QString SceneModel::swapVariant(int place) {
     Variant& variant = next.list[place];
     const std::string input = std::exchange(variant.input, inputJson().dump());
     return tellBroughtIn(this,
-                     changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
+                         changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
 }
 
 QString SceneModel::takeVariant(int place) {

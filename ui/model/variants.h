@@ -23,7 +23,7 @@ struct Variants {
     friend bool operator==(const Variants& a, const Variants& b) { return a.list == b.list; }
 };
 
-/// Those of a case, none of them chosen.
+/// Those of a case.
 Variants variantsOf(const CaseFile& file);
 
 /// A, B, …, Z, A2, …: the first name that no variant has.

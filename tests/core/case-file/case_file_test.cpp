@@ -30,6 +30,7 @@ std::string refusal(const Json& document) {
 TEST(CaseFileTest, NotesVariantsStudyAndWhatIsKeptComeBackAsTheyWere) {
     const Json document = envelope(R"({"notes": "two\nlines",
         "variants": [{"name": "A", "input": {"a": 2}}, {"name": "Б", "input": {"wrong": []}}],
+        "reference": "Б",
         "study": {"vary": {"/a": {"plus_minus": 1}}, "samples": 10},
         "kept": {"torque": {"csv": "x.csv"}}})");
     const CaseFile file = read_case(document, {"s"});
@@ -42,6 +43,7 @@ TEST(CaseFileTest, NotesVariantsStudyAndWhatIsKeptComeBackAsTheyWere) {
     const Json written = write_case(file);
     EXPECT_TRUE(nlohmann::json(written) == nlohmann::json(document)) << written.dump(2);
     EXPECT_EQ(read_case(written, {"s"}).variants, file.variants);
+    EXPECT_EQ(read_case(written, {"s"}).reference, "Б");
 }
 
 TEST(CaseFileTest, WhatIsEmptyIsLeftOut) {
@@ -54,6 +56,8 @@ TEST(CaseFileTest, RefusalsNamePlaceRuleAndFinding) {
     EXPECT_EQ(refusal(envelope(R"({"notes": 3})")), "/notes: must be a text, got 3");
     EXPECT_EQ(refusal(envelope(R"({"study": []})")), "/study: must be an object, got []");
     EXPECT_EQ(refusal(envelope(R"({"kept": 1})")), "/kept: must be an object, got 1");
+    EXPECT_EQ(refusal(envelope(R"({"reference": "A"})")),
+              "/reference: must be the name of a variant, got \"A\"");
     EXPECT_EQ(refusal(envelope(R"({"variants": {}})")), "/variants: must be a list, got {}");
     EXPECT_EQ(refusal(envelope(R"({"variants": [7]})")), "/variants/0: must be an object, got 7");
     EXPECT_EQ(refusal(envelope(R"({"variants": [{"input": {}}]})")),

@@ -173,7 +173,7 @@ TEST_F(VariantsTest, GoWithTheCaseThroughItsFile) {
     EXPECT_EQ(other.variants(), model.variants());
     EXPECT_EQ(other.input().square, 9.0);
     EXPECT_EQ(other.variantInput(0).at("crank_radius_mm"), 0.1 + 0.2);
-    EXPECT_EQ(other.reference(), -1);
+    EXPECT_EQ(other.reference(), 0);
     EXPECT_FALSE(document.needsSaving());
     other.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("16"));
     EXPECT_EQ(other.variants(), model.variants());
