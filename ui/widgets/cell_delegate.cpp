@@ -9,6 +9,43 @@
 
 namespace ravnoves {
 
+namespace {
+
+QRect roomFor(const QStyleOptionViewItem& option) {
+    const QStyle& style = option.widget != nullptr ? *option.widget->style() : *qApp->style();
+    const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, option.widget) + 1;
+    return option.rect.adjusted(margin, 0, -margin, 0);
+}
+
+bool goesOnBelow(const QStyleOptionViewItem& option) {
+    return option.rect.height() >= 2 * option.fontMetrics.lineSpacing();
+}
+
+/// What of a text has room in one line: its end is the unit that it has.
+QString shortened(const QStyleOptionViewItem& option, const QString& text, int room) {
+    constexpr qsizetype longestUnit = 10;
+    const qsizetype comma = text.lastIndexOf(QLatin1String(", "));
+    if (comma > 0 && text.size() - comma <= longestUnit) {
+        const QString unit = text.mid(comma);
+        const int left = room - qCeil(textWidth(option.font, unit));
+        if (3 * left > room) {
+            return option.fontMetrics.elidedText(text.left(comma), Qt::ElideRight, left) + unit;
+        }
+    }
+    return option.fontMetrics.elidedText(text, option.textElideMode, room);
+}
+
+}  // namespace
+
+void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const int room = roomFor(*option).width();
+    if (room > 0 && option->textElideMode == Qt::ElideRight && !goesOnBelow(*option) &&
+        textWidth(option->font, option->text) > room) {
+        option->text = shortened(*option, option->text, room);
+    }
+}
+
 void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                          const QModelIndex& index) const {
     constexpr QStyle::State marked =
@@ -21,17 +58,15 @@ void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
         QStyledItemDelegate::paint(painter, option, index);
         return;
     }
-    const QStyle& style = option.widget != nullptr ? *option.widget->style() : *qApp->style();
-    const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, option.widget) + 1;
-    const QRect room = option.rect.adjusted(margin, 0, -margin, 0);
+    const QRect room = roomFor(option);
     QString shown = text;
     double width = textWidth(option.font, text);
-    if (width > room.width() && room.height() >= 2 * option.fontMetrics.lineSpacing()) {
+    if (width > room.width() && goesOnBelow(option)) {
         QStyledItemDelegate::paint(painter, option, index);  // it goes on in a second line
         return;
     }
     if (width > room.width()) {
-        shown = option.fontMetrics.elidedText(text, option.textElideMode, room.width());
+        shown = shortened(option, text, room.width());
         width = textWidth(option.font, shown);
     }
     const QVariant asked = index.data(Qt::TextAlignmentRole);

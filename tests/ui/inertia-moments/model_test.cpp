@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QRegularExpression>
+#include <QSettings>
 #include <QSignalSpy>
 #include <cmath>
 
@@ -11,10 +12,12 @@
 #include "case-file/text_file.h"
 #include "example_check.h"
 #include "inertia-moments/layouts.h"
+#include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/engine_curves.h"
 #include "model/input_differences.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
+#include "text/preferences.h"
 
 namespace ravnoves {
 namespace {
@@ -85,6 +88,19 @@ TEST(InertiaMomentsModel, StartsWithThePapersEngine) {
     EXPECT_TRUE(model.warningText().contains(QStringLiteral("Two-term is not enough: ")));
     EXPECT_TRUE(model.warningText().contains(QStringLiteral(" of order 2 is ")))
         << model.warningText().toStdString();
+}
+
+TEST(InertiaMomentsModel, InchesInTheTableHaveRoomAndAreEditedWhole) {
+    InertiaMomentsModel model;
+    const CylinderTableModel table(&model);
+    Preferences::instance().setUnits(Preferences::Length, Preferences::Units::Imperial);
+    const QModelIndex offset = table.index(1, CylinderTableModel::Offset);
+    const QString shown = offset.data().toString();
+    const QString edited = offset.data(Qt::EditRole).toString();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_EQ(shown, QStringLiteral("-0.4925"));
+    EXPECT_TRUE(edited.startsWith(QStringLiteral("-0.492519"))) << edited.toStdString();
 }
 
 TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {

@@ -12,6 +12,7 @@
 #include "events.h"
 #include "text/number_text.h"
 #include "text/text_width.h"
+#include "widgets/cell_delegate.h"
 
 namespace ravnoves {
 namespace {
@@ -125,6 +126,24 @@ TEST(ColumnsOfResultTable, GrowForWhatDoesNotFitAlone) {
     EXPECT_GT(show(longest), width);
     EXPECT_GE(table.columnWidth(1), qCeil(textWidth(table.font(), longest)));
     EXPECT_EQ(table.item(0, 1)->text(), longest);
+}
+
+TEST(CellsOfATable, KeepTheUnitOfANameThatHasNoRoom) {
+    struct Opened : CellDelegate {
+        using CellDelegate::initStyleOption;
+    };
+    QTableWidget table(1, 1);
+    table.setItem(0, 0, new QTableWidgetItem(u"Counterweight of the front web, g·mm"_s));
+    QStyleOptionViewItem option;
+    option.widget = &table;
+    option.textElideMode = Qt::ElideRight;
+    option.font = table.font();
+    option.fontMetrics = table.fontMetrics();
+    option.rect = {0, 0, 140, ResultTable::plainRowHeight()};
+    Opened().initStyleOption(&option, table.model()->index(0, 0));
+    EXPECT_TRUE(option.text.startsWith(u"Counterw"_s)) << option.text.toStdString();
+    EXPECT_TRUE(option.text.endsWith(u"…, g·mm"_s)) << option.text.toStdString();
+    EXPECT_LE(textWidth(option.font, option.text), option.rect.width());
 }
 
 TEST(ColumnsOfResultTable, FillTheTableWhateverTheNumbers) {

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
@@ -154,6 +155,16 @@ InputError refusal(int row, int column, const QString& text) {
             Number{*number}};
 }
 
+/// A length that was converted has no more decimals than its column has room for: where it is
+/// edited, it has them all.
+QString cellText(const Field& field, double shown) {
+    if (const int more = shownUnit(field.unit).decimals; more > 0) {
+        const double parts = std::pow(10.0, 2 + more);
+        shown = std::round(shown * parts) / parts;
+    }
+    return formNumber(shown, QLocale(), 6);
+}
+
 QString strokeText(double shown) {
     return fixedNumber(shown, 2 + shownUnit(units::mm).decimals, QLocale());
 }
@@ -279,7 +290,7 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
             return !value                            ? QString()
                    : index.column() == TopDeadCentre ? fixedNumber(*value, 3, QLocale())
                    : index.column() == Stroke        ? strokeText(*value)
-                                                     : formNumber(*value, QLocale(), 6);
+                                                     : cellText(fieldOf(index.column()), *value);
         case Qt::EditRole:
             return value && (!usual || index.column() >= TopDeadCentre)
                        ? formNumber(*value, QLocale(), 15)
