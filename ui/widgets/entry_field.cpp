@@ -39,10 +39,21 @@ void EntryField::setModel(SceneModel* model) {
     connect(model, &SceneModel::changed, this, [this] {
         if (isOfModel_ && !editing_) {
             isOfModel_ = false;
+            isStale_ = true;
             sayTrouble(
                 tr("Refused before other values changed; Enter tries it again: %1").arg(trouble_));
         }
     });
+    // Queued: what changes is a step of the history by then, and the focus where it goes.
+    const auto tryLater = [this] {
+        if (isStale_) {
+            QMetaObject::invokeMethod(this, &EntryField::tryStale, Qt::QueuedConnection);
+        }
+    };
+    connect(model, &SceneModel::changed, this, tryLater);
+    connect(model, &SceneModel::historyChanged, this, tryLater);
+    connect(model, &SceneModel::rested, this, tryLater);
+    connect(model, &SceneModel::solvingChanged, this, tryLater);
     connect(model, &SceneModel::typedKept, this, [this] {
         if (editing_ && trouble_.isEmpty()) {
             keepValue();
@@ -97,6 +108,21 @@ void EntryField::tryAgain() {
     readText();
 }
 
+void EntryField::tryStale() {
+    if (!isStale_ || editing_ || model_ == nullptr || model_->isEditing() || model_->isMoved() ||
+        model_->isSolving() || model_->isWaiting()) {
+        return;
+    }
+    tryAgain();
+    if (trouble_.isEmpty()) {
+        showValue();
+        if (hasFocus()) {
+            selectAll();  // as the focus found it
+        }
+    }
+    endEditing();
+}
+
 void EntryField::endEditing() {
     if (std::exchange(editing_, false)) {
         if (model_ != nullptr) {
@@ -107,6 +133,7 @@ void EntryField::endEditing() {
 
 void EntryField::setTrouble(const QString& trouble, bool isOfModel) {
     isOfModel_ = isOfModel;
+    isStale_ = false;
     if (trouble == trouble_) {
         return;
     }

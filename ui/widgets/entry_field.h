@@ -15,7 +15,8 @@ namespace ravnoves {
 /// never becomes another value by itself: it stays, with a red frame and with trouble() in words,
 /// until it is mended, Escape brings the old value back, or another value is set. Escape undoes
 /// the whole editing since it was saved, valid values on the way as well. Other values may mend
-/// what the model refused: once they changed, trouble() says so, and Enter tries the text again.
+/// what the model refused: while they change, trouble() says so, and once they are given the text
+/// is tried again, as a step of its own.
 ///
 /// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {
@@ -87,6 +88,8 @@ class EntryField : public QLineEdit {
     void beginEditing();
     /// Reads the refused text as if it were typed now.
     void tryAgain();
+    /// The same by itself, once other values have changed and nobody is at any of them.
+    void tryStale();
     void sayTrouble(const QString& trouble);
 
     QPointer<SceneModel> model_;
@@ -99,6 +102,7 @@ class EntryField : public QLineEdit {
     bool isDoubtful_ = false;
     bool isOfResult_ = true;
     bool isOfModel_ = false;  ///< the trouble: nothing has changed since
+    bool isStale_ = false;    ///< the trouble: something has
 };
 
 /// An EntryField for values of one type.

@@ -113,8 +113,9 @@ TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
     EXPECT_NEAR(model->shaftAngleDeg(), 240.5, 1e-9);
 }
 
-/// Another field mends what was refused: the words say so, and Enter tries it again as one step.
-TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainByEnter) {
+/// Another field mends what was refused: the words say so, and once that is given the text is tried
+/// again as a step of its own.
+TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainWhenItsCauseIsGone) {
     NumberField* from = field("shaft_angle_from_deg");
     NumberField* to = field("shaft_angle_to_deg");
     type(from, QStringLiteral("200"));
@@ -123,16 +124,36 @@ TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainByEnter) {
     EXPECT_TRUE(why.contains(QStringLiteral("greater than"))) << why.toStdString();
     QTest::keyClick(to, Qt::Key_Return);
     EXPECT_EQ(to->trouble(), why);
-    type(from, QStringLiteral("50"));
+    type(field("centre_distance_mm"), QStringLiteral("101"));  // no cause of it
+    QApplication::processEvents();
+    EXPECT_EQ(to->trouble(), why);
+    from->selectAll();
+    QTest::keyClicks(from, QStringLiteral("50"));
+    QApplication::processEvents();
     EXPECT_TRUE(to->trouble().startsWith(QStringLiteral("Refused before other values changed")));
     const int steps = model->history()->count();
-    QTest::keyClick(to, Qt::Key_Return);
+    QTest::keyClick(from, Qt::Key_Return);
+    QApplication::processEvents();
     EXPECT_TRUE(to->trouble().isEmpty());
     EXPECT_EQ(to->value(), 100.0);
-    EXPECT_EQ(model->history()->count(), steps + 1);
+    EXPECT_EQ(model->history()->count(), steps + 2);
     model->undo();
     EXPECT_NE(to->value(), 100.0);
     EXPECT_EQ(from->value(), 50.0);
+    QApplication::processEvents();
+    EXPECT_NE(to->value(), 100.0);  // undone is given up
+}
+
+TEST_F(BalanceShaftPageTest, WhatEscapeGaveUpIsNotTriedAgain) {
+    NumberField* from = field("shaft_angle_from_deg");
+    NumberField* to = field("shaft_angle_to_deg");
+    type(from, QStringLiteral("200"));
+    type(to, QStringLiteral("100"));
+    QTest::keyClick(to, Qt::Key_Escape);
+    type(from, QStringLiteral("50"));
+    QApplication::processEvents();
+    EXPECT_NE(to->value(), 100.0);
+    EXPECT_TRUE(to->trouble().isEmpty());
 }
 
 TEST_F(BalanceShaftPageTest, TheStatusForgetsARefusalThatEscapeTookBack) {
