@@ -11,6 +11,7 @@
 #include "model/editable_table.h"
 #include "model/scene_model.h"
 #include "shell/scene_page.h"
+#include "studies/tolerance_window.h"
 #include "widgets/entry_field.h"
 #include "widgets/table_editor.h"
 
@@ -64,6 +65,12 @@ QList<EntryField*> entriesOfPage(const QWidget* part) {
 
 namespace {
 
+void addTrouble(const TableEditor& table, QStringList& refused) {
+    if (!table.trouble().isEmpty()) {
+        refused << table.view()->accessibleName() + QStringLiteral(": ") + table.trouble();
+    }
+}
+
 QStringList refusedOf(const QWidget* part, bool ofResultAlone) {
     QStringList refused;
     for (const EntryField* field : entriesOfPage(part)) {
@@ -72,9 +79,7 @@ QStringList refusedOf(const QWidget* part, bool ofResultAlone) {
         }
     }
     for (const TableEditor* table : wholePage(part)->findChildren<TableEditor*>()) {
-        if (!table->trouble().isEmpty()) {
-            refused << table->view()->accessibleName() + QStringLiteral(": ") + table->trouble();
-        }
+        addTrouble(*table, refused);
     }
     return refused;
 }
@@ -82,7 +87,16 @@ QStringList refusedOf(const QWidget* part, bool ofResultAlone) {
 }  // namespace
 
 QStringList refusedEntries(const QWidget* part) {
-    return refusedOf(part, false);
+    QStringList refused = refusedOf(part, false);
+    const QWidget* page = wholePage(part);
+    for (const ToleranceWindow* window : page->window()->findChildren<ToleranceWindow*>()) {
+        if (window->page() == page) {
+            for (const TableEditor* table : {window->inputs(), window->watched()}) {
+                addTrouble(*table, refused);
+            }
+        }
+    }
+    return refused;
 }
 
 QStringList refusedInputs(const QWidget* part) {

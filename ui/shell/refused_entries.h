@@ -15,7 +15,7 @@ class ScenePage;
 /// The entries of the page that a widget is part of, whatever their tab.
 QList<EntryField*> entriesOfPage(const QWidget* part);
 
-/// What is typed and refused in them and in the tables of the page now:
+/// What is typed and refused in them and in the tables of the page and of its tolerances now:
 /// "Crank radius r, mm: The value must be greater than 0 mm."
 QStringList refusedEntries(const QWidget* part);
 /// Those of them that results depend on: not the date of a job.

@@ -24,6 +24,7 @@
 #include "report/study_section.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "studies/field_plot.h"
 #include "studies/model/result_words.h"
@@ -865,6 +866,19 @@ TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
     const ToleranceWindow window(page.get(), nullptr);
     EXPECT_LE(window.minimumSizeHint().width(), 1000);
     EXPECT_LE(window.minimumSizeHint().height(), 640);
+}
+
+TEST_F(Tolerances, WhatIsRefusedIsSaidBeforeTheCaseIsSaved) {
+    EXPECT_TRUE(refusedEntries(window.currentPage()).isEmpty());
+    scatter("/crank_radius_mm", u"abc"_s);
+    watch("/metrics/M_ups/range_Nm");
+    type(tolerances->watched(), 0, WatchTable::Least, u"much"_s);
+    const QStringList refused = refusedEntries(window.currentPage());
+    ASSERT_EQ(refused.size(), 2);
+    EXPECT_TRUE(refused[0].startsWith(u"Inputs and their tolerances: Crank radius"_s))
+        << refused[0].toStdString();
+    EXPECT_TRUE(refused[1].startsWith(u"Results to watch: "_s)) << refused[1].toStdString();
+    EXPECT_TRUE(refusedInputs(window.currentPage()).isEmpty());
 }
 
 TEST_F(Tolerances, StandInTheReport) {
