@@ -16368,6 +16368,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>with others, %</source>
         <translation>вместе с другими, %</translation>
     </message>
+    <message>
+        <source>Dark and in numbers: the share of the variance that an input makes alone (Sobol&apos;s first-order index). Pale beyond it: what it makes only together with others (total index).</source>
+        <translation>Тёмное и числа — доля дисперсии, которую величина даёт сама по себе (индекс Соболя первого порядка). Бледное сверх того — то, что она даёт лишь вместе с другими (полный индекс).</translation>
+    </message>
+    <message>
+        <source>alone</source>
+        <translation>сама по себе</translation>
+    </message>
+    <message>
+        <source>with others</source>
+        <translation>вместе с другими</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueSourceEditor</name>

@@ -91,7 +91,8 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     setWindowTitle(tr("Tolerances"));
     setObjectName(QStringLiteral("tolerances"));
     constexpr QSize roomy(1120, 680);
-    const QSize most = screen()->availableSize() - QSize(40, 60);
+    const QScreen* on = parent != nullptr ? parent->screen() : screen();
+    const QSize most = on->availableSize() - QSize(40, 60);
     resize(QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(most));
     auto* row = new QVBoxLayout(this);
     auto* parts = new QSplitter(this);

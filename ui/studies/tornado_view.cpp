@@ -11,6 +11,10 @@ namespace ravnoves {
 
 TornadoView::TornadoView(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setToolTip(
+        tr("Dark and in numbers: the share of the variance that an input makes alone (Sobol's "
+           "first-order index). Pale beyond it: what it makes only together with others (total "
+           "index)."));
     makeFigure(this, [this](const CsvFormat& format) {
         QString text = format.line({title_, tr("alone, %"), tr("with others, %")});
         for (const Bar& bar : bars_) {
@@ -59,7 +63,24 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(Theme::font());
     const QFontMetricsF metrics(painter.font());
     const double row = metrics.height() + 8.0;
-    const double top = inner.top() + line + Theme::space;
+    QColor pale = theme.accent();
+    pale.setAlphaF(0.3F);
+    double x = inner.left();
+    const auto explain = [&](const QColor& colour, const QString& text) {
+        const double side = metrics.height() - 6.0;
+        const double above = inner.top() + line + Theme::gap;
+        painter.fillRect(QRectF(x, above + 3.0, side, side), colour);
+        x += side + Theme::gap;
+        painter.drawText(QRectF(x, above, inner.right() - x, metrics.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, text);
+        x += metrics.horizontalAdvance(text) + 2 * Theme::space;
+    };
+    painter.setPen(theme.mutedText());
+    if (!bars_.empty()) {
+        explain(theme.accent(), tr("alone"));
+        explain(pale, tr("with others"));
+    }
+    const double top = inner.top() + line + metrics.height() + Theme::gap + Theme::space;
     const double nameWidth = [&] {
         double widest = 0.0;
         for (const Bar& bar : bars_) {
@@ -81,8 +102,6 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(QRectF(inner.left(), y, nameWidth, row), Qt::AlignRight | Qt::AlignVCenter,
                          metrics.elidedText(bar.name, Qt::ElideMiddle, nameWidth));
         const auto length = [&](double share) { return room * std::clamp(share, 0.0, 1.0); };
-        QColor pale = theme.accent();
-        pale.setAlphaF(0.3F);
         painter.fillRect(QRectF(left, y + 4.0, length(bar.whole), row - 8.0), pale);
         painter.fillRect(QRectF(left, y + 4.0, length(bar.alone), row - 8.0), theme.accent());
         painter.drawText(

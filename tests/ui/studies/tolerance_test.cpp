@@ -881,6 +881,16 @@ TEST_F(Tolerances, WhatIsRefusedIsSaidBeforeTheCaseIsSaved) {
     EXPECT_TRUE(refusedInputs(window.currentPage()).isEmpty());
 }
 
+TEST_F(Tolerances, AreShownWithTheirUnits) {
+    const auto* table = tolerances->inputs()->table();
+    scatter("/crank_radius_mm", u"0.02"_s);
+    const QModelIndex at = tolerances->inputs()->view()->currentIndex();
+    EXPECT_EQ(at.data(Qt::DisplayRole).toString(), u"0.02\u00a0mm"_s);
+    EXPECT_EQ(at.data(Qt::EditRole).toString(), u"0.02"_s);
+    scatter("/crank_radius_mm", u"1 %"_s);
+    EXPECT_EQ(table->index(at.row(), ScatterTable::Scatter).data().toString(), u"1 %"_s);
+}
+
 TEST_F(Tolerances, StandInTheReport) {
     Report report;
     addTolerances(report, scene(), Patience());

@@ -93,8 +93,11 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
         case Nominal:
             return StudyModel::nominalText(input);
         default:
-            return StudyModel::scatterText(input);
+            break;
     }
+    QString text = StudyModel::scatterText(input);
+    const bool isShown = role == Qt::DisplayRole && !text.isEmpty() && !text.endsWith(u'%');
+    return isShown ? withUnit(text, input.shown.name) : text;
 }
 
 bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int role) {
