@@ -17123,6 +17123,45 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Variants</source>
         <translation>Варианты</translation>
     </message>
+    <message>
+        <source>Side &amp;by side…</source>
+        <translation>Р&amp;ядом…</translation>
+    </message>
+    <message>
+        <source>The results of the present input and of all variants in one table</source>
+        <translation>Результаты нынешних данных и всех вариантов в одной таблице</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::VariantTable</name>
+    <message>
+        <source>Variants side by side</source>
+        <translation>Варианты рядом</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;text</source>
+        <translation>Копировать как &amp;текст</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;CSV</source>
+        <translation>Копировать как &amp;CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Save as CSV…</source>
+        <translation>&amp;Сохранить как CSV…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>Present</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>No variant is kept yet: Ctrl+K keeps the present input as one.</source>
+        <translation>Ни одного варианта ещё нет: Ctrl+K сохраняет нынешние данные как вариант.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WatchTable</name>

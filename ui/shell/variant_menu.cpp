@@ -6,6 +6,7 @@
 
 #include "shell/input_comparison.h"
 #include "shell/scene_page.h"
+#include "shell/variant_table.h"
 #include "theme/icons.h"
 
 namespace ravnoves {
@@ -24,6 +25,9 @@ VariantMenu::VariantMenu(QWidget* parent)
     none_->setCheckable(true);
     QAction* const end = addSeparator();
     end->setObjectName(QStringLiteral("end-of-list"));
+    table_ = add("table", tr("Side &by side…"), {},
+                 tr("The results of the present input and of all variants in one table"),
+                 &VariantMenu::showTable);
     onReference_ = {
         add("compare", tr("&Compare inputs…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
             tr("Which inputs differ from those of the reference, and by how much"),
@@ -86,6 +90,7 @@ void VariantMenu::showState() {
     keep_->setEnabled(usable);
     none_->setChecked(reference < 0);
     none_->setEnabled(usable && !model_->variants().isEmpty());
+    table_->setEnabled(none_->isEnabled());
     for (QAction* action : onReference_) {
         action->setEnabled(reference >= 0);
     }
@@ -166,6 +171,12 @@ void VariantMenu::remove() {
 
 void VariantMenu::compare() {
     auto* dialog = new InputComparison(page_, parentWidget());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void VariantMenu::showTable() {
+    auto* dialog = new VariantTable(page_, parentWidget());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
 }

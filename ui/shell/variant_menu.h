@@ -35,6 +35,7 @@ class VariantMenu : public QMenu {
     void rename();
     void remove();
     void compare();
+    void showTable();
     void say(const QString& trouble);
 
     QPointer<ScenePage> page_;
@@ -44,6 +45,7 @@ class VariantMenu : public QMenu {
     QList<QAction*> onReference_;  ///< need a reference
     QAction* keep_;
     QAction* none_;
+    QAction* table_;
     QString kept_;  ///< that the status line speaks of
 };
 

@@ -12,6 +12,7 @@
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "events.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "inertia-moments/model/inertia_moments_model.h"
@@ -24,7 +25,9 @@
 #include "shell/input_comparison.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "shell/variant_table.h"
 #include "shown_number.h"
+#include "text/file_path.h"
 #include "widgets/compared_figure.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/number_field.h"
@@ -270,6 +273,24 @@ TEST_P(EveryPagesVariants, TheInputsThatDifferAreNamedAsInTheForm) {
     EXPECT_TRUE(dialog.table()->asText().contains(dialog.table()->item(0, 0)->text()));
     model().takeVariant(0);
     EXPECT_EQ(dialog.table()->rowCount(), 0);
+}
+
+TEST_P(EveryPagesVariants, StandSideBySideWithThePresent) {
+    model().keepVariant(u"first"_s);
+    changeByKeys();
+    model().keepVariant(u"second"_s);
+    const VariantTable dialog(page.get(), nullptr);
+    const ResultTable& table = *dialog.table();
+    ASSERT_EQ(table.columnCount(), 4);
+    EXPECT_EQ(table.horizontalHeaderItem(2)->text(), u"first"_s);
+    ASSERT_GT(table.rowCount(), 0);
+    for (int row = 0; row < table.rowCount(); ++row) {
+        EXPECT_EQ(table.item(row, 1)->text(), table.item(row, 3)->text());
+    }
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"variants.csv"_s);
+    EXPECT_EQ(dialog.exportTo(path), QString());
+    EXPECT_EQ(read_text_file(fsPath(path)), table.asCsv().toStdString());
 }
 
 TEST(InputsAgainstTheReference, ScrollWhereTheyAreMany) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <memory>
+
+class QLabel;
+
+namespace ravnoves {
+
+class ResultTable;
+class ScenePage;
+
+/// The results of the present input and of all its variants, side by side, in a window of its own
+/// that follows them.
+class VariantTable : public QDialog {
+    Q_OBJECT
+
+  public:
+    VariantTable(ScenePage* page, QWidget* parent);
+    ~VariantTable() override;
+
+    const ResultTable* table() const { return table_; }
+    /// @return why it cannot be written; else empty
+    QString exportTo(const QString& path) const;
+
+  private:
+    void showVariants();
+    void saveWithDialog();
+
+    ScenePage* page_;
+    std::unique_ptr<ScenePage> twin_;  ///< nobody sees it: it holds one variant after the other
+    QTimer rest_;
+    QLabel* words_;
+    ResultTable* table_;
+};
+
+}  // namespace ravnoves
