@@ -12353,10 +12353,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Разделы, недавние файлы, примеры</translation>
     </message>
     <message>
-        <source>New case &amp;from…</source>
-        <translation>Новая задача &amp;из…</translation>
-    </message>
-    <message>
         <source>E&amp;xamples</source>
         <translation>При&amp;меры</translation>
     </message>
@@ -12443,6 +12439,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Cancelled: the report was not written.</source>
         <translation>Отменено: отчёт не записан.</translation>
+    </message>
+    <message>
+        <source>New case with the engine that the page begins with (%1)</source>
+        <translation>Новая задача с двигателем, с которого начинает страница (%1)</translation>
+    </message>
+    <message>
+        <source>New case, empty or &amp;from…</source>
+        <translation>Новая задача, пустая или &amp;из…</translation>
     </message>
 </context>
 <context>

@@ -183,8 +183,11 @@ void MainWindow::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
                          [this] { newCase(currentScene()); });
-    newFrom_ = add(file, {}, tr("New case &from…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                   [this] { beginWithDialog(); });
+    fresh->setToolTip(tr("New case with the engine that the page begins with (%1)")
+                          .arg(fresh->shortcut().toString(QKeySequence::NativeText)));
+    fresh->setStatusTip(fresh->toolTip());
+    newFrom_ = add(file, {}, tr("New case, empty or &from…"),
+                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), [this] { beginWithDialog(); });
     QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
