@@ -13,9 +13,14 @@ SliderCrank<double> slider_crank(const Input& input) {
 std::optional<CylinderGas> cylinder_gas(const Input& input) {
     const TorqueSource& source = input.torque;
     switch (source.kind) {
-        case TorqueSource::Kind::pressure:
-            return CylinderGas(slider_crank(input), source.cylinder, source.trace,
+        case TorqueSource::Kind::pressure: {
+            PressureTrace trace = source.trace;
+            for (double& angle : trace.crank_angle_deg) {
+                angle += source.trace_shift / degree;
+            }
+            return CylinderGas(slider_crank(input), source.cylinder, trace,
                                input.interpolation == Interpolation::periodic_cubic);
+        }
         case TorqueSource::Kind::cycle:
             return CylinderGas(slider_crank(input), source.cylinder, source.cycle, input.strokes);
         default:

@@ -126,6 +126,7 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
             visitor.object_of(field::pressure, true, true, [&] {
                 visitor.text(field::csv, source.trace_csv);
                 visitor.optional_text(field::csv_sum, source.trace_sum.then);
+                visitor.number(field::trace_shift, source.trace_shift, 0.0);
                 visit_cylinder(visitor, input);
             });
         }

@@ -391,6 +391,14 @@ inline constexpr Field csv_sum{
 inline constexpr Field pressure{
     .key = "pressure",
     .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};
+inline constexpr Field trace_shift{
+    .key = "crank_angle_shift_deg",
+    .unit = units::degree,
+    .range = Range::between(-720, 720),
+    .label = CORE_TEXT("balance-shaft", "&Shift of the angles"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Added to the crank angles of the pressure trace; 360° of one that counts "
+                      "from the firing top dead centre.")};
 inline constexpr Field cycle{.key = "cycle",
                              .hint = CORE_TEXT("balance-shaft", "Gas torque of a computed cycle.")};
 inline constexpr Field bore{

@@ -73,8 +73,9 @@ struct TorqueSource {
     PressureTrace trace;    ///< for pressure
     std::string trace_csv;  ///< path of the file that holds it
     FileSum trace_sum;
-    GasCycle cycle;          ///< for cycle
-    CylinderSizes cylinder;  ///< for pressure and cycle
+    double trace_shift = 0.0;  ///< added to its crank angles, rad
+    GasCycle cycle;            ///< for cycle
+    CylinderSizes cylinder;    ///< for pressure and cycle
 
     /// The torque follows the speed and the masses entered.
     bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }

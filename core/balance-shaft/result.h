@@ -98,7 +98,9 @@ struct Result {
     /// Both counterweights lag by this behind the direction opposite the crankpin, rad.
     double counterweight_lag = 0.0;
     AngleSweep sweep;
-    std::vector<Message> notes;  ///< what the user should know beyond the numbers
+    std::vector<Message> doubts;       ///< of the input: it looks like a slip
+    bool trace_is_a_turn_off = false;  ///< one of them; TorqueSource::trace_shift mends it
+    std::vector<Message> notes;        ///< what the user should know beyond the numbers
     Message assumed_sizes;  ///< what is_buildable rests on and the case does not give, or empty
 
     // What follows the shaft's angle: updated by Solver::move_shaft().

@@ -390,6 +390,7 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
             } else if (other.kind == Kind::pressure) {
                 source.trace_csv = other.trace_csv;
                 source.trace_sum = other.trace_sum;
+                source.trace_shift = other.trace_shift;
                 source.trace = read_beside(
                     other.trace_csv, "/kept/torque/pressure/csv", context, source.trace_sum,
                     [](const std::string& text) { return parse_pressure_trace(text).trace; });
@@ -531,7 +532,10 @@ Json write_wanted(const Result& result, const Wanted& wanted) {
                     {"height_mm", result.envelope.height() / units::mm}};
     });
     object.put("notes", [&] {
-        std::vector<std::string> notes = english(result.notes);
+        std::vector<std::string> notes = english(result.doubts);
+        for (const Message& note : result.notes) {
+            notes.push_back(note.english());
+        }
         if (!result.assumed_sizes.empty()) {
             notes.push_back(result.assumed_sizes.english());
         }

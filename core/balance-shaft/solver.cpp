@@ -239,9 +239,18 @@ void Solver::Prepared::prepare_sweep() {
 
 void Solver::Prepared::prepare_notes() {
     const auto moment = [](double value) { return Number{value, units::N_m, 4}; };
-    for (Message& note : unusual_engine_notes(input.angular_speed, input.crank_radius,
-                                              input.rod_length.value_or(0.0))) {
-        base.notes.push_back(std::move(note));
+    EngineSizes sizes{input.angular_speed, input.crank_radius, input.rod_length.value_or(0.0), {}};
+    for (const NamedMass& part : input.reciprocating_masses) {
+        sizes.masses.push_back(part.mass);
+    }
+    sizes.masses.push_back(input.rod_mass.value_or(0.0));
+    base.doubts = unusual_engine_notes(sizes);
+    if (input.torque.kind == TorqueSource::Kind::pressure) {
+        Message doubt = check_trace(input, *gas);
+        if (!doubt.empty()) {
+            base.doubts.push_back(std::move(doubt));
+            base.trace_is_a_turn_off = peaks_a_turn_off(input, *gas);
+        }
     }
     if (input.torque.has_changed()) {
         const TorqueSource& source = input.torque;
@@ -270,12 +279,6 @@ void Solver::Prepared::prepare_notes() {
                           "No angle of the shaft makes the RMS smaller than without a shaft: at "
                           "best %1 against %2."),
                 moment(base.best_rms.value), moment(base.M_up.rms));
-        }
-    }
-    if (input.torque.kind == TorqueSource::Kind::pressure) {
-        Message note = check_trace(input, *gas);
-        if (!note.empty()) {
-            base.notes.push_back(std::move(note));
         }
     }
     prepare_notes_on_building();

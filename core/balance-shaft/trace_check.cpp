@@ -92,6 +92,27 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     return fit;
 }
 
+namespace {
+
+/// Place of the peak from the firing top dead centre, −cycle/2 … cycle/2, °.
+double lateness(const Input& input, const CylinderGas& gas) {
+    return std::remainder(gas.indicated().peak_pressure_angle / degree - 360.0, input.cycle_deg());
+}
+
+bool is_usual_lateness(double angle) {
+    constexpr double earliest = -6.0;
+    constexpr double latest = 45.0;
+    return angle > earliest && angle < latest;
+}
+
+}  // namespace
+
+bool peaks_a_turn_off(const Input& input, const CylinderGas& gas) {
+    const double late = lateness(input, gas);
+    return input.strokes == 4 && !is_usual_lateness(late) &&
+           is_usual_lateness(std::remainder(late - 360.0, input.cycle_deg()));
+}
+
 Message check_trace(const Input& input, const CylinderGas& gas) {
     const PressureTrace& trace = input.torque.trace;
     constexpr double atmosphere = 1.0 * units::bar;
@@ -105,15 +126,10 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
         return Number{rounded_to_digits(value, digits)};
     };
 
-    // Place of the peak, from the firing top dead centre, −cycle/2 … cycle/2.
-    const double cycle_deg = input.cycle_deg();
     const double peak_deg = gas.indicated().peak_pressure_angle / degree;
-    const double late = std::remainder(peak_deg - 360.0, cycle_deg);
-    constexpr double earliest = -6.0;
-    constexpr double latest = 45.0;
-    const auto is_usual = [](double angle) { return angle > earliest && angle < latest; };
-    if (!is_usual(late)) {
-        if (input.strokes == 4 && is_usual(std::remainder(late - 360.0, cycle_deg))) {
+    const double late = lateness(input, gas);
+    if (!is_usual_lateness(late)) {
+        if (peaks_a_turn_off(input, gas)) {
             return {CORE_TEXT("balance-shaft",
                               "The peak of the pressure trace lies at %1, beside the top dead "
                               "centre of the gas exchange. The firing one is at 360°: move the "

@@ -30,5 +30,7 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas);
 ///
 /// A trace out of phase by 5° changes the exponent by about 0.15, gauge pressure makes it 1.7 to 3.
 Message check_trace(const Input& input, const CylinderGas& gas);
+/// Whether its peak lies beside the top dead centre of the gas exchange.
+bool peaks_a_turn_off(const Input& input, const CylinderGas& gas);
 
 }  // namespace ravnoves::balance_shaft

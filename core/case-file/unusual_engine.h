@@ -6,28 +6,20 @@
 
 namespace ravnoves {
 
-/// What no engine has, though the mechanics takes it: a slip of the keys rather than a design.
-/// @param angular_speed  of the crank, rad/s
-/// @param crank_radius, rod_length  m
-inline std::vector<Message> unusual_engine_notes(double angular_speed, double crank_radius,
-                                                 double rod_length) {
-    constexpr double fastest = 60000 * units::rpm;  // model engines come near it
-    constexpr double largest = 10 * units::metre;   // three times those of the largest ships
-    constexpr int digits = 4;
-    std::vector<Message> notes;
-    if (angular_speed > fastest) {
-        notes.emplace_back(CORE_TEXT("core", "No engine turns at %1: is the speed right?"),
-                           Number{angular_speed / units::rpm, units::rpm, digits});
-    }
-    if (crank_radius > largest) {
-        notes.emplace_back(CORE_TEXT("core", "No engine has a crank radius of %1: is it right?"),
-                           Number{crank_radius / units::mm, units::mm, digits});
-    }
-    if (rod_length > largest) {
-        notes.emplace_back(CORE_TEXT("core", "No engine has a rod of %1: is its length right?"),
-                           Number{rod_length / units::mm, units::mm, digits});
-    }
-    return notes;
-}
+/// What notes about an engine ask of it; SI units.
+struct EngineSizes {
+    double angular_speed = 0.0;  ///< of the crank
+    double crank_radius = 0.0;
+    double rod_length = 0.0;     ///< 0: not known
+    std::vector<double> masses;  ///< of pistons, rods and weights, each by itself
+};
+
+/// What no engine has, though the mechanics takes it: a slip of the keys or of the unit rather than
+/// a design. The rules leave every engine from a model to a ship its room:
+/// - Masses grow with the cube of the crank radius: m / r³ is 1 000 to 60 000 kg/m³ of motors (the
+///   most oversquare racing ones), and 400 000 of the pistons of large low-pressure compressors.
+///   Grams typed for kilograms make it 1 000 times that, so above 10⁶ it is doubted.
+/// - r / L is 0.08 (locomotives) to 0.5 (ships). Below 0.06 centimetres may stand for millimetres.
+std::vector<Message> unusual_engine_notes(const EngineSizes& engine);
 
 }  // namespace ravnoves

@@ -62,6 +62,7 @@ struct Result {
     Guide rod_guide;                        ///< for M₁₂'s potential part, over θ
     std::optional<GuideProposal> proposal;  ///< for the crank's guide, where the input asks
 
+    std::vector<Message> doubts;       ///< of the input: it looks like a slip
     std::vector<Message> notes;        ///< sentences the user should read
     std::vector<Message> guide_notes;  ///< of the crank's guide
 

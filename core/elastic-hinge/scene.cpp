@@ -206,7 +206,8 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (input.motion && wanted.wants("/motion")) {
         json["motion"] = write_motions(input, result);
     }
-    std::vector<Message> notes = result.notes;
+    std::vector<Message> notes = result.doubts;
+    notes.insert(notes.end(), result.notes.begin(), result.notes.end());
     notes.insert(notes.end(), result.guide_notes.begin(), result.guide_notes.end());
     json["notes"] = english(notes);
     if (!wanted.wants("/curves")) {

@@ -7,6 +7,7 @@
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/unusual_engine.h"
 #include "numerics/greatest_near.h"
 
 namespace ravnoves::elastic_hinge {
@@ -233,6 +234,10 @@ void find_largest_side_forces(const Input& input, const Design& design, const An
 
 void add_notes(const Input& input, Result& result) {
     const auto& guide = result.crank_guide;
+    result.doubts = unusual_engine_notes({input.angular_speed,
+                                          input.crank_radius,
+                                          0.0,  // the ratio is typed itself
+                                          {input.crank_mass, input.rod_mass, input.slider_mass}});
     if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
         result.notes.emplace_back(
             CORE_TEXT("elastic-hinge",

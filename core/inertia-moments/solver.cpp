@@ -127,8 +127,11 @@ Result solve(const Input& input) {
     for (Message& note : unusual_rod_notes(engine.knuckles, input.rod_length())) {
         result.notes.push_back(std::move(note));
     }
-    for (Message& note :
-         unusual_engine_notes(input.angular_speed, input.crank_radius, input.rod_length())) {
+    for (Message& note : unusual_engine_notes({input.angular_speed,
+                                               input.crank_radius,
+                                               input.rod_length(),
+                                               {input.reciprocating_mass, input.rotating_mass,
+                                                input.rod ? input.rod->mass : 0.0}})) {
         result.notes.push_back(std::move(note));
     }
     const double step = input.step.value_or(usual_step);

@@ -3608,6 +3608,14 @@
         <source>Over the speed band the gas torque stays that of the one pressure trace, cycle or torque given: how it changes with the speed is not known.</source>
         <translation>В диапазоне частот момент газов остаётся тем же: от одной заданной записи давления, цикла или кривой момента. Как он меняется с частотой, неизвестно.</translation>
     </message>
+    <message>
+        <source>&amp;Shift of the angles</source>
+        <translation>С&amp;двиг углов</translation>
+    </message>
+    <message>
+        <source>Added to the crank angles of the pressure trace; 360° of one that counts from the firing top dead centre.</source>
+        <translation>Прибавляется к углам поворота кривошипа в диаграмме давления; 360° — если она отсчитана от ВМТ вспышки.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -4937,6 +4945,14 @@
     <message>
         <source>must be the name of a variant</source>
         <translation>должно быть именем варианта</translation>
+    </message>
+    <message>
+        <source>No engine has a crank radius of %1 beside a rod of %2: was one of them typed in another unit, as centimetres for millimetres?</source>
+        <translation>Не бывает двигателя с радиусом кривошипа %1 при шатуне %2: не введено ли одно из них в другой единице, например в сантиметрах вместо миллиметров?</translation>
+    </message>
+    <message>
+        <source>No engine has a mass of %1 at a crank radius of %2: was one of them typed in another unit, as grams for kilograms?</source>
+        <translation>Не бывает двигателя с массой %1 при радиусе кривошипа %2: не введено ли одно из них в другой единице, например в граммах вместо килограммов?</translation>
     </message>
 </context>
 <context>
@@ -8881,6 +8897,14 @@ but nothing can be built</source>
     <message>
         <source>%1 of it are not listed above.</source>
         <translation>Из них %1 выше не перечислены.</translation>
+    </message>
+    <message>
+        <source>Move the trace by &amp;360°</source>
+        <translation>Сдвинуть диаграмму на &amp;360°</translation>
+    </message>
+    <message>
+        <source>Sets the shift of its angles on the Torque tab</source>
+        <translation>Задаёт сдвиг её углов на вкладке «Момент»</translation>
     </message>
 </context>
 <context>
@@ -16486,6 +16510,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The torque is still that of the table: no pressure is read yet.</source>
         <translation>Момент пока из таблицы: давление ещё не прочитано.</translation>
+    </message>
+    <message>
+        <source>Move the trace by &amp;360°</source>
+        <translation>Сдвинуть диаграмму на &amp;360°</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,15 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
+    doubts_ = changingCaption(answer);
+    doubts_->setObjectName(QStringLiteral("doubts"));
+    colourText(doubts_, &Theme::warning);
+    answerColumn->addWidget(new Apart(doubts_, answer));
+    moveTrace_ = new QPushButton(tr("Move the trace by &360°"), answer);
+    moveTrace_->setObjectName(QStringLiteral("move_trace"));
+    moveTrace_->setToolTip(tr("Sets the shift of its angles on the Torque tab"));
+    connect(moveTrace_, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
+    answerColumn->addWidget(moveTrace_);
     criteria_ = new ResultTable(tr("Criteria of the three moments"), answer);
     answerColumn->addWidget(criteria_);
 

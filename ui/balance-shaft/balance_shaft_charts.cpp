@@ -196,6 +196,9 @@ void BalanceShaftPage::showSweep() {
     goRms_->setEnabled(model_->bestRms().shaft_angle.has_value());
     bestRangeAction_->setEnabled(goRange_->isEnabled());
     bestRmsAction_->setEnabled(goRms_->isEnabled());
+    doubts_->setText(model_->doubtsText());
+    doubts_->parentWidget()->setVisible(!doubts_->text().isEmpty());
+    moveTrace_->setVisible(result.trace_is_a_turn_off);
     notes_->setText(model_->notesText());
     notesArea_->setVisible(!notes_->text().isEmpty());
 }

@@ -70,6 +70,8 @@ class BalanceShaftPage : public ScenePage {
     ChangingLabel* bestRms_ = nullptr;
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
+    ChangingLabel* doubts_ = nullptr;
+    QPushButton* moveTrace_ = nullptr;
     ChangingLabel* notes_ = nullptr;
     QScrollArea* notesArea_ = nullptr;
     QAction* playAction_ = nullptr;

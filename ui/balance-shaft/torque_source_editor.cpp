@@ -194,6 +194,20 @@ QWidget* TorqueSourceEditor::buildPressure() {
     file->addWide(import);
     trace_ = captionLabel({}, form);
     file->addWide(trace_);
+    addNumbers(form, "/torque/pressure", {field::trace_shift});
+    QLabel* doubts = captionLabel({}, form);  // the results are on another tab of a small page
+    doubts->setObjectName(QStringLiteral("trace_doubts"));
+    colourText(doubts, &Theme::warning);
+    file->addWide(doubts);
+    auto* move = new QPushButton(tr("Move the trace by &360°"), form);
+    move->setObjectName(QStringLiteral("move_trace_here"));
+    connect(move, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
+    file->addWide(move);
+    form->follow([this, doubts, move] {
+        const bool isOfTrace = model_->input().torque.kind == TorqueSource::Kind::pressure;
+        sayOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
+        move->setVisible(model_->result().trace_is_a_turn_off);
+    });
     FormSection* cylinder = form->section(tr("Cylinder"));
     addNumbers(form, "/torque/pressure", {field::bore, field::offset, field::crankcase_pressure});
     addBores(model_, form, cylinder);

@@ -175,6 +175,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     mend->addWidget(takePreload_);
     mend->addWidget(takeStiffness_);
     answerColumn->addLayout(mend);
+    doubts_ = changingCaption(answer);
+    colourText(doubts_, &Theme::warning);
+    answerColumn->addWidget(new Apart(doubts_, answer));
     quantities_ = new ResultTable(tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
@@ -197,6 +200,8 @@ void ElasticHingePage::showAnswer() {
     takeStiffness_->setVisible(mendable && guide.minimum_stiffness &&
                                field::stiffness.range.contains(*guide.minimum_stiffness));
     quantities_->setResults(model_->quantities());
+    doubts_->setText(model_->doubtsText());
+    doubts_->parentWidget()->setVisible(!doubts_->text().isEmpty());
     notes_->setText(model_->notesText());
     notes_->parentWidget()->setVisible(!notes_->text().isEmpty());
 }

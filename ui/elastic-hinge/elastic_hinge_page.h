@@ -51,6 +51,7 @@ class ElasticHingePage : public ScenePage {
     QPushButton* takePreload_ = nullptr;
     QPushButton* takeStiffness_ = nullptr;
     ResultTable* quantities_ = nullptr;
+    ChangingLabel* doubts_ = nullptr;
     ChangingLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
 };

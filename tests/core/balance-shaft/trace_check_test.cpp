@@ -121,9 +121,9 @@ TEST(TraceCheck, GaugePressureIsNoticed) {
             << note_of(gauge);
         // It stands in the result.
         const Result result = solve(gauge);
-        EXPECT_NE(std::find(result.notes.begin(), result.notes.end(),
+        EXPECT_NE(std::find(result.doubts.begin(), result.doubts.end(),
                             check_trace(gauge, *cylinder_gas(gauge))),
-                  result.notes.end());
+                  result.doubts.end());
         // With the crankcase in gauge pressure, too, the torque is right.
         Input both = gauge;
         both.torque.cylinder.crankcase_pressure = 0.0;
@@ -168,6 +168,19 @@ TEST(TraceCheck, AWrongPhaseIsNoticed) {
     }
     const std::string turn = note_of(traced(diesel(), {.late_deg = 360.0}));
     EXPECT_NE(turn.find("move the trace by a turn"), std::string::npos) << turn;
+}
+
+TEST(TraceCheck, ATurnOffIsMendedByTheShift) {
+    Input input = traced(diesel(), {.late_deg = 360.0});
+    EXPECT_TRUE(peaks_a_turn_off(input, *cylinder_gas(input)));
+    input.torque.trace_shift = two_pi;
+    EXPECT_EQ(note_of(input), "");
+    EXPECT_FALSE(peaks_a_turn_off(input, *cylinder_gas(input)));
+    const CylinderGas there = *cylinder_gas(input);
+    const CylinderGas right = *cylinder_gas(traced(diesel(), {}));
+    for (const double angle : {-100.0, 3.0, 350.5, 372.0, 719.0}) {
+        EXPECT_NEAR(there.pressure(angle * degree), right.pressure(angle * degree), 1.0) << angle;
+    }
 }
 
 }  // namespace

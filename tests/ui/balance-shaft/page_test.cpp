@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QFile>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,6 +14,7 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <cmath>
 
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -21,6 +23,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
@@ -154,6 +157,43 @@ TEST_F(BalanceShaftPageTest, WhatEscapeGaveUpIsNotTriedAgain) {
     QApplication::processEvents();
     EXPECT_NE(to->value(), 100.0);
     EXPECT_TRUE(to->trouble().isEmpty());
+}
+
+TEST_F(BalanceShaftPageTest, WhatLooksLikeASlipStandsInAmberAboveTheResults) {
+    const auto* doubts = test::named<QLabel>(page, "doubts");
+    EXPECT_TRUE(doubts->text().isEmpty());
+    model->setByKey(QStringLiteral("reciprocating_masses_kg/piston"), QStringLiteral("500"));
+    EXPECT_TRUE(doubts->text().contains(QStringLiteral("a mass of 500")))
+        << doubts->text().toStdString();
+    EXPECT_EQ(doubts->palette().color(QPalette::WindowText), Theme::instance().warning());
+    model->undo();
+    EXPECT_TRUE(doubts->text().isEmpty());
+}
+
+TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("trace.csv")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    for (int angle = 0; angle <= 720; ++angle) {
+        const double from = (std::remainder(angle - 5.0, 720.0)) / 30.0;
+        file.write(QByteArray::number(angle) + ';' +
+                   QByteArray::number(1.0 + 60.0 * std::exp(-from * from)) + '\n');
+    }
+    file.close();
+    auto* move = test::named<QPushButton>(page, "move_trace");
+    EXPECT_TRUE(move->isHidden());
+    QString described;
+    ASSERT_EQ(model->importPressureTrace(file.fileName(), described), QString());
+    EXPECT_TRUE(test::named<QLabel>(page, "doubts")->text().contains(QStringLiteral("by a turn")));
+    EXPECT_FALSE(move->isHidden());
+    EXPECT_FALSE(test::named<QPushButton>(page, "move_trace_here")->isHidden());
+    EXPECT_FALSE(test::named<QLabel>(page, "trace_doubts")->text().isEmpty());
+    move->click();
+    EXPECT_TRUE(move->isHidden());
+    EXPECT_NEAR(model->result().indicated->peak_pressure_angle / degree, 365.0, 0.5);
+    EXPECT_EQ(field("crank_angle_shift_deg")->value(), 360.0);
+    model->undo();
+    EXPECT_FALSE(move->isHidden());
 }
 
 TEST_F(BalanceShaftPageTest, TheStatusForgetsARefusalThatEscapeTookBack) {

@@ -118,7 +118,7 @@ TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
     EXPECT_EQ(import(100.0), QString());
     EXPECT_EQ(model->input().strokes, 2);
     EXPECT_EQ(model->result().curves.crank_angle_deg.back(), 360.0);
-    EXPECT_TRUE(model->notesText().contains(QStringLiteral("out of phase")));
+    EXPECT_TRUE(model->doubtsText().contains(QStringLiteral("out of phase")));
 }
 
 TEST_F(TorqueSourceTest, ReadsAPressureTrace) {

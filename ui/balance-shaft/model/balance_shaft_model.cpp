@@ -18,6 +18,7 @@
 #include "numerics/vector_state.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -155,6 +156,7 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
             input.torque.trace = read.trace;
             input.torque.trace_csv = path.toStdString();
             input.torque.trace_sum = {sum, sum};
+            input.torque.trace_shift = 0.0;
             input.strokes = input.strokes_of_torque();
             balance_shaft::fill_cylinder(input);
         });
@@ -162,6 +164,13 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
         why = errorText(error);
     }
     return why.isEmpty() ? why : path + QStringLiteral(": ") + why;
+}
+
+void BalanceShaftModel::moveTraceByTurn() {
+    edit(fieldName(balance_shaft::field::trace_shift), [](Input& input) {
+        double& shift = input.torque.trace_shift;
+        shift += shift > 0.0 ? -two_pi : two_pi;
+    });
 }
 
 QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, double value,
@@ -576,11 +585,11 @@ QString BalanceShaftModel::bestRmsText() const {
 }
 
 QString BalanceShaftModel::notesText() const {
-    QStringList lines;
-    for (const Message& note : result().notes) {
-        lines << messageText(note);
-    }
-    return lines.join(QLatin1Char('\n'));
+    return messageLines(result().notes);
+}
+
+QString BalanceShaftModel::doubtsText() const {
+    return messageLines(result().doubts);
 }
 
 }  // namespace ravnoves

@@ -85,6 +85,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// @param described  what was read
     /// @return an empty string, or what is wrong, with the file's name
     QString importPressureTrace(const QString& path, QString& described);
+    /// What counts from the firing top dead centre counts from the other one, or back.
+    void moveTraceByTurn();
     /// Gives heat or mean effective pressure of a computed cycle; the other one follows from it.
     /// @param isDrag  part of a drag
     QString setLoad(std::optional<double> balance_shaft::GasCycle::*given, double value,
@@ -147,6 +149,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString bestRmsText() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
+    /// What looks like a slip in the input.
+    QString doubtsText() const;
     std::vector<std::string> usualObjects() const override {
         return {"/envelope", "/relieved_shaft"};
     }

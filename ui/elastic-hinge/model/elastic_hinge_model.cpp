@@ -11,6 +11,7 @@
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
+#include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -428,8 +429,7 @@ Results ElasticHingeModel::quantities() const {
             when(there, {shownValue(guide.largest_spring_force, units::kN),
                          significant(guide.largest_spring_force, units::kN)}),
             units::kN, tr("c |ℓ − ℓ₀|, largest over a turn")),
-        row(tr("Moment error, %1")
-                .arg(withItsUnit(input().profile_error, units::micrometre, 3)),
+        row(tr("Moment error, %1").arg(withItsUnit(input().profile_error, units::micrometre, 3)),
             when(there, ResultCell::two(
                             QStringLiteral("%1 (%2)"), shownCell(guide.error.torque, units::N_m, 2),
                             {100.0 * guide.error.relative, percentText(guide.error.relative),
@@ -446,8 +446,8 @@ Results ElasticHingeModel::quantities() const {
           {result().rod_hinge_integral, number(result().rod_hinge_integral, 3)},
           tr("J")},
          tr("Work of the rod hinge's moment over a turn; 0 where a spring can give it")},
-        shownRow(tr("Side force, no hinge"), result().largest_side_force_without, units::newton,
-                 1, tr("Largest force of the slider on its guide")),
+        shownRow(tr("Side force, no hinge"), result().largest_side_force_without, units::newton, 1,
+                 tr("Largest force of the slider on its guide")),
         row(tr("Side force, rod hinge"), sideForce, units::newton,
             tr("The same with the hinge in the rod; in brackets how many times less")),
         row(tr("Counterweight P₄"),
@@ -468,11 +468,11 @@ Results ElasticHingeModel::quantities() const {
 }
 
 QString ElasticHingeModel::notesText() const {
-    QStringList lines;
-    for (const Message& note : result().notes) {
-        lines << messageText(note);
-    }
-    return lines.join(QLatin1Char('\n'));
+    return messageLines(result().notes);
+}
+
+QString ElasticHingeModel::doubtsText() const {
+    return messageLines(result().doubts);
 }
 
 QString ElasticHingeModel::motionsText() const {

@@ -122,6 +122,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     Results quantities() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
+    /// What looks like a slip in the input.
+    QString doubtsText() const;
     /// How the motions went, one line each.
     QString motionsText() const;
 
