@@ -198,15 +198,28 @@ BearingPlaces places_of_bearings(const Input& input) {
     return BearingPlaces::plausible;
 }
 
-std::optional<double> mass_of(const Input& input, const PartField& part) {
-    if (input.weigh_in && part.column) {
-        auto column = (*input.weigh_in)[*part.column];
-        column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
-        if (column.is_weighed()) {
-            return workshop::statistics(column)->mean;
-        }
+namespace {
+
+/// As many rows as the engine has cylinders.
+std::optional<workshop::PartColumn<std::vector<workshop::Weighed>>> weighed_column(
+    const Input& input, const PartField& part) {
+    if (!input.weigh_in || !part.column) {
+        return std::nullopt;
     }
-    return input.parts.*part.member;
+    auto column = (*input.weigh_in)[*part.column];
+    column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
+    return column.is_weighed() ? std::optional(column) : std::nullopt;
+}
+
+}  // namespace
+
+bool is_weighed(const Input& input, const PartField& part) {
+    return weighed_column(input, part).has_value();
+}
+
+std::optional<double> mass_of(const Input& input, const PartField& part) {
+    const auto column = weighed_column(input, part);
+    return column ? workshop::statistics(*column)->mean : input.parts.*part.member;
 }
 
 void check_bob_weight(const Input& input) {

@@ -235,6 +235,8 @@ void fit_weigh_in(Input& input);
 /// The input with its sheet so fitted.
 Input fitted(Input input);
 
+/// Whether the mean of its column stands for a part: all of it is weighed.
+bool is_weighed(const Input& input, const PartField& part);
 /// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
 /// typed.
 std::optional<double> mass_of(const Input& input, const PartField& part);

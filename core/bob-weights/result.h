@@ -63,6 +63,8 @@ struct RunResult {
     /// In each plane, of what was drilled after the run before this one.
     std::array<std::optional<OtherEffect>, 2> other_effect;
 
+    bool acted_as_meant() const { return !other_effect[0] && !other_effect[1]; }
+
     bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }
     bool holds() const { return !read_with && !read_on; }
     /// As measured; nothing without readings or limits.
@@ -114,7 +116,8 @@ struct Result {
     /// Masses that were typed in kilograms, as it seems; kg.
     std::vector<std::pair<const PartField*, double>> in_kilograms;
 
-    /// Of the correction: whether both planes are within their limits after it.
+    /// Of the correction: whether both planes are within their limits after it; nothing where the
+    /// drilling before it acted otherwise than meant, for the plan rests on that.
     std::optional<bool> passes_after() const;
 };
 

@@ -560,8 +560,9 @@ std::optional<bool> RunResult::passes() const {
 }
 
 std::optional<bool> Result::passes_after() const {
-    return correction ? both((*correction)[0].within_tolerance, (*correction)[1].within_tolerance)
-                      : std::nullopt;
+    return correction && newest()->acted_as_meant()
+               ? both((*correction)[0].within_tolerance, (*correction)[1].within_tolerance)
+               : std::nullopt;
 }
 
 namespace {

@@ -49,6 +49,7 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses) {
     std::optional<OddMass> found;
     double farthest = 0.0;
+    std::vector<std::size_t> odd;
     for (std::size_t i = 0; i < masses.size(); ++i) {
         std::vector<double> others;
         for (std::size_t k = 0; k < masses.size(); ++k) {
@@ -65,6 +66,7 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
         if (away <= std::log(most)) {
             continue;
         }
+        odd.push_back(i);
         // Of two both are as far from each other: the nominal mass says which is right.
         const double tie = others.size() > 1 ? 0.0
                            : nominal && *nominal > 0.0
@@ -74,6 +76,12 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
             farthest = away + tie;
             found = OddMass{i, *masses[i], usual};
         }
+    }
+    const auto weighed = std::count_if(masses.begin(), masses.end(),
+                                       [](const Weighed& mass) { return mass && *mass > 0.0; });
+    if (found && weighed > 3) {
+        std::erase(odd, found->cylinder);
+        found->also = std::move(odd);
     }
     return found;
 }

@@ -19,6 +19,8 @@ struct OddMass {
     std::size_t cylinder;  ///< counted from 0
     double mass;           ///< kg
     double usual;          ///< median of the others, kg
+    /// Cylinders that are unlike theirs as well; half of them and more where there are two kinds.
+    std::vector<std::size_t> also{};
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
 /// engine differ by a few percent. Of two or three, whose median says little, by a factor of more

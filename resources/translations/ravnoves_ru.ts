@@ -2261,6 +2261,10 @@
         <source>Rod of cylinder %1: the big end weighs less than the small end; are the two swapped?</source>
         <translation>Шатун цилиндра %1: нижняя головка легче верхней; не перепутаны ли они?</translation>
     </message>
+    <message>
+        <source>%1: cylinders %2 are unlike the others (%3 against %4); are they mistyped?</source>
+        <translation>%1: цилиндры %2 не похожи на остальные (%3 против %4); нет ли опечаток?</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>

@@ -200,18 +200,13 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
             matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
                                            placing));
     }
-    // Of what goes into a cylinder, as the sets above it.
-    auto placed = *sheet;
-    if (moves) {
-        move_sets(placed, placing->pistons, placing->rods);
-    }
     add((blocks.empty()
              ? words.translate("Matching",
                                "To match the lightest, if the parts are to be closer: take off, %1")
              : words.translate("Matching",
                                "To match the lightest, only if moving is not enough: take off, %1"))
             .arg(words.unit(units::gram)),
-        matching_text::takeOff(words, cylinders, masses_of(placed)).rows);
+        matching_text::takeOff(words, cylinders, masses_of(*sheet)).rows);
     if (!blocks.empty()) {
         blocks.back().say(words.translate(
             "Matching",

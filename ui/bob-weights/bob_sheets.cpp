@@ -55,7 +55,7 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
         follow([this, field, part] {
             // What the weigh-in sheet of a case says goes before what is typed here.
             const auto mass = mass_of(model_->input(), part);
-            field->setEnabled(mass == model_->input().parts.*part.member);
+            field->setEnabled(!is_weighed(model_->input(), part));
             if (!field->isEnabled() && mass) {
                 field->setValue(from_si(part.field, *mass));
             }

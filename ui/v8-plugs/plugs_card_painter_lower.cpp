@@ -54,7 +54,7 @@ double PlugsCardPainter::weighIn(double y) {
         table.add({row});
         if (!found->within_permitted) {
             QStringList less{words_.translate("JobCard", "take off"), QString()};
-            less << matching_text::takeOff(words_, column.mass).texts();
+            less << matching_text::takeOff(words_, masses_of(*input_.weigh_in), part).texts();
             table.add({less, false, true});
         }
     }

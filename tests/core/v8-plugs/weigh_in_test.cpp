@@ -121,6 +121,10 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     // Of four and more the others agree to a few percent.
     EXPECT_EQ(odd_mass({}, grams({587, 688.1, 585, 590}))->cylinder, 1U);
     EXPECT_FALSE(odd_mass({}, grams({587, 612, 585, 560})));
+    // All that are unlike the others, and both kinds where there are two.
+    EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 584, 585, 655}))->also,
+              std::vector<std::size_t>{1});
+    EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 650}))->also.size(), 3U);
     // Of two the nominal mass says which is right.
     EXPECT_EQ(odd_mass(584 * gram, grams({584, 58.4}))->cylinder, 1U);
     EXPECT_EQ(odd_mass(58 * gram, grams({584, 58.4}))->cylinder, 0U);

@@ -401,6 +401,17 @@ TEST_F(BobPageTest, WeighedPartsGoBeforeTypedOnes) {
     EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
     EXPECT_EQ(test::textsOf(model->takeOffResults().rows),
               (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
+    // Swapped rods: nobody is told to grind them to each other.
+    type("mass_rod_big_end_1", u"160"_s);
+    type("mass_rod_big_end_2", u"162"_s);
+    type("mass_rod_small_end_1", u"230"_s);
+    type("mass_rod_small_end_2", u"231"_s);
+    EXPECT_TRUE(label("troubles").contains(u"are the two swapped?"_s));
+    EXPECT_EQ(model->takeOffResults().rows.size(), 1) << "the pistons'";
+    // A mean that is what was typed before stands in its place as any other.
+    type("mass_piston_1", u"583.9"_s);
+    type("mass_piston_2", u"583.9"_s);
+    EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
     type("cylinders", u"4"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "two of four are weighed";
 }
@@ -1218,6 +1229,10 @@ TEST_F(BobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
     EXPECT_TRUE(said.contains(u"Rear plane: the drilling has left 1450.0 g·mm ∠ 210.0°"_s))
         << qPrintable(said);
     EXPECT_EQ(label("verdict"), u"Run 1, measured: fails."_s);
+    EXPECT_FALSE(card().contains(u"fails → passes"_s)) << qPrintable(card());
+    type("engine_number", u"7"_s);
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"fails"_s);
     EXPECT_TRUE(card().contains(u"has grown by the drilling"_s)) << qPrintable(card());
 }
 

@@ -301,11 +301,7 @@ QString verdict(const Words& words, const Result& result) {
                        .arg(runName(words, result.runs.size() - 1),
                             verdictText(words, readWord(result.runs.back(), measured)));
     const auto after = result.passes_after();
-    // What is planned rests on that the holes before acted as they were to.
-    const bool actedAsMeant =
-        std::none_of(result.newest()->other_effect.begin(), result.newest()->other_effect.end(),
-                     [](const auto& other) { return other.has_value(); });
-    if (result.holds() && !*measured && after && actedAsMeant) {
+    if (result.holds() && !*measured && after) {
         said += QLatin1Char(' ') + words.translate("BobWeights", "After the correction: %1.")
                                        .arg(verdictText(words, verdictWord(after, std::nullopt)));
     }
@@ -736,9 +732,11 @@ ResultRows planes(const Words& words, const Result& result) {
     }
     for (std::size_t i = 0; i < 2; ++i) {
         const PlaneResult& plane = (*result.correction)[i];
-        const QString verdict = verdictText(
-            words, result.holds() ? verdictWord(plane.measured_within, plane.within_tolerance)
-                                  : otherWord(*result.newest()));
+        // What is planned rests on that the holes before acted as they were to.
+        const auto after = result.newest()->other_effect[i] ? std::nullopt : plane.within_tolerance;
+        const QString verdict =
+            verdictText(words, result.holds() ? verdictWord(plane.measured_within, after)
+                                              : otherWord(*result.newest()));
         const auto unbalance = [&](double value) {
             return words.cellWithUnit(value, units::gram_mm, 1);
         };

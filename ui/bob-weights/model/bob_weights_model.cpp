@@ -452,7 +452,7 @@ Input BobWeightsModel::nextOf(const Input& before) const {
 std::vector<std::string> BobWeightsModel::replacedInputs() const {
     std::vector<std::string> replaced;
     for (const PartField& part : part_fields()) {
-        if (mass_of(input(), part) != input().parts.*part.member) {
+        if (is_weighed(input(), part)) {
             replaced.push_back("/parts_g/" + std::string(part.field.key));
         }
     }

@@ -1,5 +1,8 @@
 #include "workshop/model/mass_doubts.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "numerics/units.h"
 #include "workshop/tolerance.h"
 
@@ -29,6 +32,20 @@ QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_ma
 }
 
 QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd) {
+    const QString name = words.text(workshop::part_word(part).label);
+    const auto grams = [&](double mass) { return words.plainWithUnit(mass, units::gram, 3); };
+    if (!odd.also.empty()) {
+        std::vector<std::size_t> all = odd.also;
+        all.insert(std::upper_bound(all.begin(), all.end(), odd.cylinder), odd.cylinder);
+        QStringList cylinders;
+        for (const std::size_t cylinder : all) {
+            cylinders << QString::number(cylinder + 1);
+        }
+        return words
+            .translate("Workshop",
+                       "%1: cylinders %2 are unlike the others (%3 against %4); are they mistyped?")
+            .arg(name, cylinders.join(QStringLiteral(", ")), grams(odd.mass), grams(odd.usual));
+    }
     const double ratio = odd.mass / odd.usual;
     const QString said =
         ratio > 3.0 || ratio < 1.0 / 3.0
@@ -37,10 +54,7 @@ QString oddMassText(const Words& words, workshop::Part part, const workshop::Odd
                   "%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.")
             : words.translate("Workshop",
                               "%1: cylinder %2 weighs %3, the others about %4; is it mistyped?");
-    return said.arg(words.text(workshop::part_word(part).label))
-        .arg(odd.cylinder + 1)
-        .arg(words.plainWithUnit(odd.mass, units::gram, 3),
-             words.plainWithUnit(odd.usual, units::gram, 3));
+    return said.arg(name).arg(odd.cylinder + 1).arg(grams(odd.mass), grams(odd.usual));
 }
 
 QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,

@@ -163,9 +163,8 @@ Results effects(const Words& words, const Shown& shown) {
     }
     if (matched.spacing_known) {
         rows << ResultRow(
-            {shown.crank_radius
-                 ? words.translate("Matching", "Couple")
-                 : words.translate("Matching", "Couple at the crank radius"),
+            {shown.crank_radius ? words.translate("Matching", "Couple")
+                                : words.translate("Matching", "Couple at the crank radius"),
              coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)},
             words.translate("Matching", "The same along the crankshaft, about its middle"));
         if (newtons) {
@@ -240,13 +239,18 @@ Results assignment(const Words& words, const Shown& shown) {
              words.translate("Matching", "Cylinder from which the rod comes"))}};
 }
 
-ResultRow takeOff(const Words& words, std::span<const Weighed> masses) {
-    constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
-    if (odd_mass(std::nullopt, masses)) {
-        return ResultRow(masses.size());  // nobody is told to grind parts to a slip of the keys
+ResultRow takeOff(const Words& words, const std::array<std::span<const Weighed>, 6>& masses,
+                  Part part) {
+    const auto& column = masses[static_cast<std::size_t>(part)];
+    const auto of = [&](Part each) { return masses[static_cast<std::size_t>(each)]; };
+    const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
+    if (odd_mass(std::nullopt, column) ||
+        (isRod && !swapped_rod_ends(of(Part::rod_big_end), of(Part::rod_small_end)).empty())) {
+        return ResultRow(static_cast<qsizetype>(column.size()));
     }
+    constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
     ResultRow cells;
-    for (const Weighed& mass : take_off(masses)) {
+    for (const Weighed& mass : take_off(column)) {
         cells << (!mass              ? ResultCell()
                   : *mass <= nothing ? ResultCell(dot)
                                      : words.cell(*mass, units::gram, 2));
@@ -259,7 +263,7 @@ Results takeOff(const Words& words, std::size_t cylinders,
     const QString name = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
     Results results{columnsOf(words, cylinders, name)};
     for (const Part part : all_parts) {
-        ResultRow cells = takeOff(words, masses[static_cast<std::size_t>(part)]);
+        ResultRow cells = takeOff(words, masses, part);
         const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
             return !cell.isEmpty() && cell != dot;
         });

@@ -61,7 +61,10 @@ ResultRows setsOfCylinders(const Words& words, const workshop::SetNumbers& pisto
 /// What to take off each part to reach the lightest of its column, for columns that differ.
 Results takeOff(const Words& words, std::size_t cylinders,
                 const std::array<std::span<const workshop::Weighed>, 6>& masses);
-/// The same of one column, empty cells for what is the lightest or not weighed.
-ResultRow takeOff(const Words& words, std::span<const workshop::Weighed> masses);
+/// The same of one column, empty cells for what is the lightest or not weighed, and for all of it
+/// where its weights are doubted: nobody is told to grind parts to a slip of the keys.
+ResultRow takeOff(const Words& words,
+                  const std::array<std::span<const workshop::Weighed>, 6>& masses,
+                  workshop::Part part);
 
 }  // namespace ravnoves::matching_text
