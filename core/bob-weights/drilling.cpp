@@ -97,10 +97,6 @@ class Planner {
         return list;
     }
 
-    bool is_allowed(double angle) const {
-        return !limits_.sector || is_inside(angle, *limits_.sector);
-    }
-
   private:
     /// Down to a step.
     double stepped(double depth) const {
@@ -123,7 +119,7 @@ class Planner {
             return false;
         }
         const auto may_lie = [&](double angle) {
-            return is_allowed(angle) &&
+            return limits_.allows(angle) &&
                    (!whole_ ||
                     edge_beyond(cut_, *limits_.sector, {diameter, depth, angle, 0.0, 0.0}) == 0.0);
         };
@@ -216,7 +212,7 @@ HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const
     if (target <= tolerance || target <= 0.0) {
         return {{}, target, Shortfall::none};
     }
-    if (!planner.is_allowed(angle)) {
+    if (!limits.allows(angle)) {
         return {{}, target, Shortfall::outside_sector};
     }
     // What the rounding of a depth may leave: a step counts most at the rim.
@@ -269,6 +265,10 @@ HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const
 }
 
 }  // namespace
+
+bool HoleLimits::allows(double angle) const {
+    return !sector || is_inside(angle, *sector);
+}
 
 double Cut::cone(double diameter) const {
     return point_angle < pi ? 0.5 * diameter / std::tan(0.5 * point_angle) : 0.0;

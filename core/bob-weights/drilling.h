@@ -60,18 +60,20 @@ struct HoleLimits {
     /// middles, and whole holes lie in it where that takes off as much.
     std::optional<std::pair<double, double>> sector;
     std::vector<Taken> taken{};  ///< of the holes of earlier runs
+
+    /// Whether the middle of a hole may lie there.
+    bool allows(double angle) const;
 };
 
 /// Why the holes do not take off what they should.
 enum class Shortfall {
     none,
-    nothing_fits,         ///< the smallest hole takes off too much
-    too_little_room,      ///< the holes that have room take off too little
-    rounding,             ///< the rounding of the depths leaves more than it may
-    outside_sector,       ///< the sector that may be drilled is elsewhere
-    both_outside_sector,  ///< neither the heavy spot nor the side of the slugs is in it
-    light_slugs,          ///< slugs are hardly heavier than what their holes take off
-    short_slugs           ///< a slug as long as may be does not outweigh the cone of its hole
+    nothing_fits,     ///< the smallest hole takes off too much
+    too_little_room,  ///< the holes that have room take off too little
+    rounding,         ///< the rounding of the depths leaves more than it may
+    outside_sector,   ///< the sector that may be drilled is elsewhere
+    light_slugs,      ///< slugs are hardly heavier than what their holes take off
+    short_slugs       ///< a slug as long as may be does not outweigh the cone of its hole
 };
 
 struct HolePlan {

@@ -183,9 +183,10 @@ bool is_light(double slug_density, double density) {
     return slug_density < least * density;
 }
 
-/// @param beside  holes of earlier runs are in that plane
+/// @param can_press  the sector has a place opposite what is left
+/// @param beside     holes of earlier runs are in that plane
 Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
-                 const Correction& correction, bool has_slugs, bool beside) {
+                 const Correction& correction, bool has_slugs, bool can_press, bool beside) {
     const Number grams{std::abs(left) / *plane.radius / units::gram, units::gram, -2};
     const Number at{turn_of(angle) / degree, units::degree, -1};
     const auto density_of = [](double density) {
@@ -203,6 +204,15 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                              "The rounding of the depths leaves more than the limit: take a finer "
                              "step or a thinner drill.");
         case Shortfall::outside_sector:
+            if (!can_press) {
+                return {
+                    CORE_TEXT("bob-weights",
+                              "Both the heavy spot and the side opposite it lie outside the "
+                              "sector that may be drilled: no hole and no slug has a place, and "
+                              "%1 at the radius remain at %2. As a last resort weld that much on "
+                              "opposite."),
+                    grams, at};
+            }
             return {has_slugs ? CORE_TEXT("bob-weights",
                                           "The heavy spot lies outside the sector that may be "
                                           "drilled, and slugs opposite it leave %1 at the radius "
@@ -212,13 +222,6 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                                           "drilled: %1 at the radius are too much at %2. Press "
                                           "heavy metal in opposite, or as a last resort weld that "
                                           "much on there."),
-                    grams, at};
-        case Shortfall::both_outside_sector:
-            return {CORE_TEXT("bob-weights",
-                              "Both the heavy spot and the side opposite it lie outside the "
-                              "sector that may be drilled: no hole and no slug has a place, and "
-                              "%1 at the radius remain at %2. As a last resort weld that much on "
-                              "opposite."),
                     grams, at};
         case Shortfall::light_slugs:
             return {CORE_TEXT("bob-weights",
@@ -237,6 +240,21 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                     density_of(correction.slug->density.value()),
                     density_of(correction.drill.density), grams, at};
         case Shortfall::too_little_room:
+            if (!can_press) {
+                return {beside ? CORE_TEXT("bob-weights",
+                                           "Beside the holes of earlier runs equal holes to both "
+                                           "sides have too little room, and the side opposite lies "
+                                           "outside the sector that may be drilled: %1 at the "
+                                           "radius remain at %2. Unequal ones by hand, deeper or "
+                                           "wider holes, or as a last resort as much welded on "
+                                           "opposite.")
+                               : CORE_TEXT("bob-weights",
+                                           "The holes have too little room, and the side opposite "
+                                           "lies outside the sector that may be drilled: %1 at the "
+                                           "radius remain at %2. Deeper or wider holes, or as a "
+                                           "last resort as much welded on opposite."),
+                        grams, at};
+            }
             if (beside) {
                 return {has_slugs ? CORE_TEXT("bob-weights",
                                               "Beside those of earlier runs equal holes or slugs "
@@ -267,12 +285,23 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
 /// Why holes and slugs together leave too much.
 Shortfall shortfall_of_both(Shortfall holes, Shortfall slugs) {
     if (holes == Shortfall::outside_sector) {
-        return slugs == Shortfall::outside_sector    ? Shortfall::both_outside_sector
-               : slugs == Shortfall::too_little_room ? Shortfall::outside_sector
-                                                     : slugs;
+        return slugs == Shortfall::outside_sector || slugs == Shortfall::too_little_room ? holes
+                                                                                         : slugs;
     }
     // Where no slug may lie there is still what the holes left.
     return slugs == Shortfall::outside_sector ? Shortfall::too_little_room : slugs;
+}
+
+/// What the metal of a plane adds to its unbalance.
+Vector effect_of(const Metal& metal) {
+    Vector sum;
+    for (const Hole& hole : metal.holes) {
+        sum -= std::polar(hole.unbalance, hole.angle);
+    }
+    for (const Hole& slug : metal.slugs) {
+        sum += std::polar(slug.unbalance, slug.angle);
+    }
+    return sum;
 }
 
 /// @param before  what was drilled there and pressed in after earlier runs
@@ -287,12 +316,14 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     const Cut cut{*plane.radius, drill.density, drill.point_angle};
     HoleLimits limits{*drill.maximum_depth, drill.depth_step,    drill.minimum_wall,
                       drill.maximum_holes,  drill.maximum_angle, std::nullopt};
-    for (const auto* holes : {&before.holes, &before.slugs}) {
-        for (const Hole& hole : *holes) {
+    const auto take = [&](const std::vector<Hole>& holes) {
+        for (const Hole& hole : holes) {
             limits.taken.push_back(
                 {hole.angle, half_width(cut, hole.diameter, hole.depth, drill.minimum_wall)});
         }
-    }
+    };
+    take(before.holes);
+    take(before.slugs);
     if (plane.from_angle && plane.to_angle) {
         limits.sector = {*plane.from_angle, *plane.to_angle};
     }
@@ -301,32 +332,41 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
         diameters.push_back(diameter * units::mm);
     }
     const double tolerance = permissible.value_or(-1.0);
+    const auto& slug = correction.slug;
+    const bool has_slugs = slug && slug->diameter && slug->density;
+    const auto plan_slugs = [&](double target, double angle) -> HolePlan {
+        if (!limits.allows(angle)) {
+            return {{}, target, Shortfall::outside_sector};
+        }
+        if (is_light(*slug->density, drill.density)) {
+            return {{}, target, Shortfall::light_slugs};
+        }
+        const double size[] = {*slug->diameter};
+        const Cut into{*plane.radius, drill.density, drill.point_angle, slug->density};
+        HolePlan slugs = plan_holes(target, angle, into, size, limits, tolerance);
+        const double deepest =
+            std::min(limits.maximum_depth, *plane.radius - into.cone(*slug->diameter));
+        if (slugs.holes.empty() && deepest > 0.0 &&
+            into.removed(*slug->diameter, deepest).unbalance <= 0.0) {
+            slugs.shortfall = Shortfall::short_slugs;
+        }
+        return slugs;
+    };
     HolePlan plan = plan_holes(result.unbalance, result.angle, cut, diameters, limits, tolerance);
-    result.holes = std::move(plan.holes);
+    Metal metal{std::move(plan.holes), {}};
     const auto is_left = [&] {
         return plan.left > std::max(tolerance, 0.0) &&
                (plan.shortfall == Shortfall::too_little_room ||
                 plan.shortfall == Shortfall::outside_sector);
     };
-    const auto& slug = correction.slug;
-    const bool has_slugs = slug && slug->diameter && slug->density;
     if (has_slugs && is_left()) {
-        const double size[] = {*slug->diameter};
-        const Cut into{*plane.radius, drill.density, drill.point_angle, slug->density};
-        const bool is_too_light = is_light(*slug->density, drill.density);
-        HolePlan slugs = is_too_light ? HolePlan{{}, plan.left, Shortfall::light_slugs}
-                                      : plan_holes(plan.left, turn_of(result.angle + pi), into,
-                                                   size, limits, tolerance);
-        const double deepest =
-            std::min(limits.maximum_depth, *plane.radius - into.cone(*slug->diameter));
-        if (!is_too_light && slugs.holes.empty() && slugs.shortfall != Shortfall::outside_sector &&
-            deepest > 0.0 && into.removed(*slug->diameter, deepest).unbalance <= 0.0) {
-            slugs.shortfall = Shortfall::short_slugs;
-        }
-        result.slugs = std::move(slugs.holes);
-        plan.left = slugs.left;
+        HolePlan slugs = plan_slugs(plan.left, turn_of(result.angle + pi));
+        metal.slugs = std::move(slugs.holes);
         plan.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
     }
+    const Vector left = unbalance + effect_of(metal);
+    result.holes = std::move(metal.holes);
+    result.slugs = std::move(metal.slugs);
     if (limits.sector) {
         for (const auto* holes : {&result.holes, &result.slugs}) {
             for (const Hole& hole : *holes) {
@@ -335,20 +375,14 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
             }
         }
     }
-    Vector left = unbalance;
-    for (const Hole& hole : result.holes) {
-        left -= std::polar(hole.unbalance, hole.angle);
-    }
-    for (const Hole& added : result.slugs) {
-        left += std::polar(added.unbalance, added.angle);
-    }
     result.remaining = std::abs(left);
     result.remaining_angle = turn_of(std::arg(left));
     result.measured_within = is_within(result.unbalance, permissible);
     result.within_tolerance = is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
-        result.reason = describe(plan.shortfall, result.remaining, result.remaining_angle, plane,
-                                 correction, has_slugs, !before.empty());
+        result.reason = describe(
+            plan.shortfall, result.remaining, result.remaining_angle, plane, correction, has_slugs,
+            limits.allows(turn_of(result.remaining_angle + pi)), !before.empty());
     }
     return result;
 }
@@ -412,18 +446,6 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
              hole.slug.value_or(0.0)});
     }
     return drilled;
-}
-
-/// What the metal of a plane adds to its unbalance.
-Vector effect_of(const Metal& metal) {
-    Vector sum;
-    for (const Hole& hole : metal.holes) {
-        sum -= std::polar(hole.unbalance, hole.angle);
-    }
-    for (const Hole& slug : metal.slugs) {
-        sum += std::polar(slug.unbalance, slug.angle);
-    }
-    return sum;
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than

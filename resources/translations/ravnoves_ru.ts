@@ -4347,6 +4347,14 @@
         <source>A slug of %1 as long as the deepest hole may be does not outweigh the %2 of the crankshaft that its hole takes off with the cone beneath it: none is planned, and %3 at the radius remain at %4. Deeper holes or a flatter point, or as a last resort as much welded on opposite.</source>
         <translation>Вставка плотностью %1 во всю наибольшую глубину отверстия легче металла вала плотностью %2, снятого вместе с конусом под ней: вставки не назначены, и остаётся %3 на радиусе под углом %4. Нужны отверстия глубже или дно площе; последнее средство — наварить столько же напротив.</translation>
     </message>
+    <message>
+        <source>Beside the holes of earlier runs equal holes to both sides have too little room, and the side opposite lies outside the sector that may be drilled: %1 at the radius remain at %2. Unequal ones by hand, deeper or wider holes, or as a last resort as much welded on opposite.</source>
+        <translation>Рядом с отверстиями прежних пусков равным отверстиям по обе стороны мало места, а противоположная сторона вне сектора, где можно сверлить: остаётся %1 на радиусе под углом %2. Неравные — вручную, глубже или шире отверстия или, в последнюю очередь, столько же наварить напротив.</translation>
+    </message>
+    <message>
+        <source>The holes have too little room, and the side opposite lies outside the sector that may be drilled: %1 at the radius remain at %2. Deeper or wider holes, or as a last resort as much welded on opposite.</source>
+        <translation>Отверстиям мало места, а противоположная сторона вне сектора, где можно сверлить: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия или, в последнюю очередь, столько же наварить напротив.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

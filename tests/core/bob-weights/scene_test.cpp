@@ -277,8 +277,8 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
     ASSERT_EQ(plane.at("slugs").size(), 1u);
     EXPECT_NEAR(plane.at("slugs")[0].at("angle_deg").get<double>(), 220, 1e-9);
     // Neither here nor there, or there too little: the reason is the sector.
-    input["correction"]["planes"][0]["from_deg"] = 80;
-    input["correction"]["planes"][0]["to_deg"] = 200;
+    input["correction"]["planes"][0]["from_deg"] = 131;
+    input["correction"]["planes"][0]["to_deg"] = 219;
     plane = solved(input).at("correction").at("planes")[0];
     EXPECT_TRUE(plane.at("holes").empty() && plane.at("slugs").empty());
     EXPECT_EQ(plane.at("reason").get<std::string>().find(
@@ -294,6 +294,31 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
                   "it leave "),
               0u)
         << plane.at("reason");
+}
+
+TEST(Correction, AdvisesHeavyMetalOnlyWhereItHasAPlace) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 100}};
+    const auto reason = [&](double unbalance, double from, double to) {
+        input["correction"]["readings"][0]["unbalance_g_mm"] = unbalance;
+        input["correction"]["planes"][0]["from_deg"] = from;
+        input["correction"]["planes"][0]["to_deg"] = to;
+        return solved(input).at("correction").at("planes")[0].at("reason").get<std::string>();
+    };
+    // Heavy at 40°: outside the sector and in it; without slugs and with light ones.
+    for (const bool slugs : {false, true}) {
+        if (slugs) {
+            input["correction"]["slug"] = {{"diameter_mm", 16}, {"density_kg_m3", 7900}};
+        }
+        EXPECT_EQ(reason(2000, 131, 200).find("Both the heavy spot and the side opposite it"), 0u);
+        EXPECT_EQ(reason(20'000, 0, 80)
+                      .find("The holes have too little room, and the side "
+                            "opposite lies outside the sector"),
+                  0u);
+    }
+    EXPECT_EQ(reason(2000, 131, 250).find("Slugs of 7900 kg/m³ hardly"), 0u);
+    input["correction"].erase("slug");
+    EXPECT_NE(reason(2000, 131, 250).find("Press heavy metal in opposite"), std::string::npos);
 }
 
 TEST(Correction, SaysHowFarAnEdgeReachesBeyondTheSector) {
