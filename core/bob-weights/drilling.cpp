@@ -341,6 +341,45 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
                                                                                              : plan;
 }
 
+HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
+                            std::span<const double> diameters, const HoleLimits& limits,
+                            double tolerance) {
+    HolePlan best{{}, target, Shortfall::outside_sector};
+    if (limits.allows(angle)) {
+        return best;
+    }
+    const auto [from, to] = *limits.sector;
+    const double before = turn_of(from - angle);
+    const double behind = turn_of(angle - to);
+    const double inwards = before <= behind ? 1.0 : -1.0;
+    const double away = std::min(before, behind);
+    // At the limit itself one hole lies; where it takes a row, or holes are there, further in.
+    constexpr double step = 1.0 * degree;
+    const double width = turn_of(to - from);
+    for (int i = 0; i * step <= width && away + i * step < 0.5 * pi; ++i) {
+        const double apart = away + i * step;
+        const double across = target * std::sin(apart);
+        if (across >= best.left) {
+            break;  // which no hole there takes off, nor further in
+        }
+        const double along =
+            across < tolerance ? std::sqrt(tolerance * tolerance - across * across) : -1.0;
+        HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + inwards * apart), cut,
+                                   diameters, limits, along);
+        const double left = std::hypot(across, plan.left);
+        if (plan.holes.empty() || left >= best.left) {
+            continue;
+        }
+        const bool is_enough = plan.shortfall == Shortfall::none && across < tolerance;
+        best = {std::move(plan.holes), left,
+                is_enough ? Shortfall::none : Shortfall::beside_sector};
+        if (is_enough) {
+            break;
+        }
+    }
+    return best;
+}
+
 std::array<std::complex<double>, 2> carried_over(
     const std::array<std::complex<double>, 2>& unbalance, const std::array<double, 2>& from,
     const std::array<double, 2>& to) {

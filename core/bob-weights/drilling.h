@@ -72,6 +72,7 @@ enum class Shortfall {
     too_little_room,  ///< the holes that have room take off too little
     rounding,         ///< the rounding of the depths leaves more than it may
     outside_sector,   ///< the sector that may be drilled is elsewhere
+    beside_sector,    ///< it is beside the heavy spot, and holes at its limit leave too much
     light_slugs,      ///< slugs are hardly heavier than what their holes take off
     short_slugs       ///< a slug as long as may be does not outweigh the cone of its hole
 };
@@ -103,6 +104,13 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
 ///                   the rounding of the depths allows
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance);
+
+/// The same where the sector does not reach the angle: about an angle in the sector as near to it
+/// as the holes have room, to take off target · cos of the angle between.
+/// @return its `left` is the size of the vector that they leave; no holes where none lowers it
+HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
+                            std::span<const double> diameters, const HoleLimits& limits,
+                            double tolerance);
 
 /// The two vectors U₁, U₂ at z₁, z₂ of the same force and moment as those at other positions.
 std::array<std::complex<double>, 2> carried_over(

@@ -203,6 +203,26 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
             return CORE_TEXT("bob-weights",
                              "The rounding of the depths leaves more than the limit: take a finer "
                              "step or a thinner drill.");
+        case Shortfall::beside_sector:
+            if (!can_press) {
+                return {CORE_TEXT("bob-weights",
+                                  "The heavy spot lies outside the sector that may be drilled: "
+                                  "with holes at the edge beside it %1 at the radius remain at %2, "
+                                  "and the side opposite that lies outside, too. As a last resort "
+                                  "weld that much on there."),
+                        grams, at};
+            }
+            return {has_slugs ? CORE_TEXT("bob-weights",
+                                          "The heavy spot lies outside the sector that may be "
+                                          "drilled: with holes at the edge beside it and slugs %1 "
+                                          "at the radius remain at %2. As a last resort weld that "
+                                          "much on opposite.")
+                              : CORE_TEXT("bob-weights",
+                                          "The heavy spot lies outside the sector that may be "
+                                          "drilled: with holes at the edge beside it %1 at the "
+                                          "radius remain at %2. Press heavy metal in opposite, or "
+                                          "as a last resort weld that much on there."),
+                    grams, at};
         case Shortfall::outside_sector:
             if (!can_press) {
                 return {
@@ -284,7 +304,7 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
 
 /// Why holes and slugs together leave too much.
 Shortfall shortfall_of_both(Shortfall holes, Shortfall slugs) {
-    if (holes == Shortfall::outside_sector) {
+    if (holes == Shortfall::outside_sector || holes == Shortfall::beside_sector) {
         return slugs == Shortfall::outside_sector || slugs == Shortfall::too_little_room ? holes
                                                                                          : slugs;
     }
@@ -363,6 +383,26 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
         HolePlan slugs = plan_slugs(plan.left, turn_of(result.angle + pi));
         metal.slugs = std::move(slugs.holes);
         plan.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
+    }
+    if (!limits.allows(result.angle) && plan.shortfall != Shortfall::none) {
+        HolePlan beside =
+            plan_beside_sector(result.unbalance, result.angle, cut, diameters, limits, tolerance);
+        Metal other{std::move(beside.holes), {}};
+        const Vector rest = unbalance + effect_of(other);
+        if (has_slugs && !other.holes.empty() && beside.shortfall != Shortfall::none) {
+            take(other.holes);
+            HolePlan slugs = plan_slugs(std::abs(rest), turn_of(std::arg(rest) + pi));
+            other.slugs = std::move(slugs.holes);
+            beside.shortfall = shortfall_of_both(beside.shortfall, slugs.shortfall);
+        }
+        // Where welding remains anyway a hole is to save some of it.
+        constexpr double worth = 0.9;
+        const double without = std::abs(unbalance + effect_of(metal));
+        const double with = std::abs(unbalance + effect_of(other));
+        if (with < (beside.shortfall == Shortfall::none ? 1.0 : worth) * without) {
+            metal = std::move(other);
+            plan.shortfall = beside.shortfall;
+        }
     }
     const Vector left = unbalance + effect_of(metal);
     result.holes = std::move(metal.holes);

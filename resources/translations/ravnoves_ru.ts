@@ -4355,6 +4355,18 @@
         <source>The holes have too little room, and the side opposite lies outside the sector that may be drilled: %1 at the radius remain at %2. Deeper or wider holes, or as a last resort as much welded on opposite.</source>
         <translation>Отверстиям мало места, а противоположная сторона вне сектора, где можно сверлить: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия или, в последнюю очередь, столько же наварить напротив.</translation>
     </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it %1 at the radius remain at %2, and the side opposite that lies outside, too. As a last resort weld that much on there.</source>
+        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края остаётся %1 на радиусе под углом %2, и сторона напротив тоже вне сектора. Последнее средство — наварить там столько же.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it and slugs %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
+        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края и вставками остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it %1 at the radius remain at %2. Press heavy metal in opposite, or as a last resort weld that much on there.</source>
+        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края остаётся %1 на радиусе под углом %2. Запрессуйте напротив тяжёлый металл или, в последнюю очередь, наварите там столько же.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

@@ -329,6 +329,48 @@ TEST(Plan, KeepsWholeHolesInTheSectorWhereThatTakesOffAsMuch) {
     EXPECT_EQ(edge_beyond(rim, {0.0, 2.0 * pi}, {16 * mm, 0.0, 0.0, 0.0, 0.0}), 0.0) << "all round";
 }
 
+TEST(Plan, BesideTheSectorLeavesLeast) {
+    HoleLimits limits = usual;
+    limits.sector = {70 * degree, 140 * degree};
+    for (const double angle : {20.0, 55.0, 69.0, 141.0, 170.0, 200.0}) {
+        for (const double target : {600.0, 2000.0, 4000.0}) {
+            for (const double tolerance : {-1.0, 300.0}) {
+                const HolePlan plan =
+                    plan_beside_sector(target * gram_mm, angle * degree, rim, drills, limits,
+                                       tolerance < 0.0 ? -1.0 : tolerance * gram_mm);
+                ASSERT_FALSE(plan.holes.empty()) << angle;
+                for (const Hole& hole : plan.holes) {
+                    EXPECT_TRUE(limits.allows(hole.angle));
+                }
+                const auto heavy = std::polar(target * gram_mm, angle * degree);
+                EXPECT_NEAR(plan.left, std::abs(heavy - sum_of(plan)), 1e-12);
+                EXPECT_EQ(plan.shortfall == Shortfall::none, plan.left <= tolerance * gram_mm);
+                // One hole of any size at the limit does no better.
+                const double limit = (angle < 100.0 ? 70.0 : 140.0) * degree;
+                for (double depth = 0.0; depth < limits.maximum_depth; depth += 0.5 * mm) {
+                    for (const double drill : drills) {
+                        const double left = std::abs(
+                            heavy - std::polar(rim.removed(drill, depth).unbalance, limit));
+                        EXPECT_TRUE(plan.shortfall == Shortfall::none || left >= plan.left - 1e-9)
+                            << angle << ' ' << target;
+                    }
+                }
+            }
+        }
+    }
+    const auto none_for = [&](double angle) {
+        return plan_beside_sector(600 * gram_mm, angle * degree, rim, drills, limits, -1.0)
+            .holes.empty();
+    };
+    EXPECT_TRUE(none_for(250) && none_for(340)) << "a quarter turn away or more";
+    // A hole that is there at the limit: beside it.
+    limits.taken = {{70 * degree, 0.1}};
+    EXPECT_GT(plan_beside_sector(600 * gram_mm, 69 * degree, rim, drills, limits, 300 * gram_mm)
+                  .holes.at(0)
+                  .angle,
+              75 * degree);
+}
+
 TEST(Plan, SaysWhyItFallsShort) {
     // Within the limit nothing is drilled; what the point alone exceeds cannot be.
     EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());

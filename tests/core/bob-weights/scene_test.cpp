@@ -296,6 +296,43 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
         << plane.at("reason");
 }
 
+TEST(Correction, DrillsTheEdgeOfTheSectorBesideTheHeavySpot) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 407}};
+    const auto front = [&](double unbalance, double angle, double from, double to) {
+        input["correction"]["readings"][0] = {{"unbalance_g_mm", unbalance}, {"angle_deg", angle}};
+        input["correction"]["planes"][0]["from_deg"] = from;
+        input["correction"]["planes"][0]["to_deg"] = to;
+        const Json plane = solved(input).at("correction").at("planes")[0];
+        EXPECT_NEAR(left_of(plane), plane.at("remaining_g_mm").get<double>(), 1e-6);
+        return plane;
+    };
+    const Json one = front(1013, 69.5, 70, 200);
+    EXPECT_NEAR(one.at("holes").at(0).at("angle_deg").get<double>(), 70, 1e-9);
+    EXPECT_TRUE(one.at("feasible").get<bool>());
+    EXPECT_NEAR(one.at("remaining_g_mm").get<double>(), 8.8, 10);  // but for the depth's rounding
+    EXPECT_GT(one.at("edge_beyond_sector_mm").get<double>(), 0.0);
+    EXPECT_TRUE(front(2885, 73.1, 74, 120).at("within_tolerance").get<bool>());
+    EXPECT_TRUE(front(2885, 73.1, 80, 120).at("within_tolerance").get<bool>());
+    EXPECT_TRUE(front(1013, 200.5, 70, 200).at("within_tolerance").get<bool>());
+    EXPECT_TRUE(front(1013, 0.5, 280, 0).at("within_tolerance").get<bool>());
+    // Farther off it lowers what is to be welded on, or a slug takes the rest.
+    const Json half = front(2000, 40, 80, 170);
+    EXPECT_NEAR(half.at("remaining_g_mm").get<double>(), 2000 * std::sin(40 * degree), 10);
+    EXPECT_EQ(half.at("reason").get<std::string>().find(
+                  "The heavy spot lies outside the sector that may be drilled: with holes at the "
+                  "edge beside it "),
+              0u)
+        << half.at("reason");
+    EXPECT_TRUE(front(2000, 40, 110, 150).at("holes").empty()) << "hardly lowers it";
+    input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
+    const Json both = front(2000, 40, 80, 175);
+    EXPECT_FALSE(both.at("holes").empty() || both.at("slugs").empty());
+    EXPECT_TRUE(both.at("within_tolerance").get<bool>()) << both.dump(1);
+    // Where slugs alone are enough, they are what is planned.
+    EXPECT_TRUE(front(1013, 69.5, 70, 280).at("holes").empty());
+}
+
 TEST(Correction, AdvisesHeavyMetalOnlyWhereItHasAPlace) {
     Json input = with_correction();
     input["tolerance"] = {{"g_mm", 100}};
@@ -305,12 +342,14 @@ TEST(Correction, AdvisesHeavyMetalOnlyWhereItHasAPlace) {
         input["correction"]["planes"][0]["to_deg"] = to;
         return solved(input).at("correction").at("planes")[0].at("reason").get<std::string>();
     };
-    // Heavy at 40°: outside the sector and in it; without slugs and with light ones.
+    // Heavy at 40°: nowhere, beside the sector and in it; without slugs and with light ones.
     for (const bool slugs : {false, true}) {
         if (slugs) {
             input["correction"]["slug"] = {{"diameter_mm", 16}, {"density_kg_m3", 7900}};
         }
         EXPECT_EQ(reason(2000, 131, 200).find("Both the heavy spot and the side opposite it"), 0u);
+        EXPECT_NE(reason(2000, 80, 120).find("and the side opposite that lies outside, too"),
+                  std::string::npos);
         EXPECT_EQ(reason(20'000, 0, 80)
                       .find("The holes have too little room, and the side "
                             "opposite lies outside the sector"),
