@@ -18,7 +18,7 @@ namespace {
 
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
-    enum Quantity { Mass, Length, Unbalance, Speed, Angle, Torque, Force } quantity;
+    enum Quantity { Mass, Length, Unbalance, Speed, Angle, Torque, Force, Density } quantity;
     Unit unit;
     const char16_t* spelling;  ///< lower case, without dots, as are the other ones
     const char16_t* inRussian;
@@ -28,6 +28,8 @@ struct TypedUnit {
 constexpr Unit gramCentimetre{"g·cm", 1e-5};
 constexpr Unit gramMetre{"g·m", 1e-3};
 constexpr Unit kilogramCentimetre{"kg·cm", 1e-2};
+// Of densities, as tables of materials give them; shown nowhere.
+constexpr Unit gramPerCentimetre3{"g/cm³", 1e3};
 
 constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Mass, units::gram, u"g", u"г"},
@@ -65,7 +67,11 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Torque, units::lb_ft, u"lbft", u"фунтфут"},
     TypedUnit{TypedUnit::Force, units::newton, u"n", u"н"},
     TypedUnit{TypedUnit::Force, units::kN, u"kn", u"кн"},
-    TypedUnit{TypedUnit::Force, units::pound_force, u"lbf", u"фунтс"}};
+    TypedUnit{TypedUnit::Force, units::pound_force, u"lbf", u"фунтс"},
+    TypedUnit{TypedUnit::Density, units::kg_m3, u"kg/m³", u"кг/м³"},
+    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cm³", u"г/см³"},
+    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cc", u"кг/дм³"},
+    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"t/m³", u"т/м³"}};
 
 const TypedUnit* typedUnit(const QString& word) {
     QString small = word.toLower();
@@ -81,7 +87,11 @@ const TypedUnit* typedUnit(const QString& word) {
 }
 
 /// The number and what stands behind it.
-std::pair<QString, QString> split(const QString& text) {
+std::pair<QString, QString> split(const QString& whole) {
+    // The exponent of "17 g/cm3" is no end of the number.
+    static const QRegularExpression cubed(QStringLiteral("(/\\s*\\w?[mмMМ])\\^?3$"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    const QString text = QString(whole).replace(cubed, QStringLiteral("\\1³"));
     qsizetype end = text.size();
     while (end > 0 && !(text[end - 1] >= QLatin1Char('0') && text[end - 1] <= QLatin1Char('9')) &&
            text[end - 1] != QLatin1Char(',') && text[end - 1] != QLatin1Char('.')) {

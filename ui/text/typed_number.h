@@ -15,9 +15,9 @@ struct TypedNumber {
 };
 
 /// Reads a number with a unit behind it, or without one: then it is in `unit`, as are the results.
-/// Masses are taken in g, kg, mg, oz, lb, lengths in mm, cm, m, µm, in, mil, ft, in the letters of
-/// English, Russian and the language of the program, capital or not; of other quantities only the
-/// unit itself.
+/// Masses are taken in g, kg, mg, oz, lb, lengths in mm, cm, m, µm, in, mil, ft, densities in
+/// kg/m³ and g/cm³, in the letters of English, Russian and the language of the program, capital or
+/// not; of other quantities only the unit itself.
 /// @param unit  in the language of the program, as forms show it; empty for pure numbers
 TypedNumber readTypedNumber(const QString& text, const QString& unit);
 

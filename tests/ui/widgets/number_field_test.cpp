@@ -277,6 +277,13 @@ TEST(NumberText, AUnitThatIsTypedIsConverted) {
         EXPECT_NEAR(typed(u"1.2 oz·in", unit), 864.09, 0.005);
         EXPECT_DOUBLE_EQ(typed(u"0.001 kg·m", unit), 1000.0);
     }
+    for (const char16_t* unit : {u"kg/m³", u"кг/м³"}) {
+        for (const char16_t* text : {u"7.85 g/cm³", u"7.85 g/cm3", u"7,85 г/см³", u"7,85 г/см3",
+                                     u"7.85g/cm^3", u"7850 kg/m3", u"7850 кг/м³", u"7850"}) {
+            EXPECT_DOUBLE_EQ(typed(text, unit), 7850.0) << QString::fromUtf16(text).toStdString();
+        }
+    }
+    EXPECT_FALSE(readTypedNumber(QStringLiteral("17 g/cm3"), QStringLiteral("g")).value);
     EXPECT_FALSE(readTypedNumber(QStringLiteral("85 g·cm"), QStringLiteral("g")).value);
     EXPECT_FALSE(readTypedNumber(QStringLiteral("5 mm"), QStringLiteral("°")).value);
 }
