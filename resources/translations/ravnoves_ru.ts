@@ -2265,6 +2265,18 @@
         <source>%1: cylinders %2 are unlike the others (%3 against %4); are they mistyped?</source>
         <translation>%1: цилиндры %2 не похожи на остальные (%3 против %4); нет ли опечаток?</translation>
     </message>
+    <message>
+        <source>%1 of cylinder %2</source>
+        <translation>%1 цилиндра %2</translation>
+    </message>
+    <message>
+        <source>rod of cylinder %1</source>
+        <translation>шатун цилиндра %1</translation>
+    </message>
+    <message>
+        <source>Weigh again first: %1.</source>
+        <translation>Сначала взвесьте снова: %1.</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>

@@ -192,7 +192,8 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
                 {heading, columns, matching_text::cylinderHead(words, cylinders), rows});
         }
     };
-    const auto* placing = result.placing ? &*result.placing : nullptr;
+    const bool isDoubted = !bob_text::weighAgain(words, input).isEmpty();
+    const auto* placing = result.placing && !isDoubted ? &*result.placing : nullptr;
     const bool moves = placing != nullptr && placing->moved > 0;
     if (sheet->is_moved() || moves) {
         add(moves ? words.translate("Matching", "Matched parts: suggested, not applied yet")
@@ -329,7 +330,7 @@ void BobCard::draw(CardPage& page) const {
     QStringList more;
     if (bob_text::isMean(words(), solution_)) {
         more << bob_text::weighIn(words(), input_, solution_) + QLatin1Char(' ') +
-                    bob_text::placedWeighIn(words(), solution_);
+                    bob_text::placedWeighIn(words(), input_, solution_);
     }
     more << (known ? bob_text::factor(words(), input_, solution_) : QString()) + QLatin1Char(' ') +
                 bob_text::verdict(words(), solution_);
@@ -378,6 +379,9 @@ void BobCard::draw(CardPage& page) const {
         parts.front().say((matching_text::summary(words(), *matched) + QLatin1Char(' ') +
                            matching_text::felt(words(), *matched))
                               .trimmed());
+    }
+    if (!parts.empty()) {
+        parts.front().say(bob_text::weighAgain(words(), input_), CardPage::amber);
     }
     blocks.insert(blocks.end(), std::make_move_iterator(parts.begin()),
                   std::make_move_iterator(parts.end()));

@@ -124,18 +124,21 @@ void PlugsAnswer::showAdvice() {
     sayOrHide(excess_, model_->excessText());
     sayOrHide(advice_, model_->adviceText());
     const auto& advice = model_->solution().advice;
-    const bool works = v8_text::works(model_->solution());
+    const bool isDoubted = advice && v8_text::doubtsWeights(model_->input());
+    const bool works = v8_text::works(model_->solution()) && !isDoubted;
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, !isStale));
     const bool isUneven = v8_text::hasUnequalCrankpins(model_->input(), model_->solution());
-    const bool doubtful = isStale || isUneven || model_->solution().shift_that_matters() != nullptr;
-    colourText(excess_, isUneven ? &Theme::warning : &Theme::text);
+    const bool doubtful =
+        isStale || isDoubted || isUneven || model_->solution().shift_that_matters() != nullptr;
+    colourText(excess_, isUneven || isDoubted ? &Theme::warning : &Theme::text);
     colourText(advice_, !advice    ? &Theme::mutedText
                         : doubtful ? &Theme::warning
                         : works    ? &Theme::text
                                    : &Theme::error);
     sayOrHide(boring_, model_->boringText());
     sayOrHide(hang_, model_->hangText());
+    colourText(hang_, isDoubted ? &Theme::warning : &Theme::text);
     sayOrHide(plugs_, model_->plugsText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));

@@ -92,7 +92,9 @@ double PlugsCardPainter::answer(double y) {
     QString fact;
     QString action;
     QStringList more;
-    const QString warning = v8_text::shiftWarning(words_, input_, solution_);
+    const bool isDoubted = solution_.advice && v8_text::doubtsWeights(input_);
+    const QString warning =
+        isDoubted ? QString() : v8_text::shiftWarning(words_, input_, solution_);
     if (solution_.advice) {
         const double excess = *solution_.unbalanced_mass;
         fact = words_.translate("JobCard", "Excess on each crankpin Δmᵤ = %1 (%2)")
@@ -101,10 +103,12 @@ double PlugsCardPainter::answer(double y) {
                             words_, excess * input_.engine.crank_radius.value_or(0.0)));
         action = v8_text::advice(words_, input_, solution_);
         const QString boring =
-            solution_.advice->kind == Advice::Kind::option
+            solution_.advice->kind == Advice::Kind::option && !isDoubted
                 ? v8_text::boring(words_, input_, solution_, solution_.advice->option->id)
                 : QString();
-        if (warning.isEmpty()) {
+        if (isDoubted) {
+            // What the weights would give is not to be done.
+        } else if (warning.isEmpty()) {
             more << boring << v8_text::bobWeightCheck(words_, input_, solution_);
         } else {  // what is to be done stands above what the method says
             action = (action + QLatin1Char(' ') + boring).trimmed();
@@ -117,6 +121,9 @@ double PlugsCardPainter::answer(double y) {
     }
     QStringList wrong{refused_, warning, v8_text::unequalCrankpins(words_, input_, solution_),
                       v8_text::otherReadings(words_, solution_)};
+    if (isDoubted) {
+        wrong << v8_text::massTroubles(words_, input_);
+    }
     wrong.removeAll(QString());
     return cardAnswer(
         sheet_, {fact, action, more.join(QLatin1Char(' ')), {}, wrong.join(QLatin1Char(' '))}, y);
@@ -294,7 +301,8 @@ double PlugsCardPainter::bobWeightTable(double y) {
         height += sheet_.paragraph(left, y + height, width, text, points, bold, colour);
     };
     height += 0.6;
-    say(v8_text::hang(words_, solution_), 10, true, CardPage::ink);
+    say(v8_text::hang(words_, solution_), 10, true,
+        v8_text::doubtsWeights(input_) ? CardPage::amber : CardPage::ink);
     say(v8_text::plugsWhileHung(words_, solution_), 6.8, false, CardPage::ink);
     if (solution_.changes.rod_big_end != 0.0) {
         say(v8_text::rodFactor(words_, input_, solution_), 6.8, false, CardPage::grey);

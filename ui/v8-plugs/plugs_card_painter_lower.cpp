@@ -58,10 +58,13 @@ double PlugsCardPainter::weighIn(double y) {
             table.add({less, false, true});
         }
     }
-    if (solution_.assignment || input_.weigh_in->is_moved()) {
-        for (ResultRow& row : matching_text::setsOfCylinders(
-                 words_, input_.weigh_in->piston_sets, input_.weigh_in->rod_sets, cylinder_count,
-                 solution_.assignment ? &*solution_.assignment : nullptr)) {
+    const QString again = v8_text::weighAgain(words_, input_);
+    const auto* assignment =
+        solution_.assignment && again.isEmpty() ? &*solution_.assignment : nullptr;
+    if (assignment != nullptr || input_.weigh_in->is_moved()) {
+        for (ResultRow& row : matching_text::setsOfCylinders(words_, input_.weigh_in->piston_sets,
+                                                             input_.weigh_in->rod_sets,
+                                                             cylinder_count, assignment)) {
             row.insert(1, QString());  // under the nominal masses
             table.add({row.texts(), true, true});
         }
@@ -73,6 +76,7 @@ double PlugsCardPainter::weighIn(double y) {
                 0.3 + sheet_.paragraph(left, y + height + 0.3, full, text, 7.5, false, colour);
         }
     };
+    say(again, CardPage::amber);
     if (const auto shown = v8_text::matchingShown(input_, solution_)) {
         const QString summary =
             (shown->matched.moved > 0
@@ -103,7 +107,10 @@ std::array<QString, 2> PlugsCardPainter::remarkTexts() const {
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
-    QStringList doubts = v8_text::massTroubles(words_, input_);
+    QStringList doubts;
+    if (!solution_.advice || !v8_text::doubtsWeights(input_)) {  // else the answer says them
+        doubts = v8_text::massTroubles(words_, input_);
+    }
     QStringList troubles = v8_text::troubles(words_, shown, solution_);
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
         troubles.removeAll(each);

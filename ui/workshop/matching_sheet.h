@@ -69,7 +69,7 @@ class MatchingSheet : public SheetForm {
     static Findings findingsOf(const Model& model) {
         const auto shown = model.matchingShown();
         return {QStringList(model.assignmentText()) + model.assignmentRemarks(),
-                shown && !shown->matched.remark.empty(),
+                shown ? !shown->matched.remark.empty() : !model.weighAgain().isEmpty(),
                 shown && shown->matched.moved > 0,
                 model.isSearching(),
                 model.effectResults(),

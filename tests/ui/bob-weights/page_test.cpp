@@ -304,6 +304,34 @@ TEST_F(BobPageTest, TheCardSaysWhetherPartsAreMoved) {
     EXPECT_TRUE(card().contains(applied));
 }
 
+TEST_F(BobPageTest, NoPartIsMovedByDoubtedWeights) {
+    typeShopCard();
+    const auto weigh = [&](double first, double bigEnd) {
+        model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {
+            using workshop::Part;
+            sheet[Part::piston].mass = {first, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+            sheet[Part::rod_big_end].mass = {0.45, bigEnd, 0.45, 0.46, 0.45, 0.45, 0.46, 0.45};
+            sheet[Part::rod_small_end].mass = {0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
+        });
+        settle();
+    };
+    const QString suggested = u"suggested"_s;
+    weigh(0.58, 0.45);
+    EXPECT_TRUE(card().contains(suggested));
+    EXPECT_FALSE(find<QPushButton>("move_parts")->isHidden());
+    for (const auto& [first, bigEnd, said] :
+         {std::tuple{0.85, 0.45, u"Weigh again first: piston of cylinder 1."_s},
+          std::tuple{0.58, 0.15, u"Weigh again first: rod of cylinder 2."_s}}) {
+        weigh(first, bigEnd);
+        EXPECT_FALSE(card().contains(suggested)) << qPrintable(card());
+        EXPECT_TRUE(card().contains(said)) << qPrintable(card());
+        EXPECT_EQ(label("weigh_in_summary"), said);
+        EXPECT_TRUE(isAmber("weigh_in_summary"));
+        EXPECT_TRUE(find<QPushButton>("move_parts")->isHidden());
+        EXPECT_TRUE(model->effectResults().rows.isEmpty());
+    }
+}
+
 TEST_F(BobPageTest, TheCardHasEveryWarningOfThePage) {
     typeShopCard();
     typeReadings();
@@ -565,7 +593,7 @@ TEST_F(BobPageTest, NoQuantityOfAPlacingIsCutOff) {
         narrow.sheets()->setCurrentIndex(2);
         narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
             sheet[workshop::Part::piston].mass.assign(8, 0.5);
-            sheet[workshop::Part::piston].mass[0] = 0.8;
+            sheet[workshop::Part::piston].mass[0] = 0.54;
             sheet.matching.crank_radius.reset();
             sheet.matching.cylinder_spacing = 0.1;
         });

@@ -281,6 +281,43 @@ TEST_F(V8PageTest, AMassUnlikeTheOthersIsNoticed) {
     EXPECT_FALSE(label("troubles").contains(u"the others"_s));
 }
 
+TEST_F(V8PageTest, NothingIsToBeDoneByDoubtedWeights) {
+    page.sheets()->setCurrentIndex(2);
+    type("nominal_piston", u"600"_s);
+    for (int i = 1; i <= 8; ++i) {
+        type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i % 4 * 2));
+    }
+    settle();
+    const auto printed = [&] {
+        const QString file = QDir(folder.path()).filePath(u"doubted.pdf"_s);
+        EXPECT_EQ(page.writeCard(file), QString());
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    };
+    const QString said = u"Weigh again first: piston of cylinder 3."_s;
+    const QString advice = label("advice");
+    auto* move = find<QPushButton>("move_parts");
+    EXPECT_TRUE(move->isVisible());
+    EXPECT_TRUE(printed().contains(u"Sets as suggested"_s));
+    type("mass_piston_3", u"706"_s);
+    EXPECT_EQ(label("advice"), said);
+    EXPECT_EQ(find<QLabel>("advice")->palette().color(QPalette::WindowText),
+              Theme::instance().warning());
+    EXPECT_EQ(label("weigh_in_summary"), said);
+    EXPECT_FALSE(move->isVisible());
+    EXPECT_EQ(model->boringText(), QString());
+    EXPECT_TRUE(model->crankpinResults().rows.isEmpty());
+    const QString card = printed();
+    EXPECT_EQ(card.count(said), 2) << "as the answer, and below the weights" << qPrintable(card);
+    EXPECT_EQ(card.count(u"cylinder 3 weighs"_s), 1) << qPrintable(card);
+    EXPECT_FALSE(card.contains(u"Sets as suggested"_s));
+    EXPECT_FALSE(card.contains(u"lighter than nominal"_s) || card.contains(u"Machine all"_s));
+    type("mass_piston_3", u"606"_s);
+    EXPECT_EQ(label("advice"), advice);
+}
+
 TEST_F(V8PageTest, ColumnOfASpreadsheetIsPastedWithoutItsHeading) {
     page.sheets()->setCurrentIndex(2);
     NumberField* first = field("mass_piston_1");

@@ -15,6 +15,7 @@
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
+#include "workshop/model/weigh_again.h"
 #include "workshop/tolerance.h"
 
 namespace ravnoves::bob_text {
@@ -630,8 +631,14 @@ QString weighIn(const Words& words, const Input& input, const Result& result) {
         .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
 }
 
-QString placedWeighIn(const Words& words, const Result& result) {
-    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty()) {
+QString weighAgain(const Words& words, const Input& input) {
+    const auto sheet = fitted(input).weigh_in;
+    return sheet ? weighAgainText(words, *sheet) : QString();
+}
+
+QString placedWeighIn(const Words& words, const Input& input, const Result& result) {
+    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty() ||
+        !weighAgain(words, input).isEmpty()) {
         return {};
     }
     QStringList pins;
@@ -643,7 +650,7 @@ QString placedWeighIn(const Words& words, const Result& result) {
 }
 
 std::optional<matching_text::Shown> matchingShown(const Input& given, const Result& result) {
-    if (!given.weigh_in || !result.placing) {
+    if (!given.weigh_in || !result.placing || !weighAgain(Words(), given).isEmpty()) {
         return std::nullopt;
     }
     const Input input = fitted(given);

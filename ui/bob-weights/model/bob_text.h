@@ -77,9 +77,12 @@ bool isMean(const Words& words, const bob_weights::Result& result);
 /// Bob weight of each crankpin's own parts.
 QString weighIn(const Words& words, const bob_weights::Input& input,
                 const bob_weights::Result& result);
-/// The same after the sets are moved; empty where none is to be.
-QString placedWeighIn(const Words& words, const bob_weights::Result& result);
-/// Which sets to move; nothing where no column is weighed whole.
+/// Which parts to weigh again before any is moved; empty where the weights are believed.
+QString weighAgain(const Words& words, const bob_weights::Input& input);
+/// The bob weights after the sets are moved; empty where none is to be.
+QString placedWeighIn(const Words& words, const bob_weights::Input& input,
+                      const bob_weights::Result& result);
+/// Which sets to move; nothing where no column is weighed whole, or weights are doubted.
 std::optional<matching_text::Shown> matchingShown(const bob_weights::Input& input,
                                                   const bob_weights::Result& result);
 QString balance(const Words& words, bob_weights::Balance balance);

@@ -400,6 +400,10 @@ QString BobWeightsModel::weighInText() const {
     return bob_text::weighIn(Words(), input(), solution());
 }
 
+QString BobWeightsModel::weighAgain() const {
+    return bob_text::weighAgain(Words(), input());
+}
+
 std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
     return bob_text::matchingShown(input(), solution());
 }

@@ -83,6 +83,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     WeighedColumn columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
+    QString weighAgain() const override;
     std::optional<matching_text::Shown> matchingShown() const override;
     Results takeOffResults() const;
     /// The weights change places as the placing says.

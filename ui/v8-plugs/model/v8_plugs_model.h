@@ -113,6 +113,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     Results optionResults(bool isShort = false) const;
     Results bobWeightResults() const;
     Results planeResults() const;
+    QString weighAgain() const override;
     std::optional<matching_text::Shown> matchingShown() const override;
     Results takeOffResults() const;
     void moveParts();

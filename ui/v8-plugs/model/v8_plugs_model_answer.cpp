@@ -31,7 +31,8 @@ QString V8PlugsModel::adviceText() const {
 }
 
 QString V8PlugsModel::boringText() const {
-    return solution().advice && solution().advice->kind == Advice::Kind::option
+    return solution().advice && solution().advice->kind == Advice::Kind::option &&
+                   !v8_text::doubtsWeights(input())
                ? v8_text::boring(words_, input(), solution(), solution().advice->option->id)
                : QString();
 }
@@ -236,6 +237,10 @@ Results V8PlugsModel::planeResults() const {
     return results;
 }
 
+QString V8PlugsModel::weighAgain() const {
+    return v8_text::weighAgain(words_, input());
+}
+
 std::optional<matching_text::Shown> V8PlugsModel::matchingShown() const {
     return v8_text::matchingShown(input(), solution());
 }
@@ -247,7 +252,7 @@ Results V8PlugsModel::takeOffResults() const {
 }
 
 Results V8PlugsModel::crankpinResults() const {
-    if (!solution().weighed_excess || !solution().assigned_excess) {
+    if (!solution().weighed_excess || !solution().assigned_excess || !weighAgain().isEmpty()) {
         return {};
     }
     const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess,

@@ -10,6 +10,7 @@
 #include "workshop/kilograms.h"
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/verdict.h"
+#include "workshop/model/weigh_again.h"
 
 namespace ravnoves::v8_text {
 
@@ -32,7 +33,18 @@ QString slopeAngle(const Words& words, double slope) {
     return words.number(std::atan(slope) / units::degree, 1);
 }
 
+QString weighAgain(const Words& words, const Input& input) {
+    return input.weigh_in ? weighAgainText(words, *input.weigh_in) : QString();
+}
+
+bool doubtsWeights(const Input& input) {
+    return input.changes_from_weigh_in && !weighAgain(Words(), input).isEmpty();
+}
+
 QString advice(const Words& words, const Input& input, const Result& solution) {
+    if (doubtsWeights(input)) {
+        return weighAgain(words, input);
+    }
     if (const ShiftEffect* effect = solution.shift_that_matters()) {
         // What can be done, not what the method alone would have.
         return words.message(describe_action(*solution.advice->option, effect->least_reduction,
@@ -286,7 +298,7 @@ QString unequalCrankpins(const Words& words, const Input& input, const Result& s
             .arg(words.digits(*least, units::gram, 2), grams(words, *most, 2));
     const double moved = solution.assigned_excess ? spread(*solution.assigned_excess) : 0.0;
     constexpr double worthWhile = 0.9;
-    if (solution.assigned_excess && moved < worthWhile * spread(now)) {
+    if (solution.assigned_excess && !doubtsWeights(input) && moved < worthWhile * spread(now)) {
         text += QLatin1Char(' ') +
                 words.translate("V8", "Sets moved as sheet 3 says leave a spread of %1.")
                     .arg(grams(words, moved, 2));
@@ -450,7 +462,7 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
 
 std::optional<matching_text::Shown> matchingShown(const Input& input, const Result& solution) {
     if (!input.weigh_in || !solution.assignment || !solution.crankpin_excess ||
-        !solution.assigned_excess) {
+        !solution.assigned_excess || !weighAgain(Words(), input).isEmpty()) {
         return std::nullopt;
     }
     matching_text::Shown shown{*solution.assignment,

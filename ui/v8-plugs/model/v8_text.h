@@ -21,7 +21,12 @@ QString thread(const Words& words, const v8_plugs::Thread& thread);
 QString slopeAngle(const Words& words, double slope);
 /// That readings were taken with another bob weight; empty where they were not.
 QString otherReadings(const Words& words, const v8_plugs::Result& solution);
-/// What to do, as one or two sentences; empty while it is not known. Where the method neglects what
+/// Which parts to weigh again before anything is done; empty where the weights are believed.
+QString weighAgain(const Words& words, const v8_plugs::Input& input);
+/// Whether such weights count in the answer.
+bool doubtsWeights(const v8_plugs::Input& input);
+/// What to do, as one or two sentences; empty while it is not known. By doubted weights that is to
+/// weigh again. Where the method neglects what
 /// matters, it is what can be done, and shiftWarning() says what the method alone would have.
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
 /// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug,

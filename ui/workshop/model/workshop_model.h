@@ -54,9 +54,14 @@ class WorkshopModel : public CaseModel<Scene> {
         const auto& sheet = this->input().weigh_in;
         return sheet && sheet->is_moved();
     }
-    /// Which sets to move; nothing where no column counts.
+    /// Which of the weights are doubted: by them no part is moved.
+    virtual QString weighAgain() const = 0;
+    /// Which sets to move; nothing where no column counts, or weights are doubted.
     virtual std::optional<matching_text::Shown> matchingShown() const = 0;
-    QString assignmentText() const { return ofMatching(matching_text::summary); }
+    QString assignmentText() const {
+        const QString again = weighAgain();
+        return again.isEmpty() ? ofMatching(matching_text::summary) : again;
+    }
     QStringList assignmentRemarks() const { return ofMatching(matching_text::remarks); }
     Results assignmentResults() const { return ofMatching(matching_text::assignment); }
     /// What the placing makes of spread, force and couple.

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QStringList>
+#include <algorithm>
+
+#include "workshop/kilograms.h"
+#include "workshop/model/words.h"
+
+namespace ravnoves {
+
+/// "piston of cylinder 3"
+QString partOfCylinder(const Words& words, workshop::Part part, std::size_t cylinder);
+QString rodOfCylinder(const Words& words, std::size_t cylinder);
+/// "Weigh again first: piston of cylinder 3; rod of cylinder 5."; empty without parts.
+QString weighAgainText(const Words& words, const QStringList& parts);
+
+/// What is to be weighed again before anything is done by the weights of a sheet: what is unlike
+/// the others of its column, and rods whose ends are swapped. Empty where the weights are believed.
+template <typename Sheet>
+QString weighAgainText(const Words& words, const Sheet& sheet) {
+    using workshop::Part;
+    QStringList parts;
+    const auto swapped =
+        workshop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
+    for (const workshop::Part part : workshop::all_parts) {
+        const auto odd = workshop::odd_mass(sheet[part].nominal, sheet[part].mass);
+        const bool isEnd = part == Part::rod_big_end || part == Part::rod_small_end;
+        const auto isOfWholeRod = [&] {  // which is named below
+            return isEnd &&
+                   std::find(swapped.begin(), swapped.end(), odd->cylinder) != swapped.end();
+        };
+        if (odd && !isOfWholeRod()) {
+            parts << partOfCylinder(words, part, odd->cylinder);
+        }
+    }
+    for (const std::size_t cylinder : swapped) {
+        parts << rodOfCylinder(words, cylinder);
+    }
+    return weighAgainText(words, parts);
+}
+
+}  // namespace ravnoves
