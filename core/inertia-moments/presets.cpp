@@ -67,7 +67,7 @@ std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double c
     return shafts;
 }
 
-void follow_spacing(Input& input, const Input& before) {
+void follow_sizes(Input& input, const Input& before) {
     if (!input.layout || !before.layout) {
         return;
     }

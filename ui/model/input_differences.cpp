@@ -10,6 +10,7 @@
 #include "case-file/json.h"
 #include "model/scene_model.h"
 #include "text/field_names.h"
+#include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/result_row.h"
@@ -83,7 +84,7 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor, in
             }
         }
     }
-    return QString::fromStdString(text);
+    return caseText(text);
 }
 
 /// So many decimals that the number shows its value, six at most beyond its first digits.

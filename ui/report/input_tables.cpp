@@ -142,7 +142,7 @@ class Inputs {
                 }
             }
         }
-        return word == "solve" ? keyInWords(word) : QString::fromStdString(word);
+        return word == "solve" ? keyInWords(word) : caseText(word);
     }
 
     /// Few values as they are, many by their number and bounds.

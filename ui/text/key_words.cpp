@@ -134,4 +134,13 @@ QString keyInWords(const std::string& key) {
     return QCoreApplication::translate("Keys", words.toUtf8().constData());
 }
 
+QString caseText(const std::string& text) {
+    constexpr std::size_t digits = 64;
+    constexpr qsizetype enough = 12;
+    const bool isSum =
+        text.size() == digits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+    const QString all = QString::fromStdString(text);
+    return isSum ? all.left(enough) + QChar(0x2026) : all;
+}
+
 }  // namespace ravnoves

@@ -16,4 +16,7 @@ Unit takeUnit(QString& key);
 /// stands in another's place.
 QString keyInWords(const std::string& key);
 
+/// A word or a text of a case as tables show it: of the sum of a file its first digits.
+QString caseText(const std::string& text);
+
 }  // namespace ravnoves

@@ -158,19 +158,24 @@ TEST(LayoutLibrary, WhatStoodAtItsUsualPlaceFollowsTheSpacing) {
     before.shafts = usual_shafts(cylinders(before), before.crank_radius);
     Input after = before;
     after.layout->spacing *= 1.25;
-    follow_spacing(after, before);
+    follow_sizes(after, before);
     EXPECT_NEAR(after.layout->first_position, 1.5 * after.layout->spacing, 1e-12);
     EXPECT_EQ(*after.end_webs, usual_end_webs(cylinders(after), after.crank_radius));
     EXPECT_EQ(after.shafts, usual_shafts(cylinders(after), after.crank_radius));
     // The second order is a force alone, whatever the spacing.
     EXPECT_NEAR(solve(after).two_term.order(2).moment.max(), 0.0, 1e-12);
+    Input wider = after;
+    wider.crank_radius *= 1.1;
+    follow_sizes(wider, after);
+    EXPECT_EQ(wider.end_webs->front_position,
+              usual_end_webs(cylinders(wider), wider.crank_radius).front_position);
     // What was put elsewhere stays there.
     before.layout->first_position += 0.01;
     before.end_webs->front_position += 0.01;
     before.shafts[0].weight_distance += 0.01;
     after = before;
     after.layout->spacing *= 1.25;
-    follow_spacing(after, before);
+    follow_sizes(after, before);
     EXPECT_EQ(after.layout->first_position, before.layout->first_position);
     EXPECT_EQ(after.end_webs->front_position, before.end_webs->front_position);
     EXPECT_EQ(after.shafts[0].weight_distance, before.shafts[0].weight_distance);

@@ -38,7 +38,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     QString sceneName() const override { return QStringLiteral("inertia-moments"); }
     Json resultJson() const override;
-    /// What stood at its usual place follows another spacing.
+    /// What stood at its usual place follows another spacing or crank radius.
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override;
     bool setViewOption(const QString& key, const QString& value) override;
