@@ -138,10 +138,12 @@ class AngleTable {
                 each_sample(worker, stopped, [&](std::uint64_t k, std::vector<double>& x) {
                     auto found = buildable(x);
                     const double off = off_of(x);
-                    for (auto& [from, to] : found.value_or(AngleStretches())) {
-                        const double width = to - from;
-                        from = wrap(from - off, turn_deg);
-                        to = from + width;
+                    if (found) {
+                        for (auto& [from, to] : *found) {
+                            const double width = to - from;
+                            from = wrap(from - off, turn_deg);
+                            to = from + width;
+                        }
                     }
                     samples_stretches_[k] = std::move(found);
                 });

@@ -159,6 +159,32 @@ TEST(RobustBest, LeavesRoomForWhatTheSamplesNeed) {
     EXPECT_NEAR(half->robust->buildable.value_or(0.0), 0.5, 1e-3);
 }
 
+TEST(RobustBest, LeavesRoomForTheToleranceOfTheAngleItself) {
+    // Every sample can be built from 130° on; the shaft is set to ±10°.
+    Problem tried = chosen({{"plus_minus", 1e-6}}, 4.0, 4.0);
+    tried.study.vary.push_back(
+        {.pointer = "/angle_deg", .spread = Varied::Spread::plus_minus, .size = 10.0});
+    tried.nominal.push_back(nominal_angle);
+    double to = 200.0;
+    tried.choice->make_buildable = [&to] {
+        return [&to](std::span<const double>) {
+            return std::optional(AngleStretches{{130.0, to}});
+        };
+    };
+    tried.choice->buildable = {{130.0, to}};
+    const auto found = find_robust_best(tried, 2);
+    ASSERT_TRUE(found && found->robust && found->nominal);
+    EXPECT_NEAR(found->robust->angle, 130.0 + 0.9 * 10.0, 0.05);
+    EXPECT_NEAR(found->robust->buildable.value_or(0.0), 0.95, 1e-3);
+    EXPECT_NEAR(found->nominal->buildable.value_or(0.0), 0.5, 1e-3);
+    // Narrower than the tolerance: the most there is.
+    to = 136.0;
+    tried.choice->buildable = {{130.0, to}};
+    const auto narrow = find_robust_best(tried, 1);
+    ASSERT_TRUE(narrow && narrow->robust);
+    EXPECT_NEAR(narrow->robust->buildable.value_or(0.0), 6.0 / 20.0, 3e-3);
+}
+
 TEST(RobustBest, OfABalanceShaftIsTheLeastOfTheAnglesThatCanBeBuilt) {
     CaseFile file =
         parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"));
