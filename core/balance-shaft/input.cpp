@@ -277,6 +277,16 @@ void check_together(const Input& input) {
 
 }  // namespace
 
+Message TorqueSource::changed_note() const {
+    if (!has_changed()) {
+        return {};
+    }
+    return {CORE_TEXT("balance-shaft",
+                      "%1 has changed since it was read for this case: all results are of what is "
+                      "in it now. Read it again to keep that, or bring the old file back."),
+            kind == Kind::csv ? csv : trace_csv};
+}
+
 double Input::reciprocating_mass() const {
     double sum = 0.0;
     for (const NamedMass& part : reciprocating_masses) {

@@ -7,6 +7,7 @@
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/relieved_shaft.h"
 #include "balance-shaft/torque_table.h"
+#include "case-file/message.h"
 #include "numerics/constants.h"
 
 namespace ravnoves {
@@ -84,6 +85,8 @@ struct TorqueSource {
         return (kind == Kind::csv && csv_sum.differs()) ||
                (kind == Kind::pressure && trace_sum.differs());
     }
+    /// Says so; else empty.
+    Message changed_note() const;
     bool operator==(const TorqueSource&) const = default;
 };
 

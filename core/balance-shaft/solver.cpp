@@ -252,13 +252,8 @@ void Solver::Prepared::prepare_notes() {
             base.trace_is_a_turn_off = peaks_a_turn_off(input, *gas);
         }
     }
-    if (input.torque.has_changed()) {
-        const TorqueSource& source = input.torque;
-        base.notes.emplace_back(
-            CORE_TEXT("balance-shaft",
-                      "%1 has changed since it was read for this case: all results are of what is "
-                      "in it now. Read it again to keep that, or bring the old file back."),
-            source.kind == TorqueSource::Kind::csv ? source.csv : source.trace_csv);
+    if (Message changed = input.torque.changed_note(); !changed.empty()) {
+        base.notes.push_back(std::move(changed));
     }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
         base.notes.push_back(base.inertia_check.text);

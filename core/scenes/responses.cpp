@@ -26,6 +26,17 @@ BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
     return {};
 }
 
+std::vector<Message> file_notes(const CaseFile& file, const CaseContext& context) {
+    std::vector<Message> notes;
+    if (file.scene == "balance-shaft") {
+        const auto input = balance_shaft::read_input(file.input, context);
+        if (Message changed = input.torque.changed_note(); !changed.empty()) {
+            notes.push_back(std::move(changed));
+        }
+    }
+    return notes;
+}
+
 std::optional<BestChoice> best_choice(const CaseFile& file) {
     if (file.scene == "balance-shaft") {
         return BestChoice{"/shaft_angle_deg",

@@ -4,8 +4,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "case-file/case_context.h"
+#include "case-file/message.h"
 #include "case-file/response.h"
 
 namespace ravnoves {
@@ -24,6 +26,10 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
 /// @throws InputError where the case is wrong
 BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
                             std::span<const std::string> varied);
+
+/// What is to be known of the files that the case is solved from, whatever is asked of it.
+/// @throws InputError where the case is wrong
+std::vector<Message> file_notes(const CaseFile& file, const CaseContext& context);
 
 /// An angle of a scene's input that is there to make one of its results least.
 struct BestChoice {

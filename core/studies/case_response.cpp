@@ -198,6 +198,7 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
                                                  sha256(read_text_file(path)));
     }
     problem.make = responses_of(solver, file, context, problem.study);
+    problem.file_notes = file_notes(file, context);
     if (const auto choice = best_choice(file)) {
         Study tried{.vary = problem.study.vary,
                     .watch = {{.pointer = choice->value}, {.pointer = choice->amplitude}}};

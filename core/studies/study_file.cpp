@@ -373,6 +373,9 @@ std::vector<Message> notes_of(const Part& part) {
 
 std::vector<Note> noted(const Part& part) {
     std::vector<Note> notes;
+    for (const Message& note : part.file_notes) {
+        notes.push_back({note});
+    }
     if (part.study.method == Method::grid) {
         return notes;
     }
@@ -448,6 +451,9 @@ Json write_part(const Part& part) {
     if (part.robust_best) {
         json["robust_best"] = write_robust_best(*part.robust_best);
     }
+    if (!part.file_notes.empty()) {
+        json["file_notes"] = english(part.file_notes);
+    }
     return json;
 }
 
@@ -489,6 +495,11 @@ Part read_part(const Json& json) {
         }
         if (reader.has("robust_best")) {
             part.robust_best = read_robust_best(reader.raw("robust_best"));
+        }
+        if (reader.has("file_notes")) {
+            for (const Json& note : reader.raw("file_notes")) {
+                part.file_notes.emplace_back(note.get<std::string>());
+            }
         }
     } catch (const Json::exception&) {
         throw InputError("/basis", CORE_TEXT("studies", "is not what this program writes"));
@@ -559,6 +570,9 @@ Json write_results(const Part& part) {
         for (const Row& row : part.rows) {
             json["table"].push_back(write_row(row));
         }
+        if (const auto notes = notes_of(part); !notes.empty()) {
+            json["notes"] = english(notes);
+        }
         return json;
     }
     json["watched"] = Json::object();
@@ -568,10 +582,7 @@ Json write_results(const Part& part) {
     if (part.robust_best) {
         json["robust_best"] = write_robust_best(*part.robust_best);
     }
-    json["notes"] = Json::array();
-    for (const Message& note : notes_of(part)) {
-        json["notes"].push_back(note.english());
-    }
+    json["notes"] = english(notes_of(part));
     return json;
 }
 

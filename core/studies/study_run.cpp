@@ -506,6 +506,7 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
     Part part;
     part.origin = problem.origin;
     part.study = problem.study;
+    part.file_notes = problem.file_notes;
     part.shard = shard;
     part.shards = shards;
     std::tie(part.from, part.to) = shard_range(part.study, shard, shards);

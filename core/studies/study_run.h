@@ -41,6 +41,7 @@ struct Problem {
     std::vector<double> nominal;                        ///< the inputs, in the units of their keys
     std::vector<std::optional<double>> nominal_result;  ///< the watched values there
     MakeResponse make;
+    std::vector<Message> file_notes{};  ///< of the files that the case names
 
     /// An angle that the scene chooses to make a value least (scenes/responses.h).
     struct Choice {
@@ -103,6 +104,7 @@ struct Part {
     std::uint64_t to = 0;
     Tally tally;
     std::vector<Row> rows;
+    std::vector<Message> file_notes{};
     std::optional<RobustBest> robust_best{};  ///< of the first shard, where it was asked for
     // Not written:
     std::shared_ptr<const FirstSamples> first{};
@@ -179,8 +181,8 @@ struct Note {
     /// the method.
     std::optional<std::size_t> fails{};
 };
-/// Where the linear answer fails by more than its error bars, and why; what too few samples do not
-/// tell.
+/// Of the files that the case names; where the linear answer fails by more than its error bars, and
+/// why; what too few samples do not tell.
 std::vector<Note> noted(const Part& part);
 std::vector<Message> notes_of(const Part& part);
 

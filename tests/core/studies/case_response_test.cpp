@@ -9,6 +9,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "scenes/responses.h"
 #include "scenes/scenes.h"
@@ -150,6 +151,24 @@ TEST(CaseResponse, GivesTheNumbersOfTheWholeSolutionOfEveryScene) {
         EXPECT_NE(response->reason().message().english().find(scene.varied), std::string::npos)
             << response->reason().message().english();
     }
+}
+
+TEST(CaseResponse, SaysThatAFileHasChanged) {
+    const CaseContext context{std::filesystem::path(testing::TempDir()) / "changed-file"};
+    std::filesystem::create_directories(context.directory);
+    const std::string table = "0;0\n180;300\n360;0\n540;-100\n720;0\n";
+    write_text_file(context.directory / "torque.csv", table);
+    CaseFile file = example("tmz-650d.case.json");
+    file.input["torque"] = {{"csv", "torque.csv"}, {"csv_sha256", sha256(table)}};
+    file.study = {{"vary", {{"/shaft_angle_deg", {{"plus_minus", 1}}}}},
+                  {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
+                  {"samples", 16}};
+    EXPECT_TRUE(problem_of(file, context).file_notes.empty());
+    file.input["torque"]["csv_sha256"] = sha256("");
+    const Json notes = write_results(whole(problem_of(file, context))).at("notes");
+    ASSERT_FALSE(notes.empty());
+    EXPECT_TRUE(notes[0].get<std::string>().starts_with("torque.csv has changed since")) << notes;
+    std::filesystem::remove_all(context.directory);
 }
 
 TEST(CaseResponse, SaysReasonsAsMessages) {

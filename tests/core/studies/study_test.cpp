@@ -497,8 +497,11 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
             study["vary"] = {{"/x0", {{"from", 0}, {"to", 2}, {"steps", 21}}},
                              {"/x1", {{"values", {0, 1, 3}}}}};
         }
-        const Problem all = problem(study, {0, 0}, function);
-        const std::string expected = write_results(whole(all, 2)).dump();
+        Problem all = problem(study, {0, 0}, function);
+        all.file_notes = {"a file has changed"};
+        const Json results = write_results(whole(all, 2));
+        EXPECT_EQ(results.at("notes").at(0), "a file has changed");
+        const std::string expected = results.dump();
         for (const std::uint64_t shards : {1U, 3U, 7U}) {
             PartMerger merger;
             for (std::uint64_t k = shards; k >= 1; --k) {
