@@ -16551,6 +16551,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Move the trace by &amp;360°</source>
         <translation>Сдвинуть диаграмму на &amp;360°</translation>
     </message>
+    <message>
+        <source>The trace is that of %1.</source>
+        <translation>Диаграмма взята из %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>

@@ -193,6 +193,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
         new QPushButton(themedIcon(QStringLiteral("import")), tr("&Read CSV file…"), form);
     file->addWide(import);
     trace_ = captionLabel({}, form);
+    trace_->setObjectName(QStringLiteral("trace_file"));
     file->addWide(trace_);
     addNumbers(form, "/torque/pressure", {field::trace_shift});
     QLabel* doubts = captionLabel({}, form);  // the results are on another tab of a small page
@@ -269,7 +270,9 @@ QString TorqueSourceEditor::importTrace(const QString& path) {
     QString described;
     QString why = model_->importPressureTrace(path, described);
     if (why.isEmpty()) {
-        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), described));
+        described_ = described;
+        describedSum_ = model_->input().torque.trace_sum.now;
+        showInput();
     }
     return why;
 }
@@ -285,10 +288,15 @@ void TorqueSourceEditor::showForm(int page) {
                       ? tr("The torque is still that of the computed cycle: no pressure is read "
                            "yet.")
                       : tr("The torque is still that of the table: no pressure is read yet."));
-    if (torque.trace.pressure.empty() && !torque.trace_csv.empty()) {
-        trace_->setText(tr("%1 cannot be read; read it again from where it is now.")
-                            .arg(QString::fromStdString(torque.trace_csv)));
-    }
+    const QString file = QString::fromStdString(torque.trace_csv);
+    const QString name = QFileInfo(file).fileName();
+    sayOrHide(trace_, file.isEmpty() ? QString()
+                      : torque.trace.pressure.empty()
+                          ? tr("%1 cannot be read; read it again from where it is now.").arg(file)
+                      : torque.trace_sum.now == describedSum_
+                          ? tr("%1: %2.").arg(name, described_)
+                          : tr("The trace is that of %1.").arg(name));
+    trace_->setToolTip(file);
 }
 
 void TorqueSourceEditor::showInput() {

@@ -53,7 +53,9 @@ class TorqueSourceEditor : public QWidget {
     QComboBox* choice_ = nullptr;
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;
-    QLabel* trace_ = nullptr;
+    QLabel* trace_ = nullptr;   ///< the file that the trace is of
+    QString described_;         ///< what was read last
+    std::string describedSum_;  ///< SHA-256 of that file
     TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;
     QWidget* noTable_ = nullptr;

@@ -80,8 +80,9 @@ TEST_F(TorqueSourceTest, BoresThatDifferAreTold) {
     const auto said = page.findChildren<QLabel*>(QStringLiteral("bores"));
     ASSERT_EQ(said.size(), 3);
     for (const QLabel* each : said) {
-        EXPECT_EQ(each->text(), QStringLiteral("The front view has a bore of 95.5\u00A0mm, the gas "
-                                               "torque one of 80\u00A0mm: which is the cylinder’s?"));
+        EXPECT_EQ(each->text(),
+                  QStringLiteral("The front view has a bore of 95.5\u00A0mm, the gas "
+                                 "torque one of 80\u00A0mm: which is the cylinder’s?"));
     }
     model->edit(QStringLiteral("Bore"),
                 [](balance_shaft::Input& input) { input.envelope.cylinder_bore.reset(); });
@@ -135,6 +136,15 @@ TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     EXPECT_EQ(model->input().torque.kind, Kind::pressure);
     ASSERT_TRUE(model->result().indicated.has_value());
     EXPECT_NEAR(model->result().indicated->peak_pressure, 61e5, 1e3);
+    const auto* trace = test::named<QLabel>(*source, "trace_file");
+    EXPECT_TRUE(trace->text().startsWith(QStringLiteral("trace.csv: 14")));
+    Json input = model->inputJson();
+    input["torque"]["pressure"]["csv"] = "trace.csv";
+    const CaseContext beside{folder.path().toStdString()};
+    BalanceShaftPage reopened;
+    reopened.model()->loadCase(input, beside, {});
+    EXPECT_EQ(test::named<QLabel>(reopened, "trace_file")->text(),
+              QStringLiteral("The trace is that of trace.csv."));
     write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
     EXPECT_TRUE(source->importTrace(path).contains(QStringLiteral("line 2")));
     EXPECT_EQ(model->input().torque.kind, Kind::pressure);
