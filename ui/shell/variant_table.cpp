@@ -15,6 +15,7 @@
 #include "model/scene_model.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "text/shown_units.h"
 #include "text/write_file.h"
 #include "widgets/dialog_size.h"
 #include "widgets/file_dialogs.h"
@@ -32,6 +33,12 @@ using Figures = QList<std::pair<QString, QString>>;
 /// As units have none; exponents are others.
 bool hasNoDigit(const QString& text) {
     return std::none_of(text.begin(), text.end(), [](QChar each) { return each.isDigit(); });
+}
+
+bool isNumberAlone(const QString& text) {
+    return !hasNoDigit(text) && std::none_of(text.begin(), text.end(), [](QChar each) {
+        return each.isLetter() || each == QLatin1Char('%');
+    });
 }
 
 /// @param text  tables as ScenePage::resultsAsText() has them, each behind an empty line; sentences
@@ -52,8 +59,11 @@ Figures figuresOf(const QString& text) {
                 cells[2].isEmpty() ? cells[0] : cells[0] + QStringLiteral(", ") + cells[2],
                 cells[1]);
         } else {
+            // A unit over the names is that of all numbers that have none of their own.
+            const QString unit = unitOfTitle(headings[0]) == headings[0] ? headings[0] : QString();
             for (qsizetype i = 1; i < cells.size(); ++i) {
-                figures << std::pair(cells[0] + QStringLiteral(" · ") + headings.value(i),
+                const QString name = cells[0] + QStringLiteral(" · ") + headings.value(i);
+                figures << std::pair(isNumberAlone(cells[i]) ? titleWithUnit(name, unit) : name,
                                      cells[i]);
             }
         }

@@ -293,6 +293,15 @@ TEST_P(EveryPagesVariants, StandSideBySideWithThePresent) {
     EXPECT_EQ(read_text_file(fsPath(path)), table.asCsv().toStdString());
 }
 
+TEST(VariantsSideBySide, GiveTheirMomentsAUnit) {
+    const auto page = test::makePage("balance-shaft");
+    const VariantTable dialog(page.get(), nullptr);
+    const QString text = dialog.table()->asText();
+    EXPECT_TRUE(text.contains(u"\nrange · Mᵤₚₛ, N·m\t"_s)) << qPrintable(text);
+    EXPECT_TRUE(text.contains(u"\nmin · Mₛ, N·m\t"_s));
+    EXPECT_TRUE(text.contains(u"\nrange · change\t"_s));
+}
+
 TEST(InputsAgainstTheReference, ScrollWhereTheyAreMany) {
     InertiaMomentsPage page;
     page.viewModel()->chooseLayout(u"vr6"_s);
