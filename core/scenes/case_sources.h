@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 
 namespace ravnoves {
 
@@ -14,5 +17,9 @@ bool is_same_file(const std::filesystem::path& file, const std::filesystem::path
 /// Whether the file is one that the case names; nothing may be written over it then.
 bool is_named_by(const CaseFile& file, const CaseContext& context,
                  const std::filesystem::path& path);
+
+/// The files that an input names together with their SHA-256 and that are others now, by their
+/// names in it. One that cannot be read is none of them: the input is refused then.
+std::vector<std::string> changed_files(const Json& input, const CaseContext& context);
 
 }  // namespace ravnoves

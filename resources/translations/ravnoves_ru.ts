@@ -15197,6 +15197,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The last change is still being solved. Wait for that, or cancel it.</source>
         <translation>Последнее изменение ещё решается. Подождите или отмените его.</translation>
     </message>
+    <message>
+        <source>%1 has changed since this variant was kept: its results are of what is in the file now.</source>
+        <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по тому, что в файле сейчас.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SettingsDialog</name>

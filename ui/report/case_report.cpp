@@ -15,6 +15,7 @@
 #include "model/case_document.h"
 #include "model/case_sources.h"
 #include "model/input_differences.h"
+#include "model/variant_files.h"
 #include "report/input_tables.h"
 #include "report/page_parts.h"
 #include "report/report.h"
@@ -275,6 +276,14 @@ void addVariants(Report& report, const SceneModel& model) {
     report.items.push_back(Paragraph{ReportWords::tr("Kept beside the present input: %1.")
                                          .arg(shortened(names.join(QStringLiteral(", "))))
                                          .toHtmlEscaped()});
+    for (int i = 0; i < names.size(); ++i) {
+        const QString changed = changedFilesText(model, i);
+        if (!changed.isEmpty()) {
+            report.items.push_back(
+                Paragraph{(shortened(names[i]) + QStringLiteral(": ") + changed).toHtmlEscaped(),
+                          Paragraph::Kind::Warning});
+        }
+    }
     if (reference < 0) {
         return;
     }

@@ -5,6 +5,7 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "model/variant_files.h"
 #include "plot/plot_view.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
@@ -75,6 +76,10 @@ void Comparison::showReference() {
             twin_->model()->takeView(model);
             shown_ = variant.input;
             fill();
+            const QString changed = changedFilesText(model, place);
+            if (!changed.isEmpty()) {
+                Q_EMIT page_->status(tr("Reference %1: %2").arg(variant.name, changed));
+            }
         }
         connectParts(variant.name);
     } catch (const InputError&) {

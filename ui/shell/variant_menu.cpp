@@ -4,6 +4,7 @@
 #include <QMessageBox>
 #include <QToolButton>
 
+#include "model/variant_files.h"
 #include "shell/input_comparison.h"
 #include "shell/scene_page.h"
 #include "shell/variant_table.h"
@@ -100,10 +101,14 @@ void VariantMenu::showState() {
     button_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
     button_->setToolButtonStyle(name.isEmpty() ? Qt::ToolButtonIconOnly
                                                : Qt::ToolButtonTextBesideIcon);
-    const QString tip = !usable          ? tr("This page has no inputs to keep as variants.")
-                        : name.isEmpty() ? tr("Variants: keep the present input as reference "
-                                              "(Ctrl+K) and see what changes against it")
-                                         : tr("Variants: the reference is %1").arg(name);
+    QString tip = !usable          ? tr("This page has no inputs to keep as variants.")
+                  : name.isEmpty() ? tr("Variants: keep the present input as reference "
+                                        "(Ctrl+K) and see what changes against it")
+                                   : tr("Variants: the reference is %1").arg(name);
+    const QString changed = reference >= 0 ? changedFilesText(*model_, reference) : QString();
+    if (!changed.isEmpty()) {
+        tip += QLatin1Char('\n') + changed;
+    }
     button_->setToolTip(tip);
     button_->setAccessibleName(tip);
 }
@@ -122,8 +127,10 @@ void VariantMenu::fillList() {
         auto* action =
             new QAction(trouble.isEmpty() ? text : tr("%1 – refused: %2").arg(text, trouble), this);
         action->setObjectName(QStringLiteral("variant_%1").arg(i));
-        action->setToolTip(trouble.isEmpty() ? tr("Show the present input against %1").arg(text)
-                                             : trouble);
+        const QString changed = trouble.isEmpty() ? changedFilesText(*model_, i) : QString();
+        action->setToolTip(!trouble.isEmpty()  ? trouble
+                           : changed.isEmpty() ? tr("Show the present input against %1").arg(text)
+                                               : changed);
         action->setCheckable(true);
         action->setChecked(i == model_->reference());
         connect(

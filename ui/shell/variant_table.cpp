@@ -13,6 +13,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "model/variant_files.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/shown_units.h"
@@ -147,6 +148,10 @@ void VariantTable::showVariants() {
         const QString trouble = model.variantTrouble(i);
         add(model.variants().at(i).name, trouble.isEmpty() ? model.variantInput(i) : Json(),
             trouble);
+        const QString changed = trouble.isEmpty() ? changedFilesText(model, i) : QString();
+        if (!changed.isEmpty()) {
+            troubles << model.variants().at(i).name + QStringLiteral(": ") + changed;
+        }
     }
     ResultRows rows;
     for (const QString& name : names) {

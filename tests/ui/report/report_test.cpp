@@ -458,6 +458,24 @@ TEST_F(ReportInWindow, SaysWhatItsCurvesAreSeenAgainst) {
     EXPECT_TRUE(text.contains(u"Δ, %"_s) || text.contains(u"Δ "_s));
 }
 
+TEST_F(ReportInWindow, SaysOfWhichVariantsAFileHasChanged) {
+    Json json = Json::parse(fileText(example()).toStdString());
+    Json variant = json["input"];
+    variant["torque"] = Json{{"csv", "ind.csv"}, {"csv_sha256", std::string(64, '0')}};
+    json["variants"] = Json::array({Json{{"name", "C"}, {"input", variant}}});
+    const auto write = [&](const QString& name, const std::string& text) {
+        QFile own(file(name));
+        ASSERT_TRUE(own.open(QIODevice::WriteOnly));
+        own.write(QByteArray::fromStdString(text));
+    };
+    write(u"ind.csv"_s, "0;1\n360;3\n720;1\n");
+    write(u"x.case.json"_s, json.dump());
+    ASSERT_EQ(window.openCase(file(u"x.case.json"_s)), QString());
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    EXPECT_TRUE(fileText(html).contains(u"C: ind.csv has changed since"_s));
+}
+
 TEST(ReportPages, ALongTitleIsCut) {
     Report report;
     report.title = QString(1'000'000, u'W');

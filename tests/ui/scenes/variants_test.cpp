@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "balance-shaft/presets.h"
+#include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -18,6 +22,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "model/case_document.h"
 #include "model/input_differences.h"
+#include "model/variant_files.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
@@ -300,6 +305,36 @@ TEST(VariantsSideBySide, GiveTheirMomentsAUnit) {
     EXPECT_TRUE(text.contains(u"\nrange · Mᵤₚₛ, N·m\t"_s)) << qPrintable(text);
     EXPECT_TRUE(text.contains(u"\nmin · Mₛ, N·m\t"_s));
     EXPECT_TRUE(text.contains(u"\nrange · change\t"_s));
+}
+
+TEST(AVariantOfAFile, SaysEverywhereThatTheFileHasChanged) {
+    const QTemporaryDir folder;
+    const auto page = test::makePage("balance-shaft");
+    SceneModel& model = *page->model();
+    balance_shaft::TorqueTable table = balance_shaft::preset_tmz_650d().torque.table;
+    const auto write = [&] {
+        write_text_file(fsPath(folder.filePath(u"ind.csv"_s)),
+                        balance_shaft::write_torque_table(table));
+    };
+    write();
+    Json input = model.inputJson();
+    input["torque"] = {{"csv", "ind.csv"}};
+    model.loadCase(input, CaseContext{fsPath(folder.path())}, u"x"_s);
+    model.keepVariant(u"C"_s);
+    EXPECT_EQ(changedFilesText(model, 0), QString());
+    table.torque[5] += 1.0;
+    write();
+    const QString wanted = u"ind.csv has changed since this variant was kept"_s;
+    QSignalSpy said(page.get(), &ScenePage::status);
+    model.chooseReference(-1);
+    model.chooseReference(0);
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().contains(wanted));
+    const VariantTable dialog(page.get(), nullptr);
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) {
+        return each->text().startsWith(u"C: "_s + wanted);
+    }));
 }
 
 TEST(InputsAgainstTheReference, ScrollWhereTheyAreMany) {

@@ -1,0 +1,23 @@
+#include "model/variant_files.h"
+
+#include <QStringList>
+
+#include "case-file/json.h"
+#include "model/scene_model.h"
+#include "scenes/case_sources.h"
+
+namespace ravnoves {
+
+QString changedFilesText(const SceneModel& model, int variant) {
+    QStringList names;
+    for (const std::string& name : changed_files(model.variantInput(variant), model.context())) {
+        names << QString::fromStdString(name);
+    }
+    return names.isEmpty() ? QString()
+                           : SceneModel::tr(
+                                 "%1 has changed since this variant was kept: its "
+                                 "results are of what is in the file now.")
+                                 .arg(names.join(QStringLiteral(", ")));
+}
+
+}  // namespace ravnoves
