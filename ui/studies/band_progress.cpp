@@ -23,6 +23,8 @@ BandProgress::BandProgress(QWidget* parent)
     setObjectName(QStringLiteral("band_progress"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
+    constexpr int leastTitle = 60;  // its tip has all of it
+    title_->setMinimumWidth(Theme::withText(leastTitle));
     row->addWidget(title_);
     progress_->setRange(0, 100);
     progress_->setFixedWidth(Theme::withText(90));
@@ -83,6 +85,7 @@ void BandProgress::showRunning() {
     const bool isTooLarge = bands_ && bands_->isTooLarge();
     title_->setText(isTooLarge ? tr("No bands and ±: the input is too large for them")
                                : tr("Bands"));
+    title_->setToolTip(title_->text());
     progress_->setVisible(isRunning);
     stop_->setVisible(isRunning);
     if (isVisibleTo(parentWidget()) != (isRunning || isTooLarge)) {

@@ -43,6 +43,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/pick_box.h"
 #include "widgets/result_table.h"
@@ -204,7 +205,9 @@ QWidget* ToleranceWindow::makeInputs() {
         return editor;
     };
     auto* top = new QHBoxLayout;
-    top->addWidget(headingLabel(tr("Inputs and their tolerances"), holder), 1);
+    QLabel* heading = headingLabel(tr("Inputs and their tolerances"), holder);
+    heading->setWordWrap(true);
+    top->addWidget(heading, 1);
     auto* presets = new QPushButton(tr("&Usual ones"), holder);
     presets->setObjectName(QStringLiteral("presets"));
     presets->setAutoDefault(false);
@@ -280,14 +283,15 @@ QWidget* ToleranceWindow::makeAnswers() {
         return box;
     };
     method_ = chooser(tr("M&ethod"), "method");
-    constexpr int leastMethod = 90;  // it gives way where the text is large
-    method_->setMinimumWidth(Theme::withText(leastMethod));
+    constexpr int leastChooser = 90;  // they give way where the text is large
+    method_->setMinimumWidth(Theme::withText(leastChooser));
     for (const Word& word : studies::method_words()) {
         method_->addItem(shownText(word.label));
     }
     connect(method_, &QComboBox::activated, this,
             [this](int index) { model_->setMethod(static_cast<studies::Method>(index)); });
     samples_ = chooser(tr("&Samples"), "samples");
+    samples_->setMinimumWidth(Theme::withText(leastChooser));
     connect(samples_, &QComboBox::activated, this,
             [this](int index) { model_->setSamples(samples_->itemData(index).toULongLong()); });
     row->addStretch();
@@ -337,30 +341,39 @@ QWidget* ToleranceWindow::makeAnswers() {
     } else {
         robust_->hide();
     }
+    constexpr int leastTab = 220;  // narrower than what is in them they scroll sideways
+    for (QScrollArea* tab : tabs_->findChildren<QScrollArea*>()) {
+        tab->setMinimumWidth(Theme::withText(leastTab));
+    }
     column->addWidget(tabs_, 5);
     auto* bands = new QCheckBox(tr("Show &bands and ± on the page"), holder);
     bands->setObjectName(QStringLiteral("bands"));
     bands->setChecked(ToleranceSwitch::instance().isOn());
     connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
-    auto* last = new QHBoxLayout;
-    last->addWidget(bands);
-    auto* bandProgress = new BandProgress(holder);
+    // Under each other where large text leaves no room.
+    auto* below = new FoldingRow(0, holder);
+    below->add(bands);
+    auto* running = new QWidget(below);
+    QHBoxLayout* last = rowIn(running, Theme::gap);
+    below->add(running, 1);
+    auto* bandProgress = new BandProgress(running);
     bandProgress->follow(page_);
     last->addWidget(bandProgress);
     last->addStretch();
-    progress_ = new QProgressBar(holder);
+    progress_ = new QProgressBar(running);
     progress_->setAccessibleName(tr("Progress"));
     progress_->hide();
     last->addWidget(progress_);
-    stop_ = new QPushButton(tr("S&top"), holder);
+    stop_ = new QPushButton(tr("S&top"), running);
     stop_->setAutoDefault(false);
     stop_->hide();
     stop_->setObjectName(QStringLiteral("stop"));
     connect(stop_, &QPushButton::clicked, this,
             [this] { model_->isStopped() ? model_->run() : model_->stop(); });
     last->addWidget(stop_);
-    column->addLayout(last);
+    running->setMinimumHeight(stop_->sizeHint().height());  // nothing moves as they come and go
+    column->addWidget(below);
     return holder;
 }
 

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTableView>
@@ -38,6 +39,7 @@
 #include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
 #include "studies/tornado_view.h"
+#include "text/language.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
 #include "text/shown_units.h"
@@ -866,6 +868,27 @@ TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
     const ToleranceWindow window(page.get(), nullptr);
     EXPECT_LE(window.minimumSizeHint().width(), 1000);
     EXPECT_LE(window.minimumSizeHint().height(), 640);
+}
+
+TEST(ToleranceWindowSize, FitsASmallScreenWhateverItShows) {
+    for (const char* language : {"ru", "en"}) {
+        installLanguage(QString::fromLatin1(language));
+        Theme::instance().setTextScale(1.5);
+        const auto page = test::makePage("balance-shaft");
+        ToleranceWindow window(page.get(), nullptr);
+        window.model()->take(StudyModel::Preset::Weighed);
+        window.model()->watch("/metrics/M_ups/range_Nm");
+        window.show();
+        for (QWidget* each :
+             window.findChildren<QWidget*>(QRegularExpression(u"stop|band_progress"_s))) {
+            each->show();
+        }
+        QApplication::processEvents();
+        const QSize least = window.minimumSizeHint();
+        EXPECT_LE(least.width(), 1000);
+        EXPECT_LE(least.height(), 700);
+    }
+    Theme::instance().setTextScale(1.0);
 }
 
 TEST_F(Tolerances, WhatIsRefusedIsSaidBeforeTheCaseIsSaved) {
