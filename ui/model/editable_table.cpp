@@ -85,6 +85,7 @@ int EditableTable::widthOf(const std::vector<QStringList>& cells) {
 }
 
 QString EditableTable::noRoomText(const std::vector<QStringList>& cells, int rows, int columns) {
+    rows = std::max(rows, 0);  // the place may lie behind the last row
     const int wide = widthOf(cells);
     if (wide > columns) {
         return tr("Nothing is pasted: the block has %1 columns, and here is room for %2.")

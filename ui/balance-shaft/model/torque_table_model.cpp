@@ -348,7 +348,8 @@ QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
         }
     }
     // Read again from a file that has changed, it becomes the case's own.
-    const bool differs = !(read.table == valid_) || model_->input().torque.has_changed();
+    const bool differs =
+        !(read.table == valid_) || (model_ != nullptr && model_->input().torque.has_changed());
     setTable(read.table);
     if (differs) {
         Q_EMIT tableEdited();
