@@ -182,7 +182,7 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
         const Fit free = best_fit(std::nullopt);
         if (is_believed(free) && !free.at_bound) {
             fit = free;
-            check.is_of_other_rod = true;
+            check.is_of_other_rod = check.lambda_fitted = true;
         }
     }
     const auto moment = [](double value) {
@@ -193,6 +193,7 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     };
     if (!is_believed(fit) || !(check.entered > 0.0)) {
         check.is_of_other_rod = false;
+        check.lambda_fitted = !lambda;
         check.text =
             four_stroke
                 ? CORE_TEXT(

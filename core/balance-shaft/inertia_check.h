@@ -26,7 +26,7 @@ struct InertiaCheck {
     double fitted_lambda = 0.0;    ///< r/L of the fit
     double gas_exchange = 0.0;     ///< d of the fit, N·m
     double residual_rms = 0.0;     ///< of the rows against the fit, N·m
-    bool lambda_fitted = true;     ///< false where the rod length gives it
+    bool lambda_fitted = true;     ///< false where the rod length gave it
     /// Held at the rod's r/L the fit leaves too much, free it does not: the torque is that of a
     /// crank with fitted_lambda, whatever speed and masses are.
     bool is_of_other_rod = false;

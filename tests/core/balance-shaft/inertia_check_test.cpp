@@ -241,6 +241,7 @@ TEST(InertiaCheck, ATorqueOfAnotherRodIsToldHoweverFarItIsOff) {
         ASSERT_TRUE(check.consistent) << rod;
         EXPECT_FALSE(*check.consistent) << rod;
         EXPECT_TRUE(check.is_of_other_rod) << rod;
+        EXPECT_TRUE(check.lambda_fitted) << rod;
         EXPECT_NEAR(check.fitted_lambda, 0.3, 1e-4) << rod;
         EXPECT_NE(check.text.english().find("a rod length of 153"), std::string::npos)
             << check.text.english();
