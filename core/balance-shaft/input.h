@@ -8,6 +8,7 @@
 #include "balance-shaft/relieved_shaft.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/message.h"
+#include "case-file/sha256.h"
 #include "numerics/constants.h"
 
 namespace ravnoves {
@@ -55,7 +56,7 @@ struct FileSum {
     std::string now;
 
     /// What is in the file is not what the case was made with.
-    bool differs() const { return then != now; }
+    bool differs() const { return is_other_sum(then, now); }
     bool operator==(const FileSum&) const = default;
 };
 

@@ -47,10 +47,6 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
         if (sum.then.empty()) {
             sum.then = sum.now;
         }
-        // Some programs print its digits in capitals.
-        std::transform(sum.then.begin(), sum.then.end(), sum.then.begin(), [](char digit) {
-            return digit >= 'A' && digit <= 'F' ? static_cast<char>(digit - 'A' + 'a') : digit;
-        });
         return parse(text);
     } catch (const InputError& error) {
         throw InputError::in_file(place, printable(name), error);

@@ -3,6 +3,7 @@
 #include <nettle/base16.h>
 #include <nettle/sha2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -17,6 +18,14 @@ std::string sha256(std::string_view bytes) {
     std::string text(BASE16_ENCODE_LENGTH(digest.size()), '\0');
     base16_encode_update(text.data(), digest.size(), digest.data());
     return text;
+}
+
+bool is_other_sum(std::string_view kept, std::string_view now) {
+    const auto small = [](char digit) {
+        return digit >= 'A' && digit <= 'F' ? static_cast<char>(digit - 'A' + 'a') : digit;
+    };
+    return !kept.empty() && !std::equal(kept.begin(), kept.end(), now.begin(), now.end(),
+                                        [&](char a, char b) { return small(a) == small(b); });
 }
 
 }  // namespace ravnoves
