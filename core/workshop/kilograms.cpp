@@ -45,6 +45,12 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+std::vector<std::size_t> OddMass::cylinders() const {
+    std::vector<std::size_t> all = also;
+    all.insert(std::upper_bound(all.begin(), all.end(), cylinder), cylinder);
+    return all;
+}
+
 std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses) {
     std::optional<OddMass> found;

@@ -21,6 +21,9 @@ struct OddMass {
     double usual;          ///< median of the others, kg
     /// Cylinders that are unlike theirs as well; half of them and more where there are two kinds.
     std::vector<std::size_t> also{};
+
+    /// All of them, in order.
+    std::vector<std::size_t> cylinders() const;
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
 /// engine differ by a few percent. Of two or three, whose median says little, by a factor of more

@@ -124,6 +124,8 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     // All that are unlike the others, and both kinds where there are two.
     EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 584, 585, 655}))->also,
               std::vector<std::size_t>{1});
+    EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 584, 585, 655}))->cylinders(),
+              (std::vector<std::size_t>{1, 5}));
     EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 650}))->also.size(), 3U);
     // Of two the nominal mass says which is right.
     EXPECT_EQ(odd_mass(584 * gram, grams({584, 58.4}))->cylinder, 1U);

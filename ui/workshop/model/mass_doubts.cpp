@@ -1,8 +1,5 @@
 #include "workshop/model/mass_doubts.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "numerics/units.h"
 #include "workshop/tolerance.h"
 
@@ -35,10 +32,8 @@ QString oddMassText(const Words& words, workshop::Part part, const workshop::Odd
     const QString name = words.text(workshop::part_word(part).label);
     const auto grams = [&](double mass) { return words.plainWithUnit(mass, units::gram, 3); };
     if (!odd.also.empty()) {
-        std::vector<std::size_t> all = odd.also;
-        all.insert(std::upper_bound(all.begin(), all.end(), odd.cylinder), odd.cylinder);
         QStringList cylinders;
-        for (const std::size_t cylinder : all) {
+        for (const std::size_t cylinder : odd.cylinders()) {
             cylinders << QString::number(cylinder + 1);
         }
         return words

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QStringList>
-#include <algorithm>
 
 #include "workshop/kilograms.h"
 #include "workshop/model/words.h"
@@ -22,15 +21,14 @@ QString weighAgainText(const Words& words, const Sheet& sheet) {
     QStringList parts;
     const auto swapped =
         workshop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
-    for (const workshop::Part part : workshop::all_parts) {
-        const auto odd = workshop::odd_mass(sheet[part].nominal, sheet[part].mass);
-        const bool isEnd = part == Part::rod_big_end || part == Part::rod_small_end;
-        const auto isOfWholeRod = [&] {  // which is named below
-            return isEnd &&
-                   std::find(swapped.begin(), swapped.end(), odd->cylinder) != swapped.end();
-        };
-        if (odd && !isOfWholeRod()) {
-            parts << partOfCylinder(words, part, odd->cylinder);
+    for (const Part part : workshop::all_parts) {
+        if (!swapped.empty() && (part == Part::rod_big_end || part == Part::rod_small_end)) {
+            continue;  // whole rods are named below
+        }
+        if (const auto odd = workshop::odd_mass(sheet[part].nominal, sheet[part].mass)) {
+            for (const std::size_t cylinder : odd->cylinders()) {
+                parts << partOfCylinder(words, part, cylinder);
+            }
         }
     }
     for (const std::size_t cylinder : swapped) {
