@@ -11829,14 +11829,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>Copy as &amp;text</source>
-        <translation>Копировать как &amp;текст</translation>
-    </message>
-    <message>
-        <source>Copy as &amp;CSV</source>
-        <translation>Копировать как &amp;CSV</translation>
-    </message>
-    <message>
         <source>No reference is chosen.</source>
         <translation>Эталон не выбран.</translation>
     </message>
@@ -14016,6 +14008,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Ctrl+C copies the selected cells, or the whole table if no more than one is selected.</source>
         <translation>Ctrl+C копирует выделенные ячейки, а если выделено не больше одной – всю таблицу.</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;text</source>
+        <translation>Копировать как &amp;текст</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;CSV</source>
+        <translation>Копировать как &amp;CSV</translation>
     </message>
 </context>
 <context>
@@ -17213,14 +17213,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Variants side by side</source>
         <translation>Варианты рядом</translation>
-    </message>
-    <message>
-        <source>Copy as &amp;text</source>
-        <translation>Копировать как &amp;текст</translation>
-    </message>
-    <message>
-        <source>Copy as &amp;CSV</source>
-        <translation>Копировать как &amp;CSV</translation>
     </message>
     <message>
         <source>&amp;Save as CSV…</source>

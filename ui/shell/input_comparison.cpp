@@ -1,11 +1,8 @@
 #include "shell/input_comparison.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "case-file/json.h"
@@ -34,13 +31,7 @@ InputComparison::InputComparison(ScenePage* page, QWidget* parent)
     table_->setShownRows(fewest);  // an engine's table has more than a screen
     column->addWidget(table_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    const auto copy = [&](const QString& text, QString (ResultTable::*what)() const) {
-        QPushButton* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
-        connect(button, &QPushButton::clicked, this,
-                [this, what] { QApplication::clipboard()->setText((table_->*what)()); });
-    };
-    copy(tr("Copy as &text"), &ResultTable::asText);
-    copy(tr("Copy as &CSV"), &ResultTable::asCsv);
+    table_->addCopyButtons(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     column->addWidget(buttons);
     connect(model_, &SceneModel::changed, this, &InputComparison::showDifferences);

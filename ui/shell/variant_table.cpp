@@ -1,7 +1,5 @@
 #include "shell/variant_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QHash>
 #include <QLabel>
@@ -91,13 +89,7 @@ VariantTable::VariantTable(ScenePage* page, QWidget* parent)
     colourText(words_, &Theme::warning);
     column->addWidget(words_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    const auto copy = [&](const QString& text, QString (ResultTable::*what)() const) {
-        QPushButton* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
-        connect(button, &QPushButton::clicked, this,
-                [this, what] { QApplication::clipboard()->setText((table_->*what)()); });
-    };
-    copy(tr("Copy as &text"), &ResultTable::asText);
-    copy(tr("Copy as &CSV"), &ResultTable::asCsv);
+    table_->addCopyButtons(buttons);
     QPushButton* save = buttons->addButton(tr("&Save as CSV…"), QDialogButtonBox::ActionRole);
     connect(save, &QPushButton::clicked, this, &VariantTable::saveWithDialog);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);

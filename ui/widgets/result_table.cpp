@@ -3,10 +3,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollBar>
 #include <algorithm>
 #include <utility>
@@ -475,6 +477,16 @@ void ResultTable::keyPressEvent(QKeyEvent* event) {
         return;
     }
     QTableWidget::keyPressEvent(event);
+}
+
+void ResultTable::addCopyButtons(QDialogButtonBox* buttons) const {
+    const auto add = [&](const QString& text, QString (ResultTable::*what)() const) {
+        QPushButton* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
+        connect(button, &QPushButton::clicked, this,
+                [this, what] { QApplication::clipboard()->setText((this->*what)()); });
+    };
+    add(tr("Copy as &text"), &ResultTable::asText);
+    add(tr("Copy as &CSV"), &ResultTable::asCsv);
 }
 
 void ResultTable::contextMenuEvent(QContextMenuEvent* event) {

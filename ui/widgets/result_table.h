@@ -10,6 +10,8 @@
 #include "text/result_row.h"
 #include "widgets/whole_rows.h"
 
+class QDialogButtonBox;
+
 namespace ravnoves {
 
 class WrappedHeader;
@@ -80,6 +82,8 @@ class ResultTable : public WithWholeRows<QTableWidget> {
 
     QString asText() const;  ///< the whole table, tab-separated
     QString asCsv() const;   ///< the whole table, comma-separated, quoted where needed
+    /// Buttons of a dialog that copy the whole table, as text and as CSV.
+    void addCopyButtons(QDialogButtonBox* buttons) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

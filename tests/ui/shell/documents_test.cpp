@@ -66,6 +66,16 @@ class DocumentsTest : public ::testing::Test {
         return texts;
     }
     SceneModel& model() { return *window.currentPage()->model(); }
+    /// Keeps job A-1 of the V-8 workshop in a journal of its own.
+    void keepJob(JobDesk*& desk) {
+        QFile::remove(Journal::defaultPath());
+        press(Qt::Key_3);
+        QTest::qWait(100);  // until the page is there for its keys
+        set(u"job/engine_number=A-1"_s);
+        press(Qt::Key_F2, {});
+        desk = window.currentPage()->findChild<JobDesk*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    }
     void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
         window.activateWindow();  // a message may have been in front
@@ -376,14 +386,9 @@ TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
 }
 
 TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
-    QFile::remove(Journal::defaultPath());
-    press(Qt::Key_3);
-    QTest::qWait(100);  // until the page is there for its keys
-    set(u"job/engine_number=A-1"_s);
-    press(Qt::Key_F2, {});
+    JobDesk* desk = nullptr;
+    ASSERT_NO_FATAL_FAILURE(keepJob(desk));
     const ScenePage* page = window.currentPage();
-    JobDesk* desk = page->findChild<JobDesk*>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
     press(Qt::Key_N);
     QTest::qWait(100);
     EXPECT_EQ(tabs(), (QStringList{u"A-1"_s, window.documents().currentScene().title}));
@@ -404,13 +409,8 @@ TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
 }
 
 TEST_F(DocumentsTest, TheJournalSaysWhoseItIsAndKnowsTheOther) {
-    QFile::remove(Journal::defaultPath());
-    press(Qt::Key_3);
-    QTest::qWait(100);  // until the page is there for its keys
-    set(u"job/engine_number=A-1"_s);
-    press(Qt::Key_F2, {});
-    JobDesk* desk = window.currentPage()->findChild<JobDesk*>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    JobDesk* desk = nullptr;
+    ASSERT_NO_FATAL_FAILURE(keepJob(desk));
     press(Qt::Key_4);
     QTest::qWait(100);
     QStringList titles;
@@ -466,13 +466,8 @@ TEST_F(DocumentsTest, UndoShowsWhatItChanges) {
 }
 
 TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
-    QFile::remove(Journal::defaultPath());
-    press(Qt::Key_3);
-    QTest::qWait(100);  // until the page is there for its keys
-    set(u"job/engine_number=A-1"_s);
-    press(Qt::Key_F2, {});
-    JobDesk* desk = window.currentPage()->findChild<JobDesk*>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    JobDesk* desk = nullptr;
+    ASSERT_NO_FATAL_FAILURE(keepJob(desk));
     press(Qt::Key_N);
     QTest::qWait(100);
     EXPECT_NE(window.currentPage()->findChild<JobDesk*>(), desk);
