@@ -1,0 +1,78 @@
+// Cases of versions before this one give the numbers that they gave then.
+
+#include "fixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+using test::Difference;
+
+/// Of results, "CASE/VARIANT/POINTER" (the variant of the case's own input is empty). Whoever takes
+/// a value out of a result adds it here and says why.
+const std::vector<Difference> differences_of_results{};
+
+class FixtureCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(FixtureCase, GivesTheNumbersThatItGave) {
+    const CaseContext context{test::fixture_folder()};
+    CaseFile file = parse_case(read_text_file(context.directory / (GetParam() + ".case.json")));
+    const Json document = test::fixture(GetParam() + ".case.json");
+    const std::vector<CaseVariant> variants = file.variants;
+    ASSERT_EQ(variants.size(), document.value("variants", Json::array()).size());
+    EXPECT_EQ(file.reference, document.value("reference", ""));
+    const Json results = test::fixture(GetParam() + ".result.json");
+    ASSERT_EQ(results.size(), variants.size() + 1);
+    file.variants.clear();
+    file.reference.clear();
+    const auto check = [&](const std::string& name) {
+        Json now;
+        ASSERT_NO_THROW(now = solve_case(file, context).at("result")) << name;
+        const auto found = test::differences(GetParam() + "/" + name, results.at(name), now,
+                                             differences_of_results);
+        EXPECT_TRUE(found.empty()) << test::first_of(found);
+    };
+    check("");
+    for (const CaseVariant& variant : variants) {
+        file.input = variant.input;
+        check(variant.name);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FixtureCase, testing::ValuesIn(test::fixtures_with(".result.json")),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(Fixtures, ADifferenceIsFound) {
+    const Json was = parse_json(R"({"a_mm": 1, "b": {"0": 1e3, "20": 0}, "w": "x", "s": "a b"})");
+    Json is = parse_json(R"({"a_mm": 1, "b": [1e3], "w": "x", "s": "c d", "more": 1})");
+    is["b"].insert(is["b"].end(), 20, Json(1e-10));
+    EXPECT_EQ(test::first_of(test::differences("n", was, is, {})), "0 differences");
+    is["b"][20] = 1e-8;
+    is["a_mm"] = 1.00001;
+    is["w"] = nullptr;
+    EXPECT_EQ(test::differences("n", was, is, {}),
+              (std::vector<std::string>{"n/a_mm was 1, is 1.00001", "n/b/20 was 0, is 1e-08",
+                                        "n/w was \"x\", is null"}));
+    const std::vector<Difference> allowed{
+        {"n/a*", "moved", 1e-4}, {"n/b/20", "moved too little", 1e-4}, {"n/w", "went"}};
+    EXPECT_EQ(test::differences("n", was, is, allowed),
+              (std::vector<std::string>{"n/b/20 was 0, is 1e-08"}));
+    is.erase("a_mm");
+    is["w"] = "x";
+    EXPECT_EQ(test::differences("n", was, is, allowed),
+              (std::vector<std::string>{"n/a_mm is gone", "n/b/20 was 0, is 1e-08"}));
+}
+
+}  // namespace
+}  // namespace ravnoves
