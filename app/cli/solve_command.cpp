@@ -1,7 +1,6 @@
 #include <unistd.h>
 
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "case-file/json_text.h"
 #include "case-file/text_file.h"
 #include "command.h"
+#include "given_case.h"
 #include "output.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
@@ -26,8 +26,8 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
     }
     Json result;
     try {
-        const CaseFile file = parse_case(read_text_file(case_path));
-        const CaseContext context{std::filesystem::path(case_path).parent_path()};
+        const auto [text, context] = read_given_case(case_path);
+        const CaseFile file = parse_case(text);
         if (is_named_by(file, context, result_path)) {
             complain(result_path,
                      "is a file that the case reads; the result must go to another file");
@@ -75,7 +75,8 @@ class SolveCommand final : public Command {
         app_->footer(
             "Exit status: 0 solved (a design that cannot exist is a result that says so),\n"
             "2 bad input, named on standard error; nothing is written then.\n");
-        CLI::Option* case_option = app_->add_option("CASE", case_path_, "Case file (JSON)");
+        CLI::Option* case_option =
+            app_->add_option("CASE", case_path_, "Case file (JSON); - is standard input");
         case_option->type_name("");
         CLI::Option* output_option =
             app_->add_option("-o,--output", result_path_, "Write the result to this file instead");

@@ -1,3 +1,4 @@
+#include <signal.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -14,6 +15,7 @@
 #include "case-file/json_text.h"
 #include "case-file/text_file.h"
 #include "command.h"
+#include "given_case.h"
 #include "output.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
@@ -28,23 +30,25 @@ using studies::Part;
 volatile std::sig_atomic_t stop_signal = 0;
 
 /// While it lives, the signals that end a program are noted, so that what is done can be kept.
+/// What whoever started the program lets it ignore, as nohup does, does not end it.
 class StopNoted {
   public:
     StopNoted() {
-        for (const int signal : signals) {
-            std::signal(signal, [](int number) { stop_signal = number; });
-        }
+        handle([](int number) { stop_signal = number; });
     }
     StopNoted(const StopNoted&) = delete;
     StopNoted& operator=(const StopNoted&) = delete;
-    ~StopNoted() {
-        for (const int signal : signals) {
-            std::signal(signal, SIG_DFL);
-        }
-    }
+    ~StopNoted() { handle(SIG_DFL); }
 
   private:
-    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    static void handle(void (*handler)(int)) {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+            struct sigaction now {};
+            if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) {
+                std::signal(signal, handler);
+            }
+        }
+    }
 };
 
 /// A line on a terminal that says how far the work is, once it has taken a while.
@@ -90,8 +94,8 @@ class StudyCommand final : public Command {
         app_->footer(
             "Any number of shards, put together by --merge, prints what one run prints, to the\n"
             "last digit. With -o a run that was interrupted goes on where it stopped.\n");
-        CLI::Option* case_option =
-            app_->add_option("CASE", case_path_, "Case file (JSON) with a study");
+        CLI::Option* case_option = app_->add_option(
+            "CASE", case_path_, "Case file (JSON) with a study; - is standard input");
         case_option->type_name("");
         app_->add_option("-o,--output", output_path_, "Write to this file instead")
             ->type_name("FILE")
@@ -162,9 +166,8 @@ class StudyCommand final : public Command {
             return exit_bad_input;
         }
         try {
-            const std::string text = read_text_file(case_path_);
+            const auto [text, context] = read_given_case(case_path_);
             const CaseFile file = parse_case(text);
-            const CaseContext context{std::filesystem::path(case_path_).parent_path()};
             if (is_named_by(file, context, output_path_)) {
                 complain(output_path_,
                          "is a file that the case reads; the study must go to another file");

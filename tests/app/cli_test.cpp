@@ -200,7 +200,7 @@ TEST_F(CommandLine, RefusesPipesAndDevicesAtOnce) {
     write("case.json", example().dump());
     Json piped = example();
     const std::string not_a_file = "must be a file, not a pipe or a device\n";
-    for (const std::string name : {"pipe", "/dev/zero", "/dev/stdin"}) {
+    for (const std::string name : {"pipe", "/dev/zero"}) {
         expect_refused(run("solve " + name, "", "true | timeout 10 "), name + ": " + not_a_file);
     }
     for (const std::string name : {"pipe", "/dev/zero"}) {
@@ -213,8 +213,25 @@ TEST_F(CommandLine, RefusesPipesAndDevicesAtOnce) {
     write("piped.json", piped.dump());
     expect_refused(run("solve piped.json"),
                    "piped.json: /input/torque/csv: .: must be a file, not a folder\n");
-    // Standard input from a file is one.
-    EXPECT_EQ(run("solve /dev/stdin < case.json").status, 0);
+}
+
+TEST_F(CommandLine, ReadsStandardInputAsACase) {
+    write("torque.csv", "0;0\n180;100\n360;0\n540;-100\n720;0\n");
+    Json document = example();
+    document["input"]["torque"] = {{"csv", "torque.csv"}};
+    const std::string text = document.dump();
+    write("case.json", text);
+    const std::string solved = run("solve case.json").out;
+    EXPECT_EQ(Json::parse(solved).at("format"), "ravnoves-result");
+    for (const std::string name : {"-", "/dev/stdin"}) {
+        EXPECT_EQ(run("solve " + name, text).out, solved);
+        EXPECT_EQ(run("solve " + name, "", "cat case.json | ").out, solved);
+        EXPECT_EQ(run("solve " + name + " -o r.json", text).status, 0);
+        EXPECT_EQ(read_all(folder / "r.json"), solved);
+        expect_refused(run("solve " + name, "{"), name + ": line 1");
+        expect_refused(run("solve " + name, "", "head -c 68000000 /dev/zero | "),
+                       name + ": must be at most 64 MiB");
+    }
 }
 
 TEST_F(CommandLine, ShowsNamesOfFilesPrintable) {
@@ -240,9 +257,8 @@ constexpr const char* little_memory = "";
 constexpr const char* little_memory = "ulimit -v 300000; ";
 #endif
 TEST_F(CommandLine, BatchAnswersALineThatIsTooLongAndGoesOn) {
-    const Outcome outcome =
-        run("solve --batch", std::string(100'000'000, 'x') + "\n" + example().dump(),
-            little_memory);
+    const Outcome outcome = run(
+        "solve --batch", std::string(100'000'000, 'x') + "\n" + example().dump(), little_memory);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     const auto lines = lines_of(outcome.out);

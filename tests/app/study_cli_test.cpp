@@ -145,6 +145,25 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
     EXPECT_TRUE(read_all(folder / "r.json") == run("study case.json").out);
 }
 
+TEST_F(StudyCommandLine, WhatIsIgnoredStaysIgnored) {
+    write("case.json", study_case(200'000).dump());
+    // As nohup starts it; a shell's job in the background ignores the other one.
+    const Outcome outcome =
+        run("study case.json -o r.json & sleep 0.5; kill -HUP $! && kill -INT $! && wait $!", "",
+            "trap '' HUP; ");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(folder / "r.json"));
+    EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
+}
+
+TEST_F(StudyCommandLine, ReadsStandardInputAsACase) {
+    const std::string text = study_case(100).dump();
+    write("case.json", text);
+    const std::string done = run("study case.json").out;
+    EXPECT_EQ(run("study -", text).out, done);
+    EXPECT_EQ(run("study /dev/stdin", "", "cat case.json | ").out, done);
+}
+
 TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
     write("case.json", study_case().dump());
     write("r.json.unfinished", "my notes");
