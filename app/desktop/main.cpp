@@ -153,6 +153,15 @@ int main(int argc, char** argv) {
     if (isSilent) {
         ravnoves::Journal::setKept(false);
     }
+    if (const QString code = parser.value(languageOption); parser.isSet(languageOption)) {
+        QStringList codes;
+        for (const ravnoves::Language& language : ravnoves::availableLanguages()) {
+            codes << language.code;
+        }
+        if (!codes.contains(code)) {
+            return fail(u"--language: must be one of %1, got %2"_s.arg(codes.join(u", "_s), code));
+        }
+    }
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
                               : isSilent                   ? u"en"_s
                                                            : QString());
@@ -164,7 +173,7 @@ int main(int argc, char** argv) {
             mode = ravnoves::Theme::Mode::Dark;
         } else if (name == "system"_L1) {
             mode = ravnoves::Theme::Mode::System;
-        } else if (name.isEmpty() || name == "light"_L1) {
+        } else if (name == "light"_L1 || !parser.isSet(themeOption)) {
             mode = ravnoves::Theme::Mode::Light;
         } else {
             return fail(u"--theme: must be light, dark or system, got %1"_s.arg(name));

@@ -82,6 +82,9 @@ for scale in nan 1e9 0 100 3 1.5 abc 2x ''; do
 done
 refused "--size" --screenshot page.png --size 999999x999999
 refused "--theme" --screenshot page.png --theme blue
+refused "--theme: must be light, dark or system, got" --screenshot page.png --theme ""
+refused "--language: must be one of en, ru, got xx" --screenshot page.png --language xx
+refused "--language" --screenshot page.png --language ""
 refused "--set" --screenshot page.png --set shaft_angle_deg
 refused "no_such_key" --screenshot page.png --set no_such_key=1
 refused "no/such/folder/page.png" --screenshot no/such/folder/page.png
