@@ -33,6 +33,9 @@ class Answers {
     const MomentMetrics& ups() {
         return keep(ups_, [&] { return moments.at(alpha_); });
     }
+    bool is_buildable() const {
+        return buildable_angles(front_view(input_), input_.place_limits).contains(alpha_);
+    }
     const Optimum& range() {
         return keep(range_, [&] { return moments.best_range(tipping_of_none()); });
     }
@@ -118,6 +121,8 @@ constexpr std::array quick_values{
     QuickValue{"/optimum/range/range_Nm", value_of<&Answers::range>},
     QuickValue{"/optimum/rms/shaft_angle_deg", angle_of<&Answers::rms>, note_of<&Answers::rms>},
     QuickValue{"/optimum/rms/rms_Nm", value_of<&Answers::rms>},
+    QuickValue{"/buildable/at_shaft_angle",
+               [](Answers& of) { return std::optional(of.is_buildable() ? 1.0 : 0.0); }},
     QuickValue{"/reciprocating_mass_kg", [](Answers& of) { return std::optional(of.mass()); }},
     QuickValue{"/inertia_force_1_max_N",
                [](Answers& of) { return std::optional(of.moments.forces.inertia_force_1_max); }},

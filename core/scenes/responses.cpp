@@ -26,6 +26,13 @@ BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
     return {};
 }
 
+std::optional<std::string> buildable_value(const CaseFile& file) {
+    if (file.scene == "balance-shaft") {
+        return "/buildable/at_shaft_angle";
+    }
+    return std::nullopt;
+}
+
 std::vector<Message> file_notes(const CaseFile& file, const CaseContext& context) {
     std::vector<Message> notes;
     if (file.scene == "balance-shaft") {

@@ -27,6 +27,10 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
 BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
                             std::span<const std::string> varied);
 
+/// Pointer below "result" to whether a case can be built, yes or no.
+/// @return nothing where the scene does not tell that
+std::optional<std::string> buildable_value(const CaseFile& file);
+
 /// What is to be known of the files that the case is solved from, whatever is asked of it.
 /// @throws InputError where the case is wrong
 std::vector<Message> file_notes(const CaseFile& file, const CaseContext& context);

@@ -8971,37 +8971,6 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::BandProgress</name>
-    <message>
-        <source>Bands</source>
-        <translation>Полосы</translation>
-    </message>
-    <message>
-        <source>Bands: progress</source>
-        <translation>Полосы: ход расчёта</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Стоп</translation>
-    </message>
-    <message>
-        <source>Stop the bands</source>
-        <translation>Остановить расчёт полос</translation>
-    </message>
-    <message>
-        <source>The bands stay as they are until something changes</source>
-        <translation>Полосы останутся как есть, пока что-нибудь не изменится</translation>
-    </message>
-    <message>
-        <source>The bands and ± are those of slopes, or of the samples so far, until something changes.</source>
-        <translation>Полосы и ± — по наклонам или по посчитанным пробам, пока что-нибудь не изменится.</translation>
-    </message>
-    <message>
-        <source>No bands and ±: the input is too large for them</source>
-        <translation>Без полос и ±: данных для них слишком много</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::BobAnswer</name>
     <message>
         <source>Bob weight, line by line</source>
@@ -9299,13 +9268,6 @@ but nothing can be built</source>
     <message>
         <source>Close</source>
         <translation>Закрыть</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::CloudPlot</name>
-    <message>
-        <source>%1. %2 from %3 to %4, over %5 from %6 to %7.</source>
-        <translation>%1. %2 от %3 до %4, над %5 от %6 до %7.</translation>
     </message>
 </context>
 <context>
@@ -10180,13 +10142,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. Where the shaft&apos;s circle meets cylinder, crank or rod, α cannot be built. The sizes are on the Inputs tab. Click either chart to set α.</source>
         <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала и шестерён со стенкой на виде спереди. Где окружность вала задевает цилиндр, кривошип или шатун, α построить нельзя. Размеры — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::FieldPlot</name>
-    <message>
-        <source>%1: from %2 to %3 over %4 and %5.</source>
-        <translation>%1: от %2 до %3 над %4 и %5.</translation>
     </message>
 </context>
 <context>
@@ -13330,6 +13285,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Show what the tolerances do</source>
         <translation>Показать действие допусков</translation>
     </message>
+    <message>
+        <source>Range from 5 % to 95 % of the curve, with the tolerances of the case.</source>
+        <translation>Диапазон кривой от 5 % до 95 % при допусках задачи.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::PlugSizesSheet</name>
@@ -13895,10 +13854,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>выборка: %1, начальное число %2</translation>
     </message>
     <message>
-        <source>What the tolerances do</source>
-        <translation>Что дают допуски</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Результат</translation>
     </message>
@@ -13915,18 +13870,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>В пределах</translation>
     </message>
     <message>
-        <source>Shares of the variance of %1</source>
-        <translation>Доли дисперсии: %1</translation>
-    </message>
-    <message>
-        <source>Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.</source>
-        <translation>Надёжный наилучший α: %1° ±&#xa0;%2°; у 95&#xa0;% проб %3 не больше: %4 ±&#xa0;%5.</translation>
-    </message>
-    <message>
-        <source>At the α that is best of the inputs as they are, %1°, it is %2.</source>
-        <translation>При α, наилучшем при заданных исходных данных, %1°, — %2.</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
     </message>
@@ -13941,10 +13884,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Refused: %1 × %2</source>
         <translation>Отклонено: %1 × %2</translation>
-    </message>
-    <message>
-        <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them.</source>
-        <translation>Полосы вокруг кривых и ± у чисел результатов охватывают от 5&#xa0;% до 95&#xa0;% того, что с ними делают допуски.</translation>
     </message>
     <message>
         <source>derived, see Help (F1)</source>
@@ -13983,8 +13922,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Пробы по допускам</translation>
     </message>
     <message>
-        <source>Of the samples %1 can be built at this angle.</source>
-        <translation>При этом угле можно построить %1 проб.</translation>
+        <source>Results with tolerances</source>
+        <translation>Результаты с допусками</translation>
+    </message>
+    <message>
+        <source>Bands about curves and ± beside numbers are the range from 5 % to 95 % of 128 samples.</source>
+        <translation>Полосы вокруг кривых и ± у чисел — диапазон от 5 % до 95 % по 128 пробам.</translation>
     </message>
 </context>
 <context>
@@ -14706,104 +14649,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::RobustModel</name>
-    <message>
-        <source>Give an input its tolerance first.</source>
-        <translation>Сначала задайте допуск исходной величины.</translation>
-    </message>
-    <message>
-        <source>Robust best α</source>
-        <translation>Надёжный лучший α</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::RobustView</name>
-    <message>
-        <source>Robust best α</source>
-        <translation>Надёжный лучший α</translation>
-    </message>
-    <message>
-        <source>Best α</source>
-        <translation>Лучший α</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>Of the inputs as they are.</source>
-        <translation>При заданных исходных данных.</translation>
-    </message>
-    <message>
-        <source>One sample of twenty is more.</source>
-        <translation>Больше — одна из двадцати.</translation>
-    </message>
-    <message>
-        <source>&amp;Go to the robust α</source>
-        <translation>&amp;Перейти к надёжному α</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Ход работы</translation>
-    </message>
-    <message>
-        <source>Sto&amp;p</source>
-        <translation>С&amp;топ</translation>
-    </message>
-    <message>
-        <source>Stopped.</source>
-        <translation>Остановлено.</translation>
-    </message>
-    <message>
-        <source>Computing …</source>
-        <translation>Вычисляется …</translation>
-    </message>
-    <message>
-        <source>of the inputs as they are</source>
-        <translation>при заданных исходных данных</translation>
-    </message>
-    <message>
-        <source>robust</source>
-        <translation>надёжный</translation>
-    </message>
-    <message>
-        <source>%1: its 95 % point is less by %2 at the robust α.</source>
-        <translation>%1: при надёжном α точка 95&#xa0;% меньше на %2.</translation>
-    </message>
-    <message>
-        <source>Samples: %1</source>
-        <translation>Выборка: %1</translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
-        <translation>отказ: %1</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Запустить</translation>
-    </message>
-    <message>
-        <source>The α whose 95 % point is least: nineteen of twenty engines have at most that, each with parts within their tolerances, and as many can be built at it. Beside it the α that is best of the inputs as they are, of the angles that can be built then.</source>
-        <translation>α с наименьшим 95-процентным значением: у девятнадцати двигателей из двадцати оно не больше, если детали каждого в пределах допусков, и столько же при нём можно построить. Рядом α, наилучший при заданных исходных данных, — среди углов, которые можно построить при них.</translation>
-    </message>
-    <message>
-        <source>built, %</source>
-        <translation>строится, %</translation>
-    </message>
-    <message>
-        <source>So many of the samples can be built at this α.</source>
-        <translation>Столько проб можно построить при этом α.</translation>
-    </message>
-    <message>
-        <source>%1: its 95 % point is more by %2 at the robust α.</source>
-        <translation>%1: при надёжном α точка 95&#xa0;% больше на %2.</translation>
-    </message>
-    <message>
-        <source>At no α can 95 % of the samples be built, at the robust one %1.</source>
-        <translation>Ни при каком α нельзя построить 95&#xa0;% проб, при надёжном — %1.</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::SavingDialogs</name>
     <message>
         <source>Unsaved changes</source>
@@ -15064,28 +14909,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Nothing is pasted. %1</source>
         <translation>Ничего не вставлено. %1</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::ScatterView</name>
     <message>
-        <source>U&amp;p</source>
-        <translation>Ввер&amp;х</translation>
+        <source>The case no longer has this input, so the study runs without it. Remove it, or undo.</source>
+        <translation>В задаче больше нет этой величины, поэтому исследование идёт без неё. Удалите допуск или отмените изменение.</translation>
     </message>
     <message>
-        <source>A&amp;cross</source>
-        <translation>В&amp;право</translation>
-    </message>
-    <message>
-        <source>Computing …</source>
-        <translation>Вычисляется …</translation>
-    </message>
-    <message>
-        <source>No samples: the method takes none, or they are on the way</source>
-        <translation>Нет выборки: методу она не нужна, или она в пути</translation>
-    </message>
-    <message>
-        <source>Samples: %1, correlation %2</source>
-        <translation>Выборка: %1, корреляция %2</translation>
+        <source>%1 (no longer in the case)</source>
+        <translation>%1 (в задаче больше нет)</translation>
     </message>
 </context>
 <context>
@@ -16090,10 +15920,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Выборка</translation>
     </message>
     <message>
-        <source>The study cannot be read: undo, choose another method, or clear it by “Usual ones”, “None”.</source>
-        <translation>Исследование не читается: отмените шаг, выберите другой метод или очистите его через «Обычные», «Никаких».</translation>
-    </message>
-    <message>
         <source>“%1”</source>
         <translation>«%1»</translation>
     </message>
@@ -16109,16 +15935,23 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.</source>
         <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1&#xa0;%, σ&#xa0;0,01.</translation>
     </message>
+    <message>
+        <source>The study cannot be read: undo, choose another method, or clear it by “Typical tolerances”, “None”.</source>
+        <translation>Исследование не читается: отмените изменение, выберите другой метод или очистите его: «Типовые допуски», «Нет».</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SweepModel</name>
+    <message>
+        <source>Lowest 95 % value</source>
+        <translation>Наименьшее значение 95 %</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SweepView</name>
     <message>
         <source>&amp;Input</source>
         <translation>&amp;Величина</translation>
-    </message>
-    <message>
-        <source>a&amp;nd</source>
-        <translation>&amp;и</translation>
     </message>
     <message>
         <source>&amp;Result</source>
@@ -16137,16 +15970,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>%1 × допуск</translation>
     </message>
     <message>
-        <source>Of an input without a tolerance: a tenth of its value.</source>
-        <translation>У величины без допуска — десятая часть её значения.</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Ход работы</translation>
-    </message>
-    <message>
-        <source>no other: a line</source>
-        <translation>без второй: линия</translation>
     </message>
     <message>
         <source>Computing …</source>
@@ -16157,16 +15982,44 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Выберите результат для наблюдения.</translation>
     </message>
     <message>
-        <source>Refused: %1 of %2 places</source>
-        <translation>Отклонено: %1 из %2 точек</translation>
-    </message>
-    <message>
         <source>at least</source>
         <translation>не менее</translation>
     </message>
     <message>
         <source>at most</source>
         <translation>не более</translation>
+    </message>
+    <message>
+        <source>For an input without a tolerance: a tenth of its value.</source>
+        <translation>Для величины без допуска: десятая часть её значения.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>can be built</source>
+        <translation>можно построить</translation>
+    </message>
+    <message>
+        <source>Share of the samples that can be built.</source>
+        <translation>Доля проб, которые можно построить.</translation>
+    </message>
+    <message>
+        <source>At no value can 95 % of the samples be built.</source>
+        <translation>Ни при каком значении нельзя построить 95 % проб.</translation>
+    </message>
+    <message>
+        <source>Lowest 95 % value: %1 at %2; %3 of the samples can be built.</source>
+        <translation>Наименьшее значение 95 %: %1 при %2; можно построить %3 проб.</translation>
+    </message>
+    <message>
+        <source>can be built, %</source>
+        <translation>можно построить, %</translation>
+    </message>
+    <message>
+        <source>Set t&amp;o %1</source>
+        <translation>За&amp;дать %1</translation>
     </message>
 </context>
 <context>
@@ -16187,20 +16040,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ToleranceBands</name>
     <message>
-        <source>Where the tolerances let the curves lie: ± 1.645 σ, by slopes; 5 % below the band and 5 % above it where the results go straight with the inputs</source>
-        <translation>Где могут лежать кривые при таких допусках: ±&#xa0;1,645 σ, по наклонам; 5&#xa0;% ниже полосы и 5&#xa0;% выше, если результаты линейны по исходным данным</translation>
-    </message>
-    <message>
-        <source>What the tolerances make of it: 1.645 σ, by slopes, half of the range from 5 % to 95 % where it goes straight with the inputs</source>
-        <translation>Что делают с ним допуски: 1,645 σ, по наклонам; половина диапазона от 5&#xa0;% до 95&#xa0;%, если зависимость от исходных данных линейна</translation>
-    </message>
-    <message>
-        <source>Where the tolerances let the curves lie: of %1 samples 5 % are below the band and 5 % above it</source>
-        <translation>Где могут лежать кривые при таких допусках: из %1 проб 5&#xa0;% ниже полосы и 5&#xa0;% выше</translation>
-    </message>
-    <message>
-        <source>What the tolerances make of it: the range from 5 % to 95 % of %1 samples</source>
-        <translation>Что делают с ним допуски: диапазон от 5&#xa0;% до 95&#xa0;% из %1 проб</translation>
+        <source>Half of the range from 5 % to 95 % of %1 samples of the tolerances; both sides where they differ.</source>
+        <translation>Половина диапазона от 5 % до 95 % по %1 пробам допусков; обе стороны, если они различаются.</translation>
     </message>
 </context>
 <context>
@@ -16214,16 +16055,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Исходные данные и допуски</translation>
     </message>
     <message>
-        <source>&amp;Usual ones</source>
-        <translation>&amp;Обычные</translation>
-    </message>
-    <message>
         <source>&amp;All inputs: ± 1 %</source>
         <translation>Вс&amp;е величины: ±&#xa0;1&#xa0;%</translation>
-    </message>
-    <message>
-        <source>The selected inputs do not scatter</source>
-        <translation>Выделенные величины без разброса</translation>
     </message>
     <message>
         <source>Results to watch</source>
@@ -16232,10 +16065,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Watch a result</source>
         <translation>Наблюдать результат</translation>
-    </message>
-    <message>
-        <source>The selected results are watched no more</source>
-        <translation>Больше не наблюдать выделенные результаты</translation>
     </message>
     <message>
         <source>M&amp;ethod</source>
@@ -16248,14 +16077,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Progress</source>
         <translation>Ход работы</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>&amp;Стоп</translation>
-    </message>
-    <message>
-        <source>What the tolerances do</source>
-        <translation>Что дают допуски</translation>
     </message>
     <message>
         <source>Result</source>
@@ -16276,10 +16097,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Within</source>
         <translation>В пределах</translation>
-    </message>
-    <message>
-        <source>Without any scatter.</source>
-        <translation>Без разброса.</translation>
     </message>
     <message>
         <source>Of all samples that could be solved.</source>
@@ -16306,10 +16123,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Доля выборки в пределах, с её 95-процентным интервалом.</translation>
     </message>
     <message>
-        <source>What matters most</source>
-        <translation>Что важнее всего</translation>
-    </message>
-    <message>
         <source>share of the samples, %</source>
         <translation>доля проб, %</translation>
     </message>
@@ -16322,28 +16135,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Наблюдать результат…</translation>
     </message>
     <message>
-        <source>Give an input its tolerance: 0.02, 1 % or σ 0.01.</source>
-        <translation>Задайте допуск исходной величины: 0,02, 1&#xa0;% или σ 0,01.</translation>
-    </message>
-    <message>
-        <source>Choose a result to watch.</source>
-        <translation>Выберите результат для наблюдения.</translation>
-    </message>
-    <message>
         <source>Computing …</source>
         <translation>Вычисляется …</translation>
     </message>
     <message>
         <source>Samples solved: %1</source>
         <translation>Решено проб: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1 × %2</source>
-        <translation>Отклонено: %1 × %2</translation>
-    </message>
-    <message>
-        <source>Shares of the variance of %1</source>
-        <translation>Доли дисперсии: %1</translation>
     </message>
     <message>
         <source>nominal</source>
@@ -16362,52 +16159,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;Никаких</translation>
     </message>
     <message>
-        <source>Scatter</source>
-        <translation>Разброс</translation>
-    </message>
-    <message>
         <source>Sweep</source>
         <translation>Развёртка</translation>
     </message>
     <message>
-        <source>Robust α</source>
-        <translation>Надёжный α</translation>
-    </message>
-    <message>
         <source>Show &amp;bands and ± on the page</source>
         <translation>Показывать полосы и ± на страни&amp;це</translation>
-    </message>
-    <message>
-        <source>Of a case file that lists values of its inputs: its table is made by the command line. Another method takes the range of the values.</source>
-        <translation>Для файла задачи, где значения исходных данных перечислены: таблицу строит командная строка. Другой метод берёт диапазон этих значений.</translation>
-    </message>
-    <message>
-        <source>Stopped.</source>
-        <translation>Остановлено.</translation>
-    </message>
-    <message>
-        <source>A grid does not scatter: its table is made by the command line.</source>
-        <translation>Сетка не разбрасывает значений: её таблицу строит командная строка.</translation>
-    </message>
-    <message>
-        <source>Of the values before; stopped.</source>
-        <translation>По прежним значениям; остановлено.</translation>
-    </message>
-    <message>
-        <source>Stopped: of the samples so far.</source>
-        <translation>Остановлено: по уже посчитанным пробам.</translation>
-    </message>
-    <message>
-        <source>Of the values before; computing anew …</source>
-        <translation>По прежним значениям; вычисляется заново …</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Запустить</translation>
-    </message>
-    <message>
-        <source>Not up to date, for these tolerances are refused: %1.</source>
-        <translation>Не по таблице, отвергнуты допуски: %1.</translation>
     </message>
     <message>
         <source>share</source>
@@ -16420,6 +16177,82 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Machined sizes: ± %1</source>
         <translation>&amp;Обработанные размеры: ±&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Typical tolerances</source>
+        <translation>&amp;Типовые допуски</translation>
+    </message>
+    <message>
+        <source>Weighed &amp;and machined</source>
+        <translation>Взвешенные &amp;и обработанные</translation>
+    </message>
+    <message>
+        <source>Remove the tolerances of the selected inputs</source>
+        <translation>Удалить допуски выбранных величин</translation>
+    </message>
+    <message>
+        <source>Remove the selected results</source>
+        <translation>Удалить выбранные результаты</translation>
+    </message>
+    <message>
+        <source>Results with tolerances</source>
+        <translation>Результаты с допусками</translation>
+    </message>
+    <message>
+        <source>Without tolerances.</source>
+        <translation>Без допусков.</translation>
+    </message>
+    <message>
+        <source>Main contributors</source>
+        <translation>Главные вклады</translation>
+    </message>
+    <message>
+        <source>For a case file that lists values of its inputs. The command line computes the table.</source>
+        <translation>Для файла задачи, в котором перечислены значения величин. Таблицу вычисляет командная строка.</translation>
+    </message>
+    <message>
+        <source>Enter the tolerance of an input in the column ±, or start with typical tolerances: weighed parts ± %1, machined sizes ± %2.</source>
+        <translation>Введите допуск величины в столбец ± или начните с типовых допусков: взвешенные детали ± %1, обработанные размеры ± %2.</translation>
+    </message>
+    <message>
+        <source>Choose the result that the tolerances are to be seen in.</source>
+        <translation>Выберите результат, на который влияют допуски.</translation>
+    </message>
+    <message>
+        <source>Use t&amp;ypical tolerances</source>
+        <translation>Взять типовые &amp;допуски</translation>
+    </message>
+    <message>
+        <source>&amp;Choose a result</source>
+        <translation>Вы&amp;брать результат</translation>
+    </message>
+    <message>
+        <source>Out of date: these tolerances were not accepted: %1.</source>
+        <translation>Результат устарел: не приняты допуски: %1.</translation>
+    </message>
+    <message>
+        <source>The method of this case, %1, is no longer available. Sobol points are used; tolerances and limits are kept.</source>
+        <translation>Метода этой задачи (%1) больше нет. Используются точки Соболя; допуски и пределы сохранены.</translation>
+    </message>
+    <message>
+        <source>Values before the change; computing …</source>
+        <translation>Значения до изменения; вычисляется …</translation>
+    </message>
+    <message>
+        <source>A grid has no statistics. The command line computes its table.</source>
+        <translation>У сетки нет статистики. Её таблицу вычисляет командная строка.</translation>
+    </message>
+    <message>
+        <source>Rejected: %1 × %2</source>
+        <translation>Отклонено: %1 × %2</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>второго порядка</translation>
+    </message>
+    <message>
+        <source>Latin hypercube</source>
+        <translation>латинский гиперкуб</translation>
     </message>
 </context>
 <context>
@@ -16447,6 +16280,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>with others</source>
         <translation>вместе с другими</translation>
+    </message>
+    <message>
+        <source>Shares of the variance of %1</source>
+        <translation>Доли дисперсии: %1</translation>
     </message>
 </context>
 <context>

@@ -97,8 +97,7 @@ void PlotPainter::paintShades(QPainter& painter) const {
     painter.setPen(Qt::NoPen);
     for (const PlotCurve& curve : data_.curves) {
         if (data_.showsSpread(curve)) {
-            painter.setBrush(veil(Theme::instance().curve(curve.style.colour),
-                                  data_.spreadStale ? 0.12F : 0.26F));
+            painter.setBrush(veil(Theme::instance().curve(curve.style.colour), 0.26F));
             for (const QPolygonF& shade : curve.shades) {
                 painter.drawPolygon(shade);
             }
@@ -181,9 +180,7 @@ void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const 
     }
     const Theme& theme = Theme::instance();
     const bool onBar = curve.style.shape == Shape::Bars;
-    painter.setPen(QPen(veil(onBar ? theme.text() : theme.curve(curve.style.colour),
-                             data_.spreadStale ? 0.45F : 1.0F),
-                        1.2));
+    painter.setPen(QPen(onBar ? theme.text() : theme.curve(curve.style.colour), 1.2));
     const QPointF cap(3, 0);
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const auto [low, high] = data_.spreadAt(curve, i);

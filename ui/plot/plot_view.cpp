@@ -292,6 +292,8 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
         spreadItem_->setText(tr("5…95 %"));
         spreadItem_->setChecked(data_.spreadShown);
         spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
+        spreadItem_->setToolTip(
+            tr("Range from 5 % to 95 % of the curve, with the tolerances of the case."));
         spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
         connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
             data_.spreadShown = on;
@@ -307,12 +309,9 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
     curvesChanged();
 }
 
-void PlotView::setSpreadStale(bool stale) {
-    if (data_.spreadStale != stale) {
-        data_.spreadStale = stale;
-        if (data_.hasSpread()) {
-            curvesChanged();
-        }
+void PlotView::clearSpreads() {
+    for (int curve = 0; data_.hasSpread() && curve < curveCount(); ++curve) {
+        setSpread(curve, {}, {});
     }
 }
 

@@ -80,8 +80,7 @@ class PlotView : public QWidget {
     /// What scatter of the inputs makes of the curve, 5…95 %: so much below and above each of its
     /// points, which goes with the curve where that moves; empty lists remove it.
     void setSpread(int curve, std::vector<double> below, std::vector<double> above);
-    /// Pales the spreads, because newer ones are on the way.
-    void setSpreadStale(bool stale);
+    void clearSpreads();
     /// What is read out of each point of the curve, as lines of text. In a plot with such texts the
     /// mouse and the arrow keys read points instead of the curves at an x.
     void setPointTexts(int curve, const QStringList& texts);

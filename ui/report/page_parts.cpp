@@ -155,8 +155,6 @@ class Collector {
         }
         const auto release = qScopeGuard([bands = QPointer(bands)] {
             if (bands) {
-                bands->setOfAll(false);
-                bands->hold(true);  // what is interrupted begins again
                 bands->hold(false);
             }
         });
@@ -178,16 +176,13 @@ class Collector {
         bands->hold(true);
         wait();
         fillTabs(&page_);
-        bands->hold(false);
-        bands->setOfAll(true);
+        bands->findAll();
         const QObject told;
         QObject::connect(bands->job(), &BackgroundJob::progress, &told, [this](double part) {
             patience_.tell(ReportWords::tr("Samples of the tolerances"), bandsShare * part);
         });
         constexpr qint64 forAll = 4;
         wait(forAll * patience);
-        bands->setOfAll(false);
-        bands->hold(true);
     }
 
     /// Each tab is shown once.

@@ -10,9 +10,7 @@
 #include "model/scene_model.h"
 #include "report/patience.h"
 #include "report/report.h"
-#include "scenes/responses.h"
 #include "studies/model/result_words.h"
-#include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
@@ -35,28 +33,17 @@ void waitFor(const StudyModel& study, const Patience& patience) {
     }
 }
 
-QString numberOrDash(const std::optional<double>& value, double factor) {
-    return value ? shownFormNumber(factor * *value, QLocale(), 6) : QStringLiteral("–");
-}
-
 QString shareText(const StudyAnswer& value, const studies::Watched& watched, double factor) {
-    if (!watched.min && !watched.max) {
-        return QStringLiteral("–");
+    QString limits = QStringLiteral("–");
+    const auto shown = [&](double limit) { return shownFormNumber(factor * limit, QLocale(), 6); };
+    if (watched.min && watched.max) {
+        limits = shown(*watched.min) + QStringLiteral(" … ") + shown(*watched.max);
+    } else if (watched.min) {
+        limits = QStringLiteral("≥ ") + shown(*watched.min);
+    } else if (watched.max) {
+        limits = QStringLiteral("≤ ") + shown(*watched.max);
     }
-    const auto percent = [](const std::optional<double>& share) {
-        return fixedDecimals(100.0 * share.value_or(0.0), 2, QLocale());
-    };
-    const QString min = numberOrDash(watched.min, factor);
-    const QString max = numberOrDash(watched.max, factor);
-    QString limits = watched.min && watched.max ? min + QStringLiteral(" … ") + max
-                     : watched.min              ? QStringLiteral("≥ ") + min
-                                                : QStringLiteral("≤ ") + max;
-    if (!value.within) {
-        return limits;
-    }
-    return limits +
-           QStringLiteral(": %1 % (%2 … %3)")
-               .arg(percent(value.within), percent(value.withinLow), percent(value.withinHigh));
+    return value.within ? limits + QStringLiteral(": ") + value.withinText() : limits;
 }
 
 Table givenTolerances(const StudyModel& study) {
@@ -92,7 +79,7 @@ QString methodText(const studies::Study& study) {
 
 Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
     Table table;
-    table.caption = ReportWords::tr("What the tolerances do");
+    table.caption = ReportWords::tr("Results with tolerances");
     table.headings = {ReportWords::tr("Result"),  ReportWords::tr("Unit"),
                       ReportWords::tr("Nominal"), ReportWords::tr("Mean"),
                       QStringLiteral("σ"),        QStringLiteral("5 %"),
@@ -106,7 +93,7 @@ Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
         const ResultName name = resultName(value.pointer);
         const ShownUnit unit = name.shown();
         const auto shown = [&](const std::optional<double>& each) {
-            return numberOrDash(each, unit.factor);
+            return value.text(each, unit.factor);
         };
         QStringList cells;
         for (const QString& text :
@@ -123,15 +110,7 @@ Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
 
 Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
     auto view = std::make_shared<TornadoView>();
-    std::vector<TornadoView::Bar> bars;
-    for (const StudyAnswer::Share& share : value.shares) {
-        const double alone = share.first.value_or(share.linear.value_or(0.0));
-        bars.push_back(
-            {study.inputName(share.pointer), alone, std::max(alone, share.total.value_or(alone))});
-    }
-    view->setBars(
-        ReportWords::tr("Shares of the variance of %1").arg(resultName(value.pointer).withUnit()),
-        std::move(bars));
+    showShares(*view, value, study);
     const auto rows = static_cast<int>(std::min<std::size_t>(value.shares.size(), 12));
     const QSize size(640, 60 + 26 * rows);
     view->resize(size);
@@ -140,54 +119,6 @@ Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
                 view->render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
                 painter.drawPicture(0, 0, lines);
             }};
-}
-
-/// The angle that holds best, where what it is chosen for is watched.
-void addRobustBest(Report& report, StudyModel& study, const Patience& patience) {
-    const auto choice = best_choice(study.scene()->caseFile());
-    if (!choice ||
-        std::none_of(study.study().watch.begin(), study.study().watch.end(),
-                     [&](const studies::Watched& each) { return each.pointer == choice->value; })) {
-        return;
-    }
-    RobustModel model(&study);
-    model.setWatched(true);
-    QElapsedTimer waited;
-    waited.start();
-    while (model.job()->isRunning() && waited.elapsed() < studyPatienceMs) {
-        patience.wait(50);
-    }
-    const studies::RobustBest* best = model.best();
-    const auto say = [&](const QString& text, Paragraph::Kind kind = Paragraph::Kind::Text) {
-        report.items.push_back(Paragraph{text.toHtmlEscaped(), kind});
-    };
-    if (best == nullptr || !best->robust) {
-        if (!model.trouble().isEmpty()) {
-            say(model.trouble(), Paragraph::Kind::Warning);
-        }
-        return;
-    }
-    constexpr int decimals = 2;
-    const auto shown = [](double value) { return fixedDecimals(value, decimals, QLocale()); };
-    const ShownUnit unit = resultName(best->value).shown();
-    const double factor = unit.factor;
-    const auto sayBuildable = [&](const studies::RobustBest::Place& at) {
-        return at.buildable ? QLatin1Char(' ') +
-                                  ReportWords::tr("Of the samples %1 can be built at this angle.")
-                                      .arg(percentText(*at.buildable))
-                            : QString();
-    };
-    say(ReportWords::tr("Robust best α: %1° ± %2°; 95 % of the samples have at most %3: %4 ± %5.")
-            .arg(shown(best->robust->angle), shown(best->robust->angle_error),
-                 resultName(best->value).withUnit(), shown(factor * best->robust->percentile),
-                 shown(factor * best->robust->percentile_error)) +
-        sayBuildable(*best->robust));
-    if (best->nominal) {
-        say(ReportWords::tr("At the α that is best of the inputs as they are, %1°, it is %2.")
-                .arg(shown(best->nominal->angle),
-                     withUnit(shown(factor * best->nominal->percentile), unit.name)) +
-            sayBuildable(*best->nominal));
-    }
 }
 
 }  // namespace
@@ -210,8 +141,8 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     if (ToleranceSwitch::instance().isOn()) {
         report.items.push_back(
             Paragraph{ReportWords::tr(
-                          "The bands about the curves and the ± beside the numbers of the results "
-                          "go from 5 % to 95 % of what these make of them.")
+                          "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
+                          "of 128 samples.")
                           .toHtmlEscaped(),
                       Paragraph::Kind::Muted});
     }
@@ -246,7 +177,6 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     for (const QString& note : study.notes()) {
         report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
     }
-    addRobustBest(report, study, patience);
     constexpr std::size_t most = 4;
     for (std::size_t i = 0; i < std::min(most, answers->values.size()); ++i) {
         report.items.push_back(tornadoOf(study, answers->values[i]));

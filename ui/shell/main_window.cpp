@@ -34,7 +34,6 @@
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
-#include "studies/band_progress.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -63,10 +62,6 @@ MainWindow::MainWindow(First first) {
     setAnimated(false);  // a toolbar lays out nothing while it moves, nor when it has arrived
     documents_ = new Documents(this);
     scale_ = new ScaleButton(this);
-    auto* bands = new BandProgress(this);
-    statusBar()->addPermanentWidget(bands);
-    connect(bands, &BandProgress::stopped, this,
-            [this](const QString& what) { statusBar()->showMessage(what, 10'000); });
     statusBar()->addPermanentWidget(scale_);
     connect(scale_, &ScaleButton::status, this,
             [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
@@ -350,7 +345,6 @@ void MainWindow::showCurrent() {
     const bool atStart = isAtStart();
     (atStart ? startAction_ : scenes_[documents_->current().scene])->setChecked(true);
     showHint(atStart ? QString() : documents_->currentScene().summary);
-    statusBar()->findChild<BandProgress*>()->follow(atStart ? nullptr : currentPage());
     for (QAction* action : pageActions_) {
         action->setEnabled(!atStart);
     }

@@ -26,7 +26,6 @@
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
-#include "studies/band_progress.h"
 #include "studies/tolerance_switch.h"
 #include "text/language.h"
 #include "text/preferences.h"

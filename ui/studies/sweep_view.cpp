@@ -1,39 +1,33 @@
 #include "studies/sweep_view.h"
 
 #include <QComboBox>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSignalBlocker>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "model/background_job.h"
 #include "plot/plot_view.h"
-#include "studies/field_plot.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "studies/model/sweep_model.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
 namespace {
 
-std::vector<double> times(std::vector<double> values, double factor) {
-    for (double& value : values) {
-        value *= factor;
-    }
-    return values;
-}
+enum Curve { Mean, Built };
 
-QString markText(const Sweep& sweep) {
-    return sweep.nominal ? shownFormNumber(resultName(sweep.result).shown().factor * *sweep.nominal,
-                                           QLocale(), 5)
-                         : QString();
+std::string chosen(const QComboBox* box) {
+    return box->currentData().toString().toStdString();
 }
 
 }  // namespace
@@ -42,56 +36,59 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     : QWidget(parent), study_(study), model_(new SweepModel(study, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(Theme::space);
-    const auto chooser = [&](const QString& text, const char* name, int row, int place) {
+    auto* choices = new QHBoxLayout;
+    const auto chooser = [&](const QString& text, const char* name) {
         auto* label = new QLabel(text, this);
         auto* box = new QComboBox(this);
         box->setObjectName(QLatin1String(name));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(6);
         label->setBuddy(box);
-        grid->addWidget(label, row, 2 * place);
-        grid->addWidget(box, row, 2 * place + 1);
-        connect(box, &QComboBox::activated, this, [this] {
-            isChosen_ = true;
-            choose();
-        });
+        choices->addWidget(label);
+        choices->addWidget(box, 1);
         return box;
     };
-    input_ = chooser(tr("&Input"), "sweep_input", 0, 0);
-    other_ = chooser(tr("a&nd"), "sweep_other", 0, 1);
-    result_ = chooser(tr("&Result"), "sweep_result", 1, 0);
-    reach_ = chooser(tr("Ran&ge"), "sweep_reach", 1, 1);
-    for (const int times : {1, 2, 5, 10, 50}) {
-        reach_->addItem(times == 1 ? tr("its ±") : tr("%1 times its ±").arg(times), times);
-    }
-    reach_->setToolTip(tr("Of an input without a tolerance: a tenth of its value."));
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(3, 1);
-    column->addLayout(grid);
+    input_ = chooser(tr("&Input"), "sweep_input");
+    reach_ = chooser(tr("Ran&ge"), "sweep_reach");
+    result_ = chooser(tr("&Result"), "sweep_result");
+    reach_->setToolTip(tr("For an input without a tolerance: a tenth of its value."));
+    connect(input_, &QComboBox::activated, this, [this] {
+        isChosen_ = true;
+        fillReach();
+        choose();
+    });
+    connect(reach_, &QComboBox::activated, this, &SweepView::choose);
+    connect(result_, &QComboBox::activated, this, &SweepView::choose);
+    column->addLayout(choices);
     progress_ = new QProgressBar(this);
     progress_->setAccessibleName(tr("Progress"));
     progress_->setMaximumHeight(Theme::withText(6));
     progress_->setTextVisible(false);
-    QSizePolicy keeps = progress_->sizePolicy();
-    keeps.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keeps);
     progress_->hide();
-    column->addWidget(progress_);
-    stack_ = new QStackedWidget(this);
-    line_ = new PlotView({}, stack_);
-    line_->addCurve({.name = {}, .colour = 2, .width = 2.0, .inLegend = false, .gaps = true});
-    map_ = new FieldPlot(stack_);
-    stack_->addWidget(line_);
-    stack_->addWidget(map_);
-    column->addWidget(stack_, 1);
+    plot_ = new PlotView({}, this);
+    plot_->addCurve({.name = tr("mean"), .colour = 2, .width = 2.0, .gaps = true});
+    plot_->addCurve({.name = tr("can be built"),
+                     .colour = 3,
+                     .side = plot::Side::Right,
+                     .pen = Qt::DashLine,
+                     .toolTip = tr("Share of the samples that can be built.")});
+    column->addWidget(plot_, 1);
+    auto* below = new QHBoxLayout;
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    keeps = words_->sizePolicy();
-    keeps.setRetainSizeWhenHidden(true);
-    words_->setSizePolicy(keeps);
-    column->addWidget(words_);
+    below->addWidget(words_, 1);
+    below->addWidget(progress_);
+    take_ = new QPushButton(this);
+    take_->setObjectName(QStringLiteral("take_best"));
+    take_->setAutoDefault(false);
+    connect(take_, &QPushButton::clicked, model_, &SweepModel::takeBest);
+    below->addWidget(take_);
+    column->addLayout(below);
+    for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(take_)}) {
+        QSizePolicy keeps = each->sizePolicy();
+        keeps.setRetainSizeWhenHidden(true);
+        each->setSizePolicy(keeps);
+    }
     connect(study_, &StudyModel::changed, this, &SweepView::fillChoices);
     connect(model_, &SweepModel::changed, this, &SweepView::showSweep);
     connect(model_->job(), &BackgroundJob::progress, this,
@@ -106,16 +103,15 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
 
 void SweepView::fillChoices() {
     const auto fill = [](QComboBox* box, const std::vector<std::pair<QString, QString>>& entries,
-                         const QString& wanted) {
+                         const std::string& wanted) {
         const QSignalBlocker block(box);
         box->clear();
         for (const auto& [text, data] : entries) {
             box->addItem(text, data);
         }
-        const int found = box->findData(wanted);
-        box->setCurrentIndex(std::max(found, 0));
+        box->setCurrentIndex(std::max(box->findData(QString::fromStdString(wanted)), 0));
     };
-    // What scatters stands first.
+    // What scatters is first.
     std::vector<std::pair<QString, QString>> inputs;
     for (const bool scatters : {true, false}) {
         for (const StudyModel::Input& input : study_->inputs()) {
@@ -124,74 +120,125 @@ void SweepView::fillChoices() {
             }
         }
     }
-    fill(input_, inputs, isChosen_ ? QString::fromStdString(model_->input()) : QString());
-    inputs.insert(inputs.begin(), {tr("no other: a line"), QString()});
-    fill(other_, inputs, QString::fromStdString(model_->other()));
+    fill(input_, inputs, isChosen_ ? model_->input() : std::string());
     std::vector<std::pair<QString, QString>> results;
     for (const studies::Watched& watched : study_->study().watch) {
         results.emplace_back(resultName(watched.pointer).withUnit(),
                              QString::fromStdString(watched.pointer));
     }
-    fill(result_, results, QString::fromStdString(model_->result()));
+    fill(result_, results, model_->result());
+    fillReach();
     choose();
 }
 
+void SweepView::fillReach() {
+    const bool isAngle = SweepModel::isAngle(chosen(input_));
+    if (reach_->count() > 0 && (reach_->findData(SweepModel::wholeTurn) >= 0) == isAngle) {
+        return;
+    }
+    reach_->clear();
+    if (isAngle) {
+        reach_->addItem(QStringLiteral("0° … 360°"), SweepModel::wholeTurn);
+    }
+    for (const double times : {1.0, 2.0, 5.0, 10.0, 50.0}) {
+        reach_->addItem(times == 1.0 ? tr("its ±") : tr("%1 times its ±").arg(times), times);
+    }
+}
+
 void SweepView::choose() {
-    const auto chosen = [](const QComboBox* box) {
-        return box->currentData().toString().toStdString();
-    };
-    model_->setReach(reach_->currentData().toDouble());
-    model_->choose(chosen(input_), chosen(other_), chosen(result_));
+    model_->choose(chosen(input_), chosen(result_), reach_->currentData().toDouble());
 }
 
 void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isFaded = model_->isStale() && sweep != nullptr;
-    for (PlotView* plot : {line_, static_cast<PlotView*>(map_)}) {
-        plot->setFaded(isFaded, isFaded ? tr("Computing …") : QString());
-    }
-    QStringList lines;
-    if (!model_->trouble().isEmpty()) {
-        lines << model_->trouble();
-    } else if (model_->result().empty()) {
-        lines << tr("Choose a result to watch.");
-    } else if (sweep != nullptr && sweep->refused > 0) {
-        lines << tr("Refused: %1 of %2 places")
-                     .arg(QLocale().toString(static_cast<qulonglong>(sweep->refused)),
-                          QLocale().toString(static_cast<qulonglong>(sweep->found.size())));
-    }
-    words_->setText(lines.join(QLatin1Char('\n')));
-    words_->setVisible(!lines.isEmpty());
+    plot_->setFaded(isFaded, isFaded ? tr("Computing …") : QString());
+    words_->setText(!model_->trouble().isEmpty() ? model_->trouble()
+                    : model_->result().empty()   ? tr("Choose a result to watch.")
+                    : sweep != nullptr           ? bestText()
+                                                 : QString());
+    const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
+                         !study_->inputTitle(sweep->input).text.isEmpty();
+    take_->setVisible(isTaken);
     if (sweep == nullptr || model_->isStale()) {
         return;
     }
-    sweep->y ? showMap() : showLine();
-    stack_->setCurrentIndex(sweep->y ? 1 : 0);
+    if (isTaken) {
+        const ShownTitle input = study_->inputTitle(sweep->input);
+        take_->setText(
+            tr("Set t&o %1").arg(shownFormNumber(input.factor * sweep->best->x, QLocale(), 5)));
+    }
+    showCurves();
 }
 
-void SweepView::showLine() {
+QString SweepView::bestText() const {
+    const Sweep& sweep = *model_->sweep();
+    if (!sweep.best) {
+        return tr("At no value can 95 % of the samples be built.");
+    }
+    const ShownTitle input = study_->inputTitle(sweep.input);
+    const ShownUnit unit = resultName(sweep.result).shown();
+    return tr("Lowest 95 % value: %1 at %2; %3 of the samples can be built.")
+        .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
+             shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
+             percentText(sweep.best->built));
+}
+
+void SweepView::showCurves() {
     const Sweep& sweep = *model_->sweep();
     const ResultName name = resultName(sweep.result);
-    line_->setTitle(name.text);
-    const ShownTitle input = study_->inputTitle(sweep.x.pointer);
-    const std::vector<double> x = times(sweep.x.values, input.factor);
-    const double nominal = input.factor * sweep.x.nominal;
-    line_->setXAxis({input.text, x.front(), x.back()});
-    line_->setYAxis(PlotView::Side::Left, {name.unit});
-    line_->setCurve(0, x, sweep.found);
+    const ShownTitle input = study_->inputTitle(sweep.input);
+    std::vector<double> x;
+    std::vector<double> mean;
+    std::vector<double> below;
+    std::vector<double> above;
+    std::vector<double> every;
+    std::vector<double> built;
+    for (const Sweep::Place& place : sweep.places) {
+        every.push_back(input.factor * place.x);
+        built.push_back(100.0 * place.built);
+        if (std::isfinite(place.mean)) {
+            x.push_back(every.back());
+            mean.push_back(place.mean);
+            below.push_back(place.mean - place.low);
+            above.push_back(place.high - place.mean);
+        }
+    }
+    const bool scatters = std::any_of(above.begin(), above.end(), [](double a) { return a > 0; });
+    const bool allBuilt =
+        std::all_of(built.begin(), built.end(), [](double b) { return b > 99.9; });
+    plot_->setTitle(name.text);
+    plot_->setXAxis({input.text, every.front(), every.back()});
+    plot_->setYAxis(plot::Side::Left, {name.unit});
+    plot_->setYAxis(plot::Side::Right, {tr("can be built, %")});
+    plot_->setYRange(plot::Side::Right, 0.0, 100.0);
+    plot_->setCurve(Mean, x, mean);
+    plot_->setSpread(Mean, scatters ? below : std::vector<double>(),
+                     scatters ? above : std::vector<double>());
+    plot_->setCurve(Built, allBuilt ? std::vector<double>() : every,
+                    allBuilt ? std::vector<double>() : built);
     std::vector<PlotView::Band> bands;
-    if (sweep.x.half > 0.0) {
+    const double nominal = input.factor * sweep.nominal;
+    if (sweep.half > 0.0) {
         QColor pale = Theme::instance().accent();
         pale.setAlphaF(0.12F);
-        const double half = input.factor * sweep.x.half;
+        const double half = input.factor * sweep.half;
         bands.push_back({nominal - half, nominal + half, pale, QStringLiteral("±")});
     }
-    line_->setBands(std::move(bands));
+    plot_->setBands(std::move(bands));
+    const auto shown = [&](double value) {
+        return shownFormNumber(name.shown().factor * value, QLocale(), 5);
+    };
     std::vector<PlotView::Mark> marks;
-    if (sweep.nominal) {
-        marks.push_back({nominal, *sweep.nominal, markText(sweep), 0});
+    if (sweep.nominalResult) {
+        marks.push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult), 0});
     }
-    line_->setMarks(std::move(marks));
+    if (sweep.best) {
+        marks.push_back({input.factor * sweep.best->x, sweep.best->high,
+                         QStringLiteral("95 %: ") + shown(sweep.best->high), 2, plot::Side::Left,
+                         true});
+    }
+    plot_->setMarks(std::move(marks));
     std::vector<PlotView::Line> lines;
     for (const studies::Watched& watched : study_->study().watch) {
         if (watched.pointer == sweep.result) {
@@ -206,23 +253,7 @@ void SweepView::showLine() {
             }
         }
     }
-    line_->setLines(std::move(lines));
-}
-
-void SweepView::showMap() {
-    const Sweep& sweep = *model_->sweep();
-    const ResultName name = resultName(sweep.result);
-    const ShownTitle across = study_->inputTitle(sweep.x.pointer);
-    const ShownTitle up = study_->inputTitle(sweep.y->pointer);
-    const std::vector<double> x = times(sweep.x.values, across.factor);
-    const std::vector<double> y = times(sweep.y->values, up.factor);
-    map_->setTitle(name.withUnit());
-    map_->setXAxis({across.text, x.front(), x.back()});
-    map_->setYAxis(PlotView::Side::Left, {up.text});
-    map_->setYRange(PlotView::Side::Left, y.front(), y.back());
-    map_->setField({x, y, times(sweep.found, name.shown().factor)});
-    map_->setMarks(
-        {{across.factor * sweep.x.nominal, up.factor * sweep.y->nominal, markText(sweep), 0}});
+    plot_->setLines(std::move(lines));
 }
 
 void SweepView::showEvent(QShowEvent* event) {

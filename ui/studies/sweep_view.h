@@ -5,16 +5,15 @@
 class QComboBox;
 class QLabel;
 class QProgressBar;
-class QStackedWidget;
+class QPushButton;
 
 namespace ravnoves {
 
-class FieldPlot;
 class PlotView;
 class StudyModel;
 class SweepModel;
 
-/// One input led through its range, or two: how a result goes with it, as a line or as a map.
+/// One input goes through its range while the others scatter: how a result follows it.
 class SweepView : public QWidget {
     Q_OBJECT
 
@@ -22,8 +21,7 @@ class SweepView : public QWidget {
     explicit SweepView(StudyModel* study, QWidget* parent = nullptr);
 
     SweepModel* model() const { return model_; }
-    const PlotView* line() const { return line_; }
-    const FieldPlot* map() const { return map_; }
+    const PlotView* plot() const { return plot_; }
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -31,22 +29,21 @@ class SweepView : public QWidget {
 
   private:
     void fillChoices();
+    void fillReach();
     void choose();
     void showSweep();
-    void showLine();
-    void showMap();
+    void showCurves();
+    QString bestText() const;
 
     StudyModel* study_;
     SweepModel* model_;
     QComboBox* input_;
-    QComboBox* other_;
     QComboBox* result_;
     QComboBox* reach_;
     QProgressBar* progress_;
     QLabel* words_;
-    QStackedWidget* stack_;
-    PlotView* line_;
-    FieldPlot* map_;
+    QPushButton* take_;
+    PlotView* plot_;
     bool isChosen_ = false;  ///< by the user; before, what scatters first is swept
 };
 

@@ -13,6 +13,7 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QTabBar>
 #include <QTabWidget>
@@ -20,7 +21,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "case-file/message.h"
@@ -29,13 +29,9 @@
 #include "plot/plot_view.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
-#include "studies/band_progress.h"
 #include "studies/model/result_words.h"
-#include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
-#include "studies/robust_view.h"
-#include "studies/scatter_view.h"
 #include "studies/sweep_view.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
@@ -54,20 +50,6 @@ namespace ravnoves {
 
 namespace {
 
-QString orDash(const std::optional<double>& value, double factor) {
-    return value ? shownFormNumber(factor * *value, QLocale(), 7) : QStringLiteral("–");
-}
-
-/// A number that is but what rounding leaves of others is 0.
-std::optional<double> tidied(const std::optional<double>& value, const StudyAnswer& among) {
-    constexpr double rounding = 1e-10;
-    double size = 0.0;
-    for (const auto& each : {among.nominal, among.mean, among.deviation, among.low, among.high}) {
-        size = std::max(size, std::abs(each.value_or(0.0)));
-    }
-    return value && std::abs(*value) < rounding * size ? 0.0 : value;
-}
-
 /// Room to type in, and for what stands there.
 void fitTyped(QTableView* view, const std::vector<int>& columns) {
     constexpr int least = 72;
@@ -76,10 +58,6 @@ void fitTyped(QTableView* view, const std::vector<int>& columns) {
         view->horizontalHeader()->resizeSection(
             column, std::max(Theme::withText(least), cells->sizeHintForColumn(column) + 1));
     }
-}
-
-QString percent(const std::optional<double>& share, int decimals = 1) {
-    return share ? percentText(*share, decimals) : QStringLiteral("–");
 }
 
 }  // namespace
@@ -121,7 +99,6 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
         progress_->setVisible(running);
         progress_->setValue(0);
-        showStop();
     });
     addKeys();
     connect(page, &QObject::destroyed, this, &QWidget::close);
@@ -208,13 +185,14 @@ QWidget* ToleranceWindow::makeInputs() {
     QLabel* heading = headingLabel(tr("Inputs and their tolerances"), holder);
     heading->setWordWrap(true);
     top->addWidget(heading, 1);
-    auto* presets = new QPushButton(tr("&Usual ones"), holder);
+    auto* presets = new QPushButton(tr("&Typical tolerances"), holder);
     presets->setObjectName(QStringLiteral("presets"));
     presets->setAutoDefault(false);
     auto* menu = new QMenu(presets);
     const auto add = [&](const QString& text, StudyModel::Preset preset) {
         menu->addAction(text, model_, [this, preset] { model_->take(preset); });
     };
+    add(tr("Weighed &and machined"), StudyModel::Preset::Typical);
     add(tr("&Weighed parts: ± %1")
             .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3)),
         StudyModel::Preset::Weighed);
@@ -228,7 +206,7 @@ QWidget* ToleranceWindow::makeInputs() {
     top->addWidget(presets);
     column->addLayout(top);
     inputs_ = edit(new ScatterTable(model_), tr("Inputs and their tolerances"),
-                   tr("The selected inputs do not scatter"), {ScatterTable::Scatter});
+                   tr("Remove the tolerances of the selected inputs"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
     watchable_ = new PickBox(tr("Watch a result …"), holder);
@@ -239,9 +217,8 @@ QWidget* ToleranceWindow::makeInputs() {
     connect(watchable_, &PickBox::picked, this,
             [this](const QVariant& pointer) { watch(pointer.toString().toStdString()); });
     column->addWidget(watchable_);
-    watched_ =
-        edit(new WatchTable(model_), tr("Results to watch"),
-             tr("The selected results are watched no more"), {WatchTable::Least, WatchTable::Most});
+    watched_ = edit(new WatchTable(model_), tr("Results to watch"),
+                    tr("Remove the selected results"), {WatchTable::Least, WatchTable::Most});
     column->addWidget(watched_, 2);
     // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
     // its lines scrolls.
@@ -285,11 +262,15 @@ QWidget* ToleranceWindow::makeAnswers() {
     method_ = chooser(tr("M&ethod"), "method");
     constexpr int leastChooser = 90;  // they give way where the text is large
     method_->setMinimumWidth(Theme::withText(leastChooser));
-    for (const Word& word : studies::method_words()) {
-        method_->addItem(shownText(word.label));
+    for (const studies::Method method : {studies::Method::sobol, studies::Method::monte_carlo,
+                                         studies::Method::linear, studies::Method::grid}) {
+        const auto number = static_cast<std::size_t>(method);
+        method_->addItem(shownText(studies::method_words()[number].label),
+                         static_cast<int>(method));
     }
-    connect(method_, &QComboBox::activated, this,
-            [this](int index) { model_->setMethod(static_cast<studies::Method>(index)); });
+    connect(method_, &QComboBox::activated, this, [this] {
+        model_->setMethod(static_cast<studies::Method>(method_->currentData().toInt()));
+    });
     samples_ = chooser(tr("&Samples"), "samples");
     samples_->setMinimumWidth(Theme::withText(leastChooser));
     connect(samples_, &QComboBox::activated, this,
@@ -297,11 +278,59 @@ QWidget* ToleranceWindow::makeAnswers() {
     row->addStretch();
     column->addLayout(row);
 
+    answers_ = new QStackedWidget(holder);
+    answers_->addWidget(makeNextStep());
+    answers_->addWidget(makeFound());
+    column->addWidget(answers_, 1);
+    auto* bands = new QCheckBox(tr("Show &bands and ± on the page"), holder);
+    bands->setObjectName(QStringLiteral("bands"));
+    bands->setChecked(ToleranceSwitch::instance().isOn());
+    connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
+    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
+    // Under each other where large text leaves no room.
+    auto* below = new FoldingRow(0, holder);
+    below->add(bands);
+    auto* running = new QWidget(below);
+    QHBoxLayout* last = rowIn(running, Theme::gap);
+    below->add(running, 1);
+    last->addStretch();
+    progress_ = new QProgressBar(running);
+    progress_->setAccessibleName(tr("Progress"));
+    progress_->hide();
+    last->addWidget(progress_);
+    running->setMinimumHeight(
+        progress_->sizeHint().height());  // nothing moves as it comes and goes
+    column->addWidget(below);
+    return holder;
+}
+
+QWidget* ToleranceWindow::makeNextStep() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->addStretch(1);
+    next_ = captionLabel({}, holder);
+    next_->setAlignment(Qt::AlignCenter);
+    column->addWidget(next_);
+    use_ = new QPushButton(holder);
+    use_->setObjectName(QStringLiteral("next_step"));
+    use_->setAutoDefault(false);
+    connect(use_, &QPushButton::clicked, this, [this] {
+        model_->study().vary.empty() ? model_->take(StudyModel::Preset::Typical)
+                                     : watchable_->showPopup();
+    });
+    column->addWidget(use_, 0, Qt::AlignHCenter);
+    column->addStretch(2);
+    return holder;
+}
+
+QWidget* ToleranceWindow::makeFound() {
+    auto* holder = new QWidget(this);
+    QVBoxLayout* column = columnIn(holder);
     table_ = new ResultTable(holder);
-    table_->setAccessibleName(tr("What the tolerances do"));
+    table_->setAccessibleName(tr("Results with tolerances"));
     table_->setColumns(
         {tr("Result"),
-         {tr("Nominal"), tr("Without any scatter.")},
+         {tr("Nominal"), tr("Without tolerances.")},
          {tr("Mean"), tr("Of all samples that could be solved.")},
          {QStringLiteral("σ"), tr("Standard deviation of the samples.")},
          {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values alone.")},
@@ -326,54 +355,18 @@ QWidget* ToleranceWindow::makeAnswers() {
     tabs_ = new QTabWidget(holder);
     tabs_->setUsesScrollButtons(true);
     tornado_ = new TornadoView(tabs_);
-    tabs_->addTab(tornado_, tr("What matters most"));
+    tabs_->addTab(tornado_, tr("Main contributors"));
     histogram_ = new PlotView({}, tabs_);
     histogram_->addCurve({.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false});
     histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
     tabs_->addTab(histogram_, tr("Histogram"));
-    scatter_ = new ScatterView(model_, tabs_);
-    addScrolledTab(tabs_, scatter_, QStringLiteral("scatter"), tr("Scatter"));
     sweep_ = new SweepView(model_, tabs_);
     addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));
-    robust_ = new RobustView(model_, tabs_);
-    if (robust_->model()->isAsked()) {
-        addScrolledTab(tabs_, robust_, QStringLiteral("robust"), tr("Robust α"));
-    } else {
-        robust_->hide();
-    }
-    constexpr int leastTab = 220;  // narrower than what is in them they scroll sideways
+    constexpr int leastTab = 220;  // narrower than what is in it, it scrolls sideways
     for (QScrollArea* tab : tabs_->findChildren<QScrollArea*>()) {
         tab->setMinimumWidth(Theme::withText(leastTab));
     }
     column->addWidget(tabs_, 5);
-    auto* bands = new QCheckBox(tr("Show &bands and ± on the page"), holder);
-    bands->setObjectName(QStringLiteral("bands"));
-    bands->setChecked(ToleranceSwitch::instance().isOn());
-    connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
-    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
-    // Under each other where large text leaves no room.
-    auto* below = new FoldingRow(0, holder);
-    below->add(bands);
-    auto* running = new QWidget(below);
-    QHBoxLayout* last = rowIn(running, Theme::gap);
-    below->add(running, 1);
-    auto* bandProgress = new BandProgress(running);
-    bandProgress->follow(page_);
-    last->addWidget(bandProgress);
-    last->addStretch();
-    progress_ = new QProgressBar(running);
-    progress_->setAccessibleName(tr("Progress"));
-    progress_->hide();
-    last->addWidget(progress_);
-    stop_ = new QPushButton(tr("S&top"), running);
-    stop_->setAutoDefault(false);
-    stop_->hide();
-    stop_->setObjectName(QStringLiteral("stop"));
-    connect(stop_, &QPushButton::clicked, this,
-            [this] { model_->isStopped() ? model_->run() : model_->stop(); });
-    last->addWidget(stop_);
-    running->setMinimumHeight(stop_->sizeHint().height());  // nothing moves as they come and go
-    column->addWidget(below);
     return holder;
 }
 
@@ -402,17 +395,18 @@ void ToleranceWindow::watch(const std::string& pointer) {
 
 void ToleranceWindow::showStudy() {
     const studies::Study& study = model_->study();
-    method_->setCurrentIndex(static_cast<int>(study.method));
-    const int grid = static_cast<int>(studies::Method::grid);
+    method_->setCurrentIndex(method_->findData(static_cast<int>(study.method)));
     if (auto* methods = qobject_cast<QStandardItemModel*>(method_->model())) {
-        methods->item(grid)->setEnabled(model_->hasGrid());
-        methods->item(grid)->setToolTip(
-            tr("Of a case file that lists values of its inputs: its table is made by the command "
-               "line. Another method takes the range of the values."));
+        QStandardItem* grid =
+            methods->item(method_->findData(static_cast<int>(studies::Method::grid)));
+        grid->setEnabled(model_->hasGrid());
+        grid->setToolTip(
+            tr("For a case file that lists values of its inputs. The command line "
+               "computes the table."));
     }
     const QSignalBlocker block(samples_);
     samples_->clear();
-    std::vector<std::uint64_t> offered{1024, 4096, 16384, 65536, 1 << 20};
+    std::vector<std::uint64_t> offered{1024, 4096, 16384, 65536};
     if (std::find(offered.begin(), offered.end(), study.samples) == offered.end()) {
         offered.push_back(study.samples);
     }
@@ -433,69 +427,74 @@ void fitTitles(const QTabWidget* tabs) {
 }  // namespace
 
 void ToleranceWindow::showAnswers() {
-    fitTitles(tabs_);
-    const StudyAnswers* answers = model_->answers();
-    ResultRows rows;
-    QStringList lines;
-    if (answers == nullptr) {
-        lines << (!model_->trouble().isEmpty() ? model_->trouble()
-                  : model_->study().vary.empty()
-                      ? tr("Give an input its tolerance: 0.02, 1 % or σ 0.01.")
-                  : model_->study().watch.empty() ? tr("Choose a result to watch.")
-                  : model_->isStopped()           ? tr("Stopped.")
-                                                  : tr("Computing …"));
-    } else {
-        for (const StudyAnswer& value : answers->values) {
-            QString within = percent(value.within, 2);
-            if (value.within && value.withinLow && value.withinHigh) {
-                within +=
-                    QStringLiteral(" (") + fixedNumber(100.0 * *value.withinLow, 2, QLocale()) +
-                    QStringLiteral(" … ") + fixedNumber(100.0 * *value.withinHigh, 2, QLocale()) +
-                    QStringLiteral(")");
-            }
-            const ResultName name = resultName(value.pointer);
-            const double factor = name.shown().factor;
-            const auto shown = [&](const std::optional<double>& each) {
-                return orDash(tidied(each, value), factor);
-            };
-            const QString mark = value.fails ? QStringLiteral(" ⚠") : QString();
-            rows.push_back({name.withUnit(), shown(value.nominal), shown(value.mean),
-                            shown(value.deviation), shown(value.linearDeviation) + mark,
-                            shown(value.low), shown(value.high), within});
-        }
-        if (studies::is_sampled(model_->study().method)) {
-            lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
-        }
-        if (model_->study().method == studies::Method::grid) {
-            lines << tr("A grid does not scatter: its table is made by the command line.");
-        }
-        for (const auto& [reason, count] : model_->refused()) {
-            lines << tr("Refused: %1 × %2").arg(QLocale().toString(count), reason);
-        }
-        lines << model_->notes();
-        if (model_->isStopped()) {
-            lines.prepend(model_->isStale() ? tr("Of the values before; stopped.")
-                                            : tr("Stopped: of the samples so far."));
-        } else if (model_->isStale()) {
-            lines.prepend(tr("Of the values before; computing anew …"));
-        }
+    const bool hasNone = model_->study().vary.empty();
+    const bool isNext = model_->trouble().isEmpty() && (hasNone || model_->study().watch.empty());
+    answers_->setCurrentIndex(isNext ? 0 : 1);
+    if (isNext) {
+        next_->setText(
+            hasNone ? tr("Enter the tolerance of an input in the column ±, or start "
+                         "with typical tolerances: weighed parts ± %1, machined sizes "
+                         "± %2.")
+                          .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3),
+                               shownShort(StudyModel::machinedMm * units::mm, units::mm, 3))
+                    : tr("Choose the result that the tolerances are to be seen in."));
+        use_->setText(hasNone ? tr("Use t&ypical tolerances") : tr("&Choose a result"));
     }
+    showFound();
+    showChosen();
+}
+
+void ToleranceWindow::showFound() {
+    fitTitles(tabs_);
+    QStringList lines;
+    ResultRows rows;
     const QStringList refused =
         static_cast<const ScatterTable*>(inputs_->view()->model())->refusedNames();
     if (!refused.isEmpty()) {
-        lines.prepend(tr("Not up to date, for these tolerances are refused: %1.")
-                          .arg(refused.join(QStringLiteral(", "))));
+        lines << tr("Out of date: these tolerances were not accepted: %1.")
+                     .arg(refused.join(QStringLiteral(", ")));
     }
-    QPalette ink = table_->palette();
+    if (const QString gone = model_->goneMethod(); !gone.isEmpty()) {
+        lines << tr("The method of this case, %1, is no longer available. Sobol points are used; "
+                    "tolerances and limits are kept.")
+                     .arg(gone == u"second-order" ? tr("second order") : tr("Latin hypercube"));
+    }
+    const StudyAnswers* answers = model_->answers();
+    if (!model_->trouble().isEmpty()) {
+        lines << model_->trouble();
+    } else if (answers != nullptr) {
+        for (const StudyAnswer& value : answers->values) {
+            const ResultName name = resultName(value.pointer);
+            const auto shown = [&](const std::optional<double>& each) {
+                return value.text(each, name.shown().factor);
+            };
+            rows.push_back(
+                {name.withUnit(), shown(value.nominal), shown(value.mean), shown(value.deviation),
+                 shown(value.linearDeviation) + (value.fails ? QStringLiteral(" ⚠") : QString()),
+                 shown(value.low), shown(value.high), value.withinText()});
+        }
+        if (model_->isStale()) {
+            lines << tr("Values before the change; computing …");
+        }
+        if (studies::is_sampled(model_->study().method)) {
+            lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
+        } else if (model_->study().method == studies::Method::grid) {
+            lines << tr("A grid has no statistics. The command line computes its table.");
+        }
+        for (const auto& [reason, count] : model_->refused()) {
+            lines << tr("Rejected: %1 × %2").arg(QLocale().toString(count), reason);
+        }
+        lines << model_->notes();
+    }
     const Theme& theme = Theme::instance();
-    const bool isCut = model_->isStopped() || !refused.isEmpty();
-    ink.setColor(QPalette::Text, isCut               ? theme.warning()
+    QPalette ink = table_->palette();
+    ink.setColor(QPalette::Text, !refused.isEmpty()  ? theme.warning()
                                  : model_->isStale() ? theme.mutedText()
                                                      : theme.text());
-    colourText(words_, isCut ? &Theme::warning : &Theme::mutedText);
+    colourText(words_, refused.isEmpty() ? &Theme::mutedText : &Theme::warning);
     table_->setPalette(ink);
     table_->setRows(rows);
-    for (int row = 0; answers != nullptr && row < rows.size(); ++row) {
+    for (int row = 0; row < rows.size(); ++row) {
         const StudyAnswer& value = answers->values[static_cast<std::size_t>(row)];
         if (value.fails) {
             constexpr int linearColumn = 4;
@@ -506,21 +505,12 @@ void ToleranceWindow::showAnswers() {
         table_->setCurrentCell(0, 0);
     }
     words_->setText(lines.join(QLatin1Char('\n')));
-    showStop();
-    showChosen();
-}
-
-void ToleranceWindow::showStop() {
-    stop_->setText(model_->isStopped() ? tr("Run") : tr("S&top"));
-    stop_->setVisible(model_->job()->isRunning() || model_->isStopped());
 }
 
 void ToleranceWindow::showChosen() {
     const StudyAnswers* answers = model_->answers();
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
-    histogram_->setFaded(model_->isStale(), !model_->isStale()    ? QString()
-                                            : model_->isStopped() ? tr("Stopped.")
-                                                                  : tr("Computing …"));
+    histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing …") : QString());
     tornado_->setFaded(model_->isStale());
     if (answers == nullptr || row >= answers->values.size()) {
         tornado_->setBars({}, {});
@@ -531,15 +521,8 @@ void ToleranceWindow::showChosen() {
     }
     const StudyAnswer& value = answers->values[row];
     const ResultName named = resultName(value.pointer);
-    const QString name = named.withUnit();
-    std::vector<TornadoView::Bar> bars;
-    for (const StudyAnswer::Share& share : value.shares) {
-        const double alone = share.first.value_or(share.linear.value_or(0.0));
-        bars.push_back({model_->inputName(share.pointer), alone,
-                        std::max(alone, share.total.value_or(alone))});
-    }
-    tornado_->setBars(tr("Shares of the variance of %1").arg(name), std::move(bars));
-    histogram_->setTitle(name);
+    showShares(*tornado_, value, *model_);
+    histogram_->setTitle(named.withUnit());
     std::vector<double> heights;
     for (const double height : value.heights) {
         heights.push_back(100.0 * height);

@@ -9,6 +9,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QStackedWidget;
 class QTableView;
 class QTabWidget;
 
@@ -17,8 +18,6 @@ namespace ravnoves {
 class PickBox;
 class PlotView;
 class ResultTable;
-class RobustView;
-class ScatterView;
 class ScenePage;
 class StudyModel;
 class SweepView;
@@ -41,9 +40,7 @@ class ToleranceWindow : public QDialog {
     const ResultTable* table() const { return table_; }
     const TornadoView* tornado() const { return tornado_; }
     const PlotView* histogram() const { return histogram_; }
-    const ScatterView* scatter() const { return scatter_; }
     const SweepView* sweep() const { return sweep_; }
-    const RobustView* robust() const { return robust_; }
 
   Q_SIGNALS:
     /// The case of the page is to be saved, by Ctrl+S.
@@ -57,14 +54,17 @@ class ToleranceWindow : public QDialog {
   private:
     QWidget* makeInputs();
     QWidget* makeAnswers();
+    /// What is to be done while there is nothing to show.
+    QWidget* makeNextStep();
+    QWidget* makeFound();
     void addKeys();
     void fillWatchable();
     /// Watches it, and goes to its limits.
     void watch(const std::string& pointer);
     void showStudy();
     void showAnswers();
+    void showFound();
     void showChosen();
-    void showStop();
 
     ScenePage* page_;
     StudyModel* model_;
@@ -75,16 +75,16 @@ class ToleranceWindow : public QDialog {
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
     QProgressBar* progress_ = nullptr;
-    QPushButton* stop_ = nullptr;
+    QStackedWidget* answers_ = nullptr;
+    QLabel* next_ = nullptr;
+    QPushButton* use_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
     TroubleLine* refused_ = nullptr;
     std::array<QString, 2> troubles_;  ///< of inputs and of watched results
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
-    ScatterView* scatter_ = nullptr;
     SweepView* sweep_ = nullptr;
-    RobustView* robust_ = nullptr;
     QTabWidget* tabs_ = nullptr;
 };
 

@@ -3,6 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "studies/model/result_words.h"
+#include "studies/model/study_model.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
 #include "widgets/figure.h"
@@ -115,6 +117,18 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
                          Qt::AlignLeft | Qt::AlignVCenter,
                          tr("smaller ones: %1").arg(std::ssize(bars_) - shown));
     }
+}
+
+void showShares(TornadoView& view, const StudyAnswer& value, const StudyModel& study) {
+    std::vector<TornadoView::Bar> bars;
+    for (const StudyAnswer::Share& share : value.shares) {
+        const double alone = share.first.value_or(share.linear.value_or(0.0));
+        bars.push_back(
+            {study.inputName(share.pointer), alone, std::max(alone, share.total.value_or(alone))});
+    }
+    view.setBars(
+        TornadoView::tr("Shares of the variance of %1").arg(resultName(value.pointer).withUnit()),
+        std::move(bars));
 }
 
 }  // namespace ravnoves

@@ -7,6 +7,9 @@
 
 namespace ravnoves {
 
+class StudyModel;
+struct StudyAnswer;
+
 /// How much of a result's variance each input makes, the largest at the top: by itself, and pale
 /// what it does together with others.
 class TornadoView : public QWidget {
@@ -38,5 +41,8 @@ class TornadoView : public QWidget {
     std::vector<Bar> bars_;
     bool faded_ = false;
 };
+
+/// The shares of a study's inputs in a result.
+void showShares(TornadoView& view, const StudyAnswer& value, const StudyModel& study);
 
 }  // namespace ravnoves

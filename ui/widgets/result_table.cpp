@@ -331,7 +331,7 @@ bool ResultTable::hasRoomForWords() const {
 
 void ResultTable::setRows(const ResultRows& rows) {
     // At each step of a slider: tips are put together only where they are others.
-    tipsRest_ = tipsRest_ && spreads_.empty() &&
+    tipsRest_ = tipsRest_ &&
                 std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
                            [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
     rows_ = rows;

@@ -58,17 +58,14 @@ class ResultTable : public WithWholeRows<QTableWidget> {
         QString name;        ///< of the row, which is elsewhere where that is another
         double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
         double above = 0.0;  ///< from the number to 95 %
-        QString fails = {};  ///< why slopes alone do not give it; it is marked then
     };
     /// Shows them beside the numbers, where differences stand. None removes them.
     /// @param how  they were found: the tip of their heading
     void setSpreads(std::vector<Spread> spreads, const QString& how = {});
-    /// They were not found to the end: they are amber until there are others.
-    /// @param why  behind the tip of their heading
-    void stopSpreads(const QString& why);
-    bool areSpreadsStopped() const { return areSpreadsStopped_; }
-    /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown, with a ⚠ where it is
-    /// marked; empty where it has none.
+    /// The numbers are others now: "± …" stands in their places until they are set again.
+    void awaitSpreads();
+    /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown; empty where it has
+    /// none.
     QString spreadAt(int row, int column) const;
     /// Differences and ± have columns of their own.
     bool hasColumnsBeside() const { return columnCount() > columns_; }
@@ -165,7 +162,7 @@ class ResultTable : public WithWholeRows<QTableWidget> {
     QString referenceName_;
     std::vector<Spread> spreads_;
     QString spreadTip_;
-    bool areSpreadsStopped_ = false;
+    bool areSpreadsAwaited_ = false;
     QList<int> compared_;  ///< columns with differences
     QList<int> spread_;    ///< columns with ±
     Place place_ = Place::Columns;

@@ -21,8 +21,6 @@ namespace {
 constexpr int differenceRole = Qt::UserRole + 1;
 /// Of a cell: its ±.
 constexpr int spreadRole = Qt::UserRole + 2;
-/// Of a cell: why its ± fails, as its tip ends.
-constexpr int failsRole = Qt::UserRole + 3;
 
 QFont differenceFont() {
     return Theme::font(Theme::smallSize);
@@ -55,36 +53,16 @@ QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number
     const int decimals = std::min(wanted, number.decimals.value_or(9) + 1);
     if (most < 0.5 * std::pow(10.0, -decimals)) {
         // Far less than the number's last digit.
-        return QStringLiteral("± 0") + (spread.fails.isEmpty() ? QString() : QStringLiteral("⚠"));
+        return QStringLiteral("± 0");
     }
     const auto shown = [&](double size) {
         return most < 1e-9 || most >= 1e9 ? formNumber(size, QLocale(), 2)
                                           : fixedDecimals(size, decimals, QLocale());
     };
     constexpr double alike = 0.1;
-    QString text = least < 0.0 || most - least < alike * most
-                       ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
-                       : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
-    return spread.fails.isEmpty() ? text : text + QStringLiteral("⚠");
-}
-
-/// The tip of a cell says what its ± is, behind what it says anyway.
-void sayFails(QTableWidgetItem& cell, const QString& fails) {
-    const QString said = cell.data(failsRole).toString();
-    QString tip = cell.toolTip();
-    if (!said.isEmpty() && tip.endsWith(said)) {
-        tip.chop(said.size());
-        tip = tip.trimmed();
-    }
-    if (!fails.isEmpty()) {
-        tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + fails;
-    }
-    if (tip != cell.toolTip()) {
-        cell.setToolTip(tip);
-    }
-    if (said != fails) {
-        cell.setData(failsRole, fails.isEmpty() ? QVariant() : QVariant(fails));
-    }
+    return least < 0.0 || most - least < alike * most
+               ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
+               : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
 }
 
 /// A cell over the small lines of its difference.
@@ -92,9 +70,8 @@ class DifferenceDelegate final : public CellDelegate {
   public:
     using CellDelegate::CellDelegate;
 
-    bool below = false;    ///< differences stand below the numbers
-    int joined = 1;        ///< parts in the first line
-    bool isAmber = false;  ///< what is small
+    bool below = false;  ///< differences stand below the numbers
+    int joined = 1;      ///< parts in the first line
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
@@ -129,8 +106,7 @@ class DifferenceDelegate final : public CellDelegate {
         painter->drawText(line, side,
                           QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
         painter->setFont(differenceFont());
-        const Theme& theme = Theme::instance();
-        painter->setPen(isSelected ? colour : isAmber ? theme.warning() : theme.mutedText());
+        painter->setPen(isSelected ? colour : Theme::instance().mutedText());
         line.moveTop(line.top() + ResultTable::plainRowHeight() - 3);
         line.setHeight(differenceHeight());
         for (const QString& part : linesOf(parts, joined)) {
@@ -165,18 +141,16 @@ void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
     }
     spreads_ = std::move(spreads);
     spreadTip_ = how;
-    areSpreadsStopped_ = false;
+    areSpreadsAwaited_ = false;
     placedAt_ = -1;
     showSpreads();
     placeBeside();
 }
 
-void ResultTable::stopSpreads(const QString& why) {
-    if (!spreads_.empty() && !areSpreadsStopped_) {
-        areSpreadsStopped_ = true;
-        spreadTip_ += QLatin1Char('\n') + why;
+void ResultTable::awaitSpreads() {
+    if (!spreads_.empty() && !std::exchange(areSpreadsAwaited_, true)) {
+        showSpreads();
         placeBeside();
-        viewport()->update();
     }
 }
 
@@ -212,8 +186,9 @@ void ResultTable::showSpreads() {
         for (int column = 0; column < columns_; ++column) {
             const Spread* spread =
                 spreads.empty() ? nullptr : spreads[static_cast<std::size_t>(column)];
-            const QString text =
-                spread != nullptr ? spreadText(*spread, *numberAt(row, column)) : QString();
+            const QString text = spread == nullptr    ? QString()
+                                 : areSpreadsAwaited_ ? QStringLiteral("± …")
+                                                      : spreadText(*spread, *numberAt(row, column));
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
                 continue;
@@ -221,7 +196,6 @@ void ResultTable::showSpreads() {
             if (cell->data(spreadRole).toString() != text) {
                 cell->setData(spreadRole, text.isEmpty() ? QVariant() : QVariant(text));
             }
-            sayFails(*cell, spread != nullptr ? spread->fails : QString());
         }
     }
 }
@@ -377,7 +351,6 @@ void ResultTable::placeBeside() {
     if (auto* delegate = dynamic_cast<DifferenceDelegate*>(itemDelegate())) {
         delegate->below = !inColumns;
         delegate->joined = joinedIn(place);
-        delegate->isAmber = areSpreadsStopped_;
     }
     if (verticalHeader()->defaultSectionSize() != height) {
         verticalHeader()->setDefaultSectionSize(height);
@@ -408,11 +381,7 @@ void ResultTable::placeBeside() {
             if (cell->text() != text) {
                 cell->setText(text);
             }
-            const QTableWidgetItem* of = isSpread ? item(row, spread_.front()) : nullptr;
-            const QString fails = of != nullptr ? of->data(failsRole).toString() : QString();
-            cell->setToolTip(fails.isEmpty() ? tip : fails);
-            cell->setForeground(isSpread && areSpreadsStopped_ ? QBrush(Theme::instance().warning())
-                                                               : QBrush());
+            cell->setToolTip(tip);
         }
     }
     fitColumns();

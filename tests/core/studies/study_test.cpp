@@ -11,7 +11,6 @@
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 #include "studies/sampler.h"
-#include "studies/sweep.h"
 #include "support.h"
 
 namespace ravnoves::studies {
@@ -453,35 +452,6 @@ TEST(Study, FewSamplesAreCalledFew) {
     }
     EXPECT_NEAR(std::sqrt(off_first) / first_error, 1.0, 0.5);
     EXPECT_NEAR(std::sqrt(off_total) / total_error, 1.0, 0.5);
-}
-
-TEST(Study, SweepsOneInputAndMapsTwo) {
-    const auto function = [](auto x, auto y) {
-        y[0] = x[0] + (x.size() > 1 ? 10.0 * x[1] : 0.0);
-        y[1] = -x[0];
-        if (x[0] > 2.5) {
-            y[0] = std::nan("");
-        }
-        return x[0] < 2.5;
-    };
-    const auto found = [&](const std::vector<SweptInput>& inputs) {
-        const Study study = sweep_study(inputs, {{.pointer = "/y"}, {.pointer = "/z"}});
-        EXPECT_EQ(read_study(write_study(study)), study);
-        return sweep_table(
-            whole(problem(write_study(study), std::vector<double>(inputs.size()), function)));
-    };
-    const SweepTable line = found({{"/a", 0.0, 3.0, 4}});
-    EXPECT_EQ(line.axes, (std::vector<std::vector<double>>{{0, 1, 2, 3}}));
-    EXPECT_EQ(line.at(1, 2), -2.0);
-    EXPECT_TRUE(std::isnan(line.at(0, 3)));
-    const SweepTable map = found({{"/a", 0.0, 2.0, 3}, {"/b", 1.0, 5.0, 5}});
-    ASSERT_EQ(map.values[0].size(), 15U);
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 5; ++j) {
-            EXPECT_EQ(map.at(0, i, j), map.axes[0][i] + 10.0 * map.axes[1][j]);
-        }
-    }
-    EXPECT_EQ(swept_range({.pointer = "/a", .size = 0.5}, 4.0), std::pair(3.5, 4.5));
 }
 
 TEST(Study, ShardsPrintWhatTheWholePrints) {

@@ -27,14 +27,11 @@
 #include "shell/main_window.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
-#include "studies/field_plot.h"
 #include "studies/model/result_words.h"
-#include "studies/model/robust_model.h"
+#include "studies/model/study_answers.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "studies/model/sweep_model.h"
-#include "studies/robust_view.h"
-#include "studies/scatter_view.h"
 #include "studies/study_run.h"
 #include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
@@ -170,26 +167,18 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     const double nominal = *tolerances->model()->answers()->values.at(0).nominal * perNm;
     const auto* table = tolerances->table();
     EXPECT_TRUE(table->item(0, 0)->text().endsWith(u"lb·ft"_s));
-    EXPECT_EQ(table->item(0, 1)->text(), QLocale().toString(nominal, 'g', 7));
+    const StudyAnswer& value = tolerances->model()->answers()->values.at(0);
+    EXPECT_EQ(table->item(0, 1)->text(), value.text(value.nominal, perNm));
+    EXPECT_NEAR(QLocale().toDouble(table->item(0, 1)->text()), nominal, 0.1 * *value.deviation);
     EXPECT_TRUE(tolerances->histogram()->title().endsWith(u"lb·ft"_s));
     EXPECT_EQ(tolerances->histogram()->data().x.spec.title, u"lb·ft"_s);
 
-    const auto title = [&](const char* box) {
-        return test::named<QComboBox>(*tolerances, box)->currentText();
-    };
-    const CloudPlot& cloud = *tolerances->scatter()->plot();
-    EXPECT_EQ(title("scatter_across"), cloud.data().x.spec.title);
-    EXPECT_EQ(title("scatter_up"), cloud.data().left.spec.title);
-    EXPECT_TRUE(cloud.data().x.spec.title.endsWith(u", g"_s));
-    EXPECT_TRUE(cloud.data().left.spec.title.endsWith(u"lb·ft"_s));
     const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
-    EXPECT_NEAR(cloud.pointsX().at(0), 1000.0 * piston, 0.5);
-
     showTabOf(const_cast<SweepView*>(tolerances->sweep()));
     const SweepModel& sweep = *tolerances->sweep()->model();
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }, 60'000));
-    const plot::Mark& mark = tolerances->sweep()->line()->data().marks.at(0);
+    const plot::Mark& mark = tolerances->sweep()->plot()->data().marks.at(0);
     EXPECT_EQ(mark.text, QLocale().toString(nominal, 'g', 5));
     EXPECT_NEAR(mark.x, 1000.0 * piston, 1e-9);
 
@@ -203,22 +192,8 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     }
     ASSERT_EQ(found.size(), 8);
     EXPECT_EQ(found[1], u"lb·ft"_s);
-    EXPECT_EQ(found[2], QLocale().toString(nominal, 'g', 6));
+    EXPECT_EQ(found[2], table->item(0, 1)->text());
     EXPECT_TRUE(found[7].contains(limit())) << found[7].toStdString();
-}
-
-TEST_F(Tolerances, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {
-    QTableView* view = tolerances->inputs()->view();
-    view->setFocus();
-    view->setCurrentIndex(view->model()->index(0, ScatterTable::Scatter));
-    QTest::keyClick(view, Qt::Key_F2);
-    auto* cell = view->findChild<QLineEdit*>();
-    ASSERT_NE(cell, nullptr);
-    cell->selectAll();
-    QTest::keyClicks(cell, u"0.25"_s);
-    EXPECT_TRUE(scene().study().empty());
-    EXPECT_TRUE(scene().draftFile().study.at("vary").front().contains("plus_minus"));
-    QTest::keyClick(cell, Qt::Key_Escape);
 }
 
 TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
@@ -311,29 +286,16 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     EXPECT_EQ(*shown.high, found["percentiles"]["95"].get<double>());
 }
 
-TEST(StudyModelTest, CorrelationIsThatOfALine) {
-    const std::vector<double> x{1.0, 2.0, 4.0};
-    EXPECT_NEAR(StudyModel::correlation(x, {3.0, 5.0, 9.0}), 1.0, 1e-12);
-    EXPECT_NEAR(StudyModel::correlation(x, {-1.0, -2.0, -4.0}), -1.0, 1e-12);
-    EXPECT_NEAR(StudyModel::correlation({-1.0, 0.0, 1.0}, {1.0, 0.0, 1.0}), 0.0, 1e-12);
-    EXPECT_EQ(StudyModel::correlation(x, {7.0, 7.0, 7.0}), 0.0) << "what stands moves with nothing";
-    EXPECT_EQ(StudyModel::correlation({7.0, 7.0}, {7.0, 7.0}), 0.0);
-}
-
-TEST_F(Tolerances, OtherLimitsCountTheSamplesThatAreThere) {
+TEST_F(Tolerances, LimitsCountAsTheCommandLineDoes) {
     scatter("/crank_radius_mm", u"0.5"_s);
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     const StudyModel& model = *tolerances->model();
     ASSERT_FALSE(model.answers()->values.at(0).within);
-    bool solvedAnew = false;
-    QObject::connect(&model, &StudyModel::answered, &model,
-                     [&] { solvedAnew = solvedAnew || model.isStale(); });
     const double limit = *model.answers()->values.at(0).mean;
     QAbstractItemModel* table = tolerances->watched()->view()->model();
     ASSERT_TRUE(table->setData(table->index(0, WatchTable::Most), formNumber(limit, QLocale())));
     waitForAnswer();
-    EXPECT_FALSE(solvedAnew);
     studies::Problem problem = studies::problem_of(scene().caseFile(), scene().context());
     ASSERT_TRUE(problem.study.watch.at(0).max);
     studies::Part part = studies::begin_part(problem);
@@ -348,7 +310,6 @@ TEST_F(Tolerances, OtherLimitsCountTheSamplesThatAreThere) {
     EXPECT_EQ(tolerances->histogram()->data().lines.size(), 2U);
     scene().undo();
     waitForAnswer();
-    EXPECT_FALSE(solvedAnew);
     EXPECT_FALSE(model.answers()->values.at(0).within);
 }
 
@@ -649,9 +610,9 @@ TEST_F(Tolerances, NoMethodLocksThePanel) {
     file.study["method"] = "grid";
     scene().loadFile(file, scene().context(), nullptr);
     EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
-    tolerances->model()->setMethod(studies::Method::latin_hypercube);
+    tolerances->model()->setMethod(studies::Method::monte_carlo);
     EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
-    EXPECT_EQ(study().method, studies::Method::latin_hypercube);
+    EXPECT_EQ(study().method, studies::Method::monte_carlo);
     EXPECT_EQ(study().vary, before.vary);
     // Listed values become their range, and back.
     file.study["vary"] = {{"/crank_radius_mm", {{"values", {40.0, 44.0, 42.0}}}}};
@@ -708,21 +669,6 @@ TEST_F(Tolerances, FollowADraggedAngle) {
     EXPECT_NEAR(angle->nominal, 115.6, 1e-9);
 }
 
-TEST_F(Tolerances, AreStoppedAndRunAgain) {
-    scatter("/centre_distance_mm", u"1"_s);
-    watch("/moment_amplitude_Nm");
-    auto* stop = test::named<QPushButton>(*tolerances, "stop");
-    tolerances->model()->stop();
-    EXPECT_FALSE(tolerances->model()->isBusy());
-    ASSERT_TRUE(stop->isVisible());
-    const QString offered = stop->text();
-    QTest::mouseClick(stop, Qt::LeftButton);
-    EXPECT_NE(stop->text(), offered);
-    waitForAnswer();
-    EXPECT_EQ(tolerances->model()->answers()->solved, study().samples);
-    EXPECT_FALSE(stop->isVisible());
-}
-
 TEST_F(Tolerances, RefusalsNameTheirInputs) {
     scatter("/reciprocating_masses_kg/rings", u"s 0.5"_s);
     watch("/metrics/M_ups/range_Nm");
@@ -737,27 +683,9 @@ TEST_F(Tolerances, RefusalsNameTheirInputs) {
     }
 }
 
-TEST_F(Tolerances, SamplesAreSeenOverOneAnother) {
+TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     scatter("/centre_distance_mm", u"1"_s);
-    watch("/moment_amplitude_Nm");
-    waitForAnswer();
-    showTabOf(const_cast<ScatterView*>(tolerances->scatter()));
-    EXPECT_EQ(test::named<QComboBox>(*tolerances, "scatter_across")->currentIndex(), 0);
-    EXPECT_EQ(test::named<QComboBox>(*tolerances, "scatter_up")->currentIndex(), 1);
-    const CloudPlot& plot = *tolerances->scatter()->plot();
-    ASSERT_EQ(plot.pointsX().size(), 2000U);
-    // P₁ l over l: a line through the origin, within the scatter.
-    const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
-    const double force = plot.pointsY()[0] / plot.pointsX()[0];
-    for (std::size_t i = 0; i < plot.pointsX().size(); ++i) {
-        ASSERT_NEAR(plot.pointsX()[i], distance, 1.0);
-        ASSERT_NEAR(plot.pointsY()[i] / plot.pointsX()[i], force, 1e-9);
-    }
-    EXPECT_TRUE(plot.title().contains(QLocale().toString(1.0, 'f', 2)));
-}
-
-TEST_F(Tolerances, AnInputIsSweptAndTwoMakeAMap) {
-    scatter("/centre_distance_mm", u"1"_s);
+    scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
     watch("/moment_amplitude_Nm");
     showTabOf(const_cast<SweepView*>(tolerances->sweep()));
     SweepModel& model = *tolerances->sweep()->model();
@@ -766,45 +694,128 @@ TEST_F(Tolerances, AnInputIsSweptAndTwoMakeAMap) {
             QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
     };
     wait();
-    EXPECT_EQ(model.sweep()->x.pointer, "/centre_distance_mm");  // what scatters, at once
-    const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
-    const auto& x = model.sweep()->x.values;
-    const auto& y = model.sweep()->found;
-    ASSERT_EQ(x.size(), y.size());
-    EXPECT_NEAR(x.front(), distance - 1.0, 1e-9);
-    EXPECT_NEAR(x.back(), distance + 1.0, 1e-9);
-    EXPECT_NEAR(y.back() / x.back(), y.front() / x.front(), 1e-9);
-    EXPECT_EQ(tolerances->sweep()->line()->data().curves[0].y, y);
-
-    auto* other = test::named<QComboBox>(*tolerances, "sweep_other");
-    other->setFocus();
-    other->setCurrentIndex(other->findData(u"/crank_radius_mm"_s));
-    Q_EMIT other->activated(other->currentIndex());
-    EXPECT_TRUE(model.isStale());
-    wait();
-    ASSERT_TRUE(model.sweep()->y);
-    const FieldPlot::Field& field = tolerances->sweep()->map()->field();
-    ASSERT_EQ(field.values.size(), field.x.size() * field.y.size());
-    // P₁ l goes with r and with l.
-    EXPECT_NEAR(field.values.back() / field.values.front(),
-                field.x.back() * field.y.back() / (field.x.front() * field.y.front()), 1e-9);
-    EXPECT_FALSE(tolerances->sweep()->map()->levels().empty());
+    EXPECT_EQ(model.sweep()->input, "/centre_distance_mm");  // what scatters, at once
+    const Json input = scene().inputJson();
+    const double distance = input["centre_distance_mm"].get<double>();
+    const auto& places = model.sweep()->places;
+    EXPECT_NEAR(places.front().x, distance - 1.0, 1e-9);
+    EXPECT_NEAR(places.back().x, distance + 1.0, 1e-9);
+    // P₁ l goes with l and with the masses: a percent of the piston, uniform.
+    double mass = 0.0;
+    for (const auto& each : input["reciprocating_masses_kg"]) {
+        mass += each.get<double>();
+    }
+    const double part = 0.009 * input["reciprocating_masses_kg"]["piston"].get<double>() / mass;
+    for (const Sweep::Place& place : places) {
+        ASSERT_NEAR(place.mean / place.x, places.front().mean / places.front().x, 1e-9);
+        ASSERT_NEAR(place.low / place.mean, 1.0 - part, 0.05 * part);
+        ASSERT_NEAR(place.high / place.mean, 1.0 + part, 0.05 * part);
+    }
+    const PlotCurve& mean = tolerances->sweep()->plot()->data().curves[0];
+    ASSERT_TRUE(mean.hasSpread());
+    EXPECT_EQ(mean.y.back(), places.back().mean);
+    EXPECT_EQ(mean.above.back(), places.back().high - places.back().mean);
 }
 
-TEST_F(Tolerances, TheRobustAngleStandsBesideTheBestOne) {
+TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     scatter("/centre_distance_mm", u"3"_s);
-    showTabOf(const_cast<RobustView*>(tolerances->robust()));
-    const RobustModel& model = *tolerances->robust()->model();
+    watch("/metrics/M_ups/range_Nm");
+    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
+    SweepModel& model = *tolerances->sweep()->model();
+    auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
+    inputs->setCurrentIndex(inputs->findData(u"/shaft_angle_deg"_s));
+    Q_EMIT inputs->activated(inputs->currentIndex());
+    EXPECT_EQ(model.reach(), SweepModel::wholeTurn);
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return model.best() != nullptr && !model.isStale(); }, 120'000));
-    ASSERT_TRUE(model.best()->robust && model.best()->nominal);
-    EXPECT_EQ(tolerances->robust()->table()->rowCount(), 2);
-    EXPECT_EQ(model.best()->nominal->angle,
-              scene().resultJson()["optimum_buildable"]["range"]["shaft_angle_deg"].get<double>());
-    QTest::mouseClick(test::named<QPushButton>(*tolerances, "take_robust"), Qt::LeftButton);
-    EXPECT_NEAR(scene().inputJson()["shaft_angle_deg"].get<double>(), model.best()->robust->angle,
-                1e-9);
+        QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
+    const Sweep& sweep = *model.sweep();
+    EXPECT_EQ(sweep.places.back().x, 360.0);
+    ASSERT_TRUE(sweep.best);
+    EXPECT_GE(sweep.best->built, Sweep::leastBuilt);
+    bool someCannot = false;
+    for (const Sweep::Place& place : sweep.places) {
+        someCannot = someCannot || place.built < Sweep::leastBuilt;
+        EXPECT_TRUE(place.built < Sweep::leastBuilt || place.high >= sweep.best->high);
+    }
+    EXPECT_TRUE(someCannot);
+    // Near the best angle of the inputs as they are.
+    EXPECT_NEAR(sweep.best->x,
+                scene().resultJson()["optimum_buildable"]["range"]["shaft_angle_deg"].get<double>(),
+                3.0);
+    const double best = sweep.best->x;
+    QTest::mouseClick(test::named<QPushButton>(*tolerances, "take_best"), Qt::LeftButton);
+    EXPECT_NEAR(scene().inputJson()["shaft_angle_deg"].get<double>(), best, 1e-9);
     scene().undo();
+}
+
+TEST_F(Tolerances, AnEmptyWindowOffersTheNextStep) {
+    auto* next = test::named<QPushButton>(*tolerances, "next_step");
+    ASSERT_TRUE(next->isVisible());
+    QTest::mouseClick(next, Qt::LeftButton);
+    EXPECT_GT(study().vary.size(), 3U);
+    EXPECT_EQ(scene().history()->index(), 1);
+    ASSERT_TRUE(next->isVisible());
+    QTest::mouseClick(next, Qt::LeftButton);
+    auto* box = test::named<QComboBox>(*tolerances, "watchable");
+    EXPECT_TRUE(box->view()->isVisible());
+    box->hidePopup();
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    EXPECT_FALSE(next->isVisible());
+    EXPECT_EQ(tolerances->table()->rowCount(), 1);
+    // Two digits of the standard deviation.
+    const StudyAnswer& range = tolerances->model()->answers()->values.at(0);
+    const int decimals = 1 - static_cast<int>(std::floor(std::log10(*range.deviation)));
+    EXPECT_EQ(tolerances->table()->item(0, 3)->text(),
+              QLocale().toString(*range.deviation, 'f', std::max(decimals, 0)));
+}
+
+TEST_F(Tolerances, MethodsThatAreGoneGiveWayAndLoseNothing) {
+    for (const char* method : {"second-order", "latin-hypercube"}) {
+        CaseFile file = scene().caseFile();
+        file.study = {{"vary", {{"/crank_radius_mm", {{"plus_minus", 0.5}}}}},
+                      {"watch", {{"/metrics/M_ups/range_Nm", {{"max", 1100}}}}},
+                      {"method", method},
+                      {"samples", 64},
+                      {"seed", 7}};
+        scene().loadFile(file, scene().context(), nullptr);
+        EXPECT_EQ(tolerances->model()->trouble(), QString());
+        EXPECT_EQ(tolerances->model()->goneMethod(), QLatin1String(method));
+        EXPECT_EQ(study().method, studies::Method::sobol);
+        ASSERT_EQ(study().vary.size(), 1U);
+        EXPECT_EQ(study().vary[0].size, 0.5);
+        EXPECT_EQ(study().watch.at(0).max, 1100.0);
+        EXPECT_EQ(study().seed, 7U);
+        waitForAnswer();
+        EXPECT_EQ(tolerances->model()->answers()->solved, 64U);
+        EXPECT_EQ(scene().caseFile().study, file.study) << "the file is as it was until a change";
+        scatter("/crank_radius_mm", u"0.4"_s);
+        EXPECT_EQ(scene().caseFile().study["method"], "sobol");
+        EXPECT_TRUE(tolerances->model()->goneMethod().isEmpty());
+    }
+}
+
+TEST_F(Tolerances, OfAnInputThatIsGoneStayAndAreRemovedByHand) {
+    CaseFile file = scene().caseFile();
+    file.study = {{"vary",
+                   {{"/crank_radius_mm", {{"plus_minus", 0.5}}},
+                    {"/reciprocating_masses_kg/gone_part", {{"plus_minus", 0.01}}}}},
+                  {"watch", {{"/moment_amplitude_Nm", Json::object()}}},
+                  {"samples", 64}};
+    scene().loadFile(file, scene().context(), nullptr);
+    waitForAnswer();
+    EXPECT_EQ(tolerances->model()->trouble(), QString());
+    EXPECT_EQ(tolerances->model()->answers()->solved, 64U);
+    EXPECT_EQ(study().vary.size(), 2U);
+    const QAbstractItemModel* table = tolerances->inputs()->view()->model();
+    const QModelIndex last = table->index(table->rowCount() - 1, ScatterTable::Name);
+    EXPECT_TRUE(last.data().toString().contains(u"no longer"_s))
+        << qPrintable(last.data().toString());
+    EXPECT_FALSE(last.data().toString().contains(u'/'));
+    EXPECT_FALSE(last.data(Qt::ToolTipRole).toString().contains(u'/'));
+    tolerances->inputs()->view()->setCurrentIndex(last);
+    QTest::keyClick(tolerances->inputs()->view(), Qt::Key_Delete);
+    EXPECT_EQ(study().vary.size(), 1U);
 }
 
 TEST_F(Tolerances, AnswersOfTheValuesBeforeAreSaidToBe) {
@@ -880,7 +891,7 @@ TEST(ToleranceWindowSize, FitsASmallScreenWhateverItShows) {
         window.model()->watch("/metrics/M_ups/range_Nm");
         window.show();
         for (QWidget* each :
-             window.findChildren<QWidget*>(QRegularExpression(u"stop|band_progress"_s))) {
+             window.findChildren<QWidget*>(QRegularExpression(u"next_step|take_best"_s))) {
             each->show();
         }
         QApplication::processEvents();
@@ -935,7 +946,7 @@ TEST_F(Tolerances, StandInTheReport) {
     EXPECT_EQ(tables[0].rows.size(), 1);
     EXPECT_EQ(tables[0].rows[0][2], u"1"_s);
     const StudyAnswer& shown = tolerances->model()->answers()->values.at(0);
-    EXPECT_EQ(tables[1].rows[0][4], QLocale().toString(*shown.deviation, 'g', 6));
+    EXPECT_EQ(tables[1].rows[0][4], shown.text(shown.deviation, 1.0));
 }
 
 }  // namespace

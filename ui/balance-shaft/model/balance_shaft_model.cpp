@@ -265,6 +265,7 @@ void BalanceShaftModel::applyShaftAngle(double radians) {
     inputInPlace().shaft_angle = radians;
     clear_vector_state();
     solver().move_shaft(radians, solvedInPlace().result);
+    countSolution();
     Q_EMIT shaftMoved();
 }
 

@@ -158,7 +158,6 @@ struct PlotData {
     std::optional<Point> pointRead = {};
     bool faded = false;
     bool spreadShown = true;
-    bool spreadStale = false;  ///< of other data than the curves
     QString fadedText = {};
     /// What the same plot shows of a reference; its curves rest under those of the same number.
     const PlotData* reference = nullptr;

@@ -1,6 +1,10 @@
 #include "studies/model/study_answers.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "case-file/json.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -10,7 +14,6 @@ using studies::Watched;
 namespace {
 
 constexpr std::size_t bars = 48;
-constexpr std::size_t mostKept = 2000;  ///< samples, to be seen
 
 std::optional<double> numberAt(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>())
@@ -66,6 +69,32 @@ StudyAnswer answerOf(const Watched& watched, std::size_t place, const Json& foun
 
 }  // namespace
 
+QString StudyAnswer::text(const std::optional<double>& number, double factor) const {
+    if (!number) {
+        return QStringLiteral("–");
+    }
+    const double spread = factor * deviation.value_or(linearDeviation.value_or(0.0));
+    constexpr double rounding = 1e-10;  // of numbers that do not scatter
+    if (!(spread > rounding * std::abs(factor * nominal.value_or(0.0)))) {
+        constexpr int digits = 7;
+        return shownFormNumber(factor * *number, QLocale(), digits);
+    }
+    constexpr int most = 12;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, most);
+    return fixedDecimals(factor * *number, decimals, QLocale());
+}
+
+QString StudyAnswer::withinText() const {
+    if (!within) {
+        return QStringLiteral("–");
+    }
+    const auto shown = [](const std::optional<double>& share) {
+        return fixedDecimals(100.0 * share.value_or(0.0), 1, QLocale());
+    };
+    return QStringLiteral("%1 (%2 … %3)")
+        .arg(percentText(*within), shown(withinLow), shown(withinHigh));
+}
+
 StudyAnswers answersOf(const studies::Part& part) {
     const Json results = studies::write_results(part);
     StudyAnswers answers;
@@ -74,9 +103,6 @@ StudyAnswers answersOf(const studies::Part& part) {
     const std::vector<studies::Note> notes = studies::noted(part);
     for (const studies::Note& note : notes) {
         answers.notes.push_back(note.text);
-    }
-    for (const studies::Departure& departure : part.basis.departures) {
-        answers.said.push_back(departure.reason.why);
     }
     if (!results.contains("watched")) {
         return answers;  // a grid is a table, nothing scatters
@@ -93,7 +119,6 @@ StudyAnswers answersOf(const studies::Part& part) {
             }
         }
     }
-    answers.samples = studies::first_samples(part, mostKept);
     return answers;
 }
 

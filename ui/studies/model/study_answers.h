@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace ravnoves {
 
-/// What a study has found so far, of one watched value, in the unit of its key.
+/// What a study has found of one watched value, in the unit of its key.
 struct StudyAnswer {
     struct Share {
         std::string pointer;  ///< of the input
@@ -25,6 +26,11 @@ struct StudyAnswer {
     std::vector<Share> shares;
     std::vector<double> middles;  ///< of the bars of its histogram
     std::vector<double> heights;  ///< shares of the samples
+
+    /// One of its numbers in the unit that is shown, to the second digit of the standard deviation.
+    QString text(const std::optional<double>& number, double factor) const;
+    /// "98.2 % (97.7 … 98.6)"
+    QString withinText() const;
 };
 
 struct StudyAnswers {
@@ -32,12 +38,9 @@ struct StudyAnswers {
     std::uint64_t solved = 0;
     std::vector<studies::Refusal> refused;
     std::vector<Message> notes;
-    std::vector<Message> said;  ///< reasons that notes hold
-    /// Some of the samples that could be solved: inputs, then watched values.
-    std::vector<std::vector<double>> samples;
 };
 
-/// What is told of a study that is done, or under way with at least one solved sample.
+/// What is told of a study that is done.
 StudyAnswers answersOf(const studies::Part& part);
 
 }  // namespace ravnoves

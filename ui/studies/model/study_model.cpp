@@ -1,12 +1,7 @@
 #include "studies/model/study_model.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <algorithm>
-#include <boost/math/statistics/bivariate_statistics.hpp>
-#include <cmath>
-#include <functional>
-#include <mutex>
 #include <thread>
 
 #include "case-file/case_file.h"
@@ -28,7 +23,6 @@ using studies::Watched;
 
 namespace {
 
-constexpr std::uint64_t mostNumbers = 4'000'000;  ///< watched ones, kept for other limits
 constexpr int restMs = 250;
 
 /// A study of the window begins small: it answers while one looks.
@@ -67,34 +61,6 @@ void collectNumbers(const Json& json, const std::string& pointer,
 
 }  // namespace
 
-/// One answering of a study.
-struct StudyModel::Run {
-    std::string key;
-    // By the worker alone, one piece of work after the other:
-    studies::Part part;
-    // By both:
-    std::mutex guard;
-    std::vector<Watched> watch;  ///< with the limits that count now
-    // By the model alone:
-    bool isDone = false;
-
-    std::vector<Watched> limits() {
-        const std::lock_guard lock(guard);
-        return watch;
-    }
-    void setLimits(const std::vector<Watched>& newest) {
-        const std::lock_guard lock(guard);
-        watch = newest;
-    }
-};
-
-double StudyModel::correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto stands = [](const std::vector<double>& list) {
-        return std::adjacent_find(list.begin(), list.end(), std::not_equal_to<>()) == list.end();
-    };
-    return stands(x) || stands(y) ? 0.0 : boost::math::statistics::correlation_coefficient(x, y);
-}
-
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {
     later_.setSingleShot(true);
@@ -110,49 +76,17 @@ StudyModel::StudyModel(SceneModel* scene, QObject* parent)
 
 void StudyModel::follow() {
     refresh();
-    if (watched_ && !changeLimits()) {
+    if (watched_) {
         outdate();
     }
 }
 
-std::string StudyModel::runKey() const {
-    Study study = study_;
-    for (Watched& each : study.watch) {
-        each.min.reset();
-        each.max.reset();
-    }
-    return scene_->inputJson().dump() + scene_->keptJson().dump() +
-           scene_->context().directory.string() + studies::write_study(study).dump();
-}
-
-bool StudyModel::changeLimits() {
-    const bool isUnderWay = last_ != nullptr && (last_->isDone || job_->isRunning());
-    if (!isUnderWay || stopped_ || later_.isActive() || isRefused_ || last_->key != runKey()) {
-        return false;
-    }
-    if (last_->limits() != study_.watch) {
-        last_->setLimits(study_.watch);
-        if (last_->isDone) {
-            countWithin(last_);
-        }
-    }
-    return true;
-}
-
-void StudyModel::countWithin(const std::shared_ptr<Run>& run) {
-    job_->start([this, run](const BackgroundJob::Progress&) -> std::function<void()> {
-        if (!studies::change_limits(run->part, run->limits())) {
-            return [this] { outdate(); };
-        }
-        return [this, answers = answersOf(run->part)] { show(answers, {}); };
-    });
-}
-
 void StudyModel::move() {
-    if (!watched_) {
-        behind_ = true;
-    } else if (scene_->inputJson().dump() != seen_) {
-        behind_ = true;
+    if (std::exchange(solutions_, scene_->solutions()) == scene_->solutions()) {
+        return;
+    }
+    behind_ = true;
+    if (watched_) {
         const bool isFirst = !stale_;
         outdate();
         if (isFirst) {
@@ -162,10 +96,7 @@ void StudyModel::move() {
 }
 
 void StudyModel::outdate() {
-    seen_ = scene_->inputJson().dump();
-    stopped_ = false;
-    ++run_;  // what is under way is of the values before
-    job_->cancel();
+    job_->cancel();  // what is under way is of the values before
     later_.start();
     stale_ = answers_.has_value();
     Q_EMIT answered();
@@ -173,6 +104,7 @@ void StudyModel::outdate() {
 
 void StudyModel::refresh() {
     behind_ = false;
+    solutions_ = scene_->solutions();
     readStudy();
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
@@ -191,12 +123,12 @@ void StudyModel::refresh() {
         }
         inputs_.push_back(std::move(input));
     }
-    addListed();
+    addOthers();
     trouble_ = named(trouble_);
     Q_EMIT changed();
 }
 
-void StudyModel::addListed() {
+void StudyModel::addOthers() {
     Json input;
     for (const Varied& varied : study_.vary) {
         if (std::any_of(inputs_.begin(), inputs_.end(),
@@ -207,27 +139,32 @@ void StudyModel::addListed() {
             input = scene_->inputJson();
         }
         const Json::json_pointer place(varied.pointer);
-        if (input.contains(place) && input.at(place).is_number()) {
-            const ResultName name = resultName(varied.pointer);
-            inputs_.push_back({varied.pointer, capitalised(name.text), name.unit,
-                               input.at(place).get<double>(), varied, shownUnit(name.unit)});
-        }
+        const bool isThere = input.contains(place) && input.at(place).is_number();
+        const ResultName name = resultName(varied.pointer);
+        inputs_.push_back({.pointer = varied.pointer,
+                           .name = capitalised(name.text),
+                           .unit = name.unit,
+                           .nominal = isThere ? input.at(place).get<double>() : 0.0,
+                           .varied = varied,
+                           .shown = shownUnit(name.unit),
+                           .isGone = !isThere});
     }
 }
 
 void StudyModel::readStudy() {
     trouble_.clear();
+    goneMethod_.clear();
     isRefused_ = false;
     study_ = freshStudy();
     if (scene_->study().empty()) {
         return;
     }
     try {
-        study_ = studies::read_study(parse_json(scene_->study()), true);
+        study_ = readStudyText(scene_->study(), &goneMethod_);
     } catch (const InputError& error) {
         trouble_ = scene_->explain(error) + QLatin1Char('\n') +
                    tr("The study cannot be read: undo, choose another method, or clear it by "
-                      "“Usual ones”, “None”.");
+                      "“Typical tolerances”, “None”.");
         isRefused_ = true;
     }
 }
@@ -283,23 +220,13 @@ QString StudyModel::named(QString text) const {
 QStringList StudyModel::notes() const {
     QStringList notes;
     for (const Message& note : answers_ ? answers_->notes : std::vector<Message>()) {
-        notes << noteText(note);
+        notes << named(messageText(note));
     }
     return notes;
 }
 
 QString StudyModel::failure(const StudyAnswer& answer) const {
-    return answer.fails ? noteText(*answer.fails) : QString();
-}
-
-QString StudyModel::noteText(const Message& note) const {
-    QString text = messageText(note);
-    for (const Message& why : answers_ ? answers_->said : std::vector<Message>()) {
-        if (!why.verbatim().empty()) {
-            text.replace(QString::fromStdString(why.verbatim()), whyText(why, scene_->sceneName()));
-        }
-    }
-    return named(text);
+    return answer.fails ? named(messageText(*answer.fails)) : QString();
 }
 
 std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
@@ -331,8 +258,6 @@ bool StudyModel::isBusy() const {
 void StudyModel::setWatched(bool watched) {
     watched_ = watched;
     if (watched) {
-        stopped_ = false;
-        seen_ = scene_->inputJson().dump();
         start();
     } else {
         later_.stop();
@@ -340,93 +265,44 @@ void StudyModel::setWatched(bool watched) {
     }
 }
 
-void StudyModel::stop() {
-    later_.stop();
-    ++run_;
-    stopped_ = true;
-    job_->cancel();
-    Q_EMIT answered();
-}
-
-void StudyModel::run() {
-    stopped_ = false;
-    start();
-    Q_EMIT answered();
-}
-
 void StudyModel::start() {
     later_.stop();
-    ++run_;
     if (behind_) {
         refresh();
     }
     if (!watched_) {
         return;
     }
-    if (study_.vary.empty() || study_.watch.empty() || isRefused_) {
+    Study study = study_;
+    std::erase_if(study.vary, [this](const Varied& varied) {
+        return std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& each) {
+            return each.isGone && each.pointer == varied.pointer;
+        });
+    });
+    if (study.vary.empty() || study.watch.empty() || isRefused_) {
         job_->cancel();
         show(std::nullopt, trouble_);
         return;
     }
     CaseFile file = scene_->caseFile();
-    file.study = studies::write_study(study_);
-    last_ = std::make_shared<Run>();
-    last_->key = runKey();
-    last_->watch = study_.watch;
-    job_->start([this, number = run_, run = last_, file = std::move(file),
-                 context = scene_->context()](
+    file.study = studies::write_study(study);
+    job_->start([this, file = std::move(file), context = scene_->context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-        const auto tell = [&](const studies::Part& so_far) {
-            job_->post([this, number, answers = answersOf(so_far)] {
-                if (number == run_) {
-                    show(answers, {});
-                }
-            });
-        };
-        QElapsedTimer sinceTold;
-        sinceTold.start();
-        studies::Part& part = run->part;
-        part = studies::begin_part(problem, 1, 1, threads,
-                                   [&](double done, const std::function<studies::Part()>& so_far) {
-                                       constexpr qint64 oftenMs = 300;
-                                       if (so_far && sinceTold.elapsed() > oftenMs) {
-                                           studies::Part now = so_far();
-                                           if (now.tally.solved() > 1) {
-                                               studies::change_limits(now, run->limits());
-                                               tell(now);
-                                           }
-                                           sinceTold.restart();
-                                       }
-                                       return progress(done);
-                                   });
+        studies::Part part = studies::begin_part(
+            problem, 1, 1, threads, [&](double done, const auto&) { return progress(done); });
         if (!progress(studies::share_done(part))) {
             return {};
         }
-        studies::keep_values(part, mostNumbers);
         studies::run_part(problem, part, threads, [&](const studies::Part&) {
-            if (!progress(studies::share_done(part))) {
-                return false;
-            }
-            studies::change_limits(part, run->limits());
-            if (part.tally.solved() > 1 && part.done < part.to) {
-                tell(part);
-            }
-            return true;
+            return progress(studies::share_done(part));
         });
         if (!part.finished()) {
             return {};
         }
-        studies::change_limits(part, run->limits());
-        return [this, run, answers = answersOf(part)] {
-            run->isDone = true;
-            show(answers, {});
-            if (run->part.study.watch != run->limits()) {
-                countWithin(run);
-            }
-        };
+        return [this, answers = answersOf(part)] { show(answers, {}); };
     });
 }
 
@@ -438,6 +314,21 @@ void StudyModel::show(std::optional<StudyAnswers> answers, const QString& troubl
         Q_EMIT changed();
     }
     Q_EMIT answered();
+}
+
+studies::Study readStudyText(const std::string& text, QString* gone) {
+    Json json = parse_json(text);
+    if (json.is_object() && json.contains("method")) {
+        for (const char* method : {"second-order", "latin-hypercube"}) {
+            if (json["method"] == method) {
+                json["method"] = "sobol";
+                if (gone != nullptr) {
+                    *gone = QString::fromLatin1(method);
+                }
+            }
+        }
+    }
+    return studies::read_study(json, true);
 }
 
 }  // namespace ravnoves

@@ -4,8 +4,6 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,14 +11,12 @@
 
 #include "studies/model/study_answers.h"
 #include "studies/study.h"
-#include "studies/tally.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
 
 class BackgroundJob;
 class SceneModel;
-struct CaseFile;
 
 /// The tolerances of a case: which inputs scatter, which results are watched, and what follows. It
 /// is the "study" of the case file; every change is one step of the case's history.
@@ -36,16 +32,14 @@ class StudyModel : public QObject {
         double nominal = 0.0;  ///< in the unit of its key
         std::optional<studies::Varied> varied = {};
         ShownUnit shown = {};  ///< that of its field
+        bool isGone = false;   ///< the case has it no more: the study runs without it
     };
     /// A number of the result.
     struct Value {
         std::string pointer;  ///< below "result"
         double value = 0.0;
     };
-    enum class Preset { Weighed, Machined, OnePercent };
-
-    /// Of two lists of equal length; 0 where one does not move.
-    static double correlation(const std::vector<double>& x, const std::vector<double>& y);
+    enum class Preset { Weighed, Machined, Typical, OnePercent };
 
     explicit StudyModel(SceneModel* scene, QObject* parent = nullptr);
 
@@ -53,18 +47,19 @@ class StudyModel : public QObject {
     const studies::Study& study() const { return study_; }
     /// Why the case's study or its answer is refused; empty where neither is.
     QString trouble() const { return trouble_; }
+    /// A method that older cases ask for and that is gone; empty where there is none.
+    QString goneMethod() const { return goneMethod_; }
     BackgroundJob* job() const { return job_; }
 
     const std::vector<Input>& inputs() const { return inputs_; }
     std::vector<Value> results() const;
-    /// The same with its name for people.
     QString inputName(const std::string& pointer) const;
     /// The title of an axis of it in the unit that is shown.
     ShownTitle inputTitle(const std::string& pointer) const;
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
-    /// Its value with that unit.
+    /// Its value with that unit; a dash where it is gone.
     static QString nominalText(const Input& input);
     /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
     /// out. All of them are taken, or none.
@@ -87,9 +82,6 @@ class StudyModel : public QObject {
     /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::vector<studies::Watched>& limits);
-    /// Puts into a copy of the case, alone, what such a change would make of its study.
-    /// @param take  the change; it returns as these two
-    void putTyped(CaseFile& file, const std::function<QString()>& take);
     /// Listed values become the range that they span where the method is no grid. Of a study that
     /// cannot be read the method alone is changed.
     void setMethod(studies::Method method);
@@ -101,11 +93,7 @@ class StudyModel : public QObject {
     bool isBusy() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
-    /// What has been found stays, until run() or until something else is to be found.
-    void stop();
-    void run();
-    bool isStopped() const { return stopped_; }
-    /// Null where there is nothing to say; of fewer samples while more are on the way.
+    /// Null where there is nothing to say.
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
     /// Of the answers, with the names of inputs and results.
     QStringList notes() const;
@@ -115,6 +103,8 @@ class StudyModel : public QObject {
     std::vector<std::pair<QString, std::uint64_t>> refused() const;
     /// They are of what was before, and newer ones are on the way.
     bool isStale() const { return stale_; }
+    /// The text with names of inputs and results in the place of pointers.
+    QString named(QString text) const;
 
   Q_SIGNALS:
     /// Inputs, study or trouble.
@@ -127,29 +117,18 @@ class StudyModel : public QObject {
     void refresh();
     /// The history says that something happened: a drag says no more than that.
     void move();
-    /// The same with names of inputs and results in the place of pointers.
-    QString named(QString text) const;
     /// With the name of the place.
     QString reasonText(const Reason& reason) const;
-    /// Elements of long lists, which are not offered, where they scatter.
-    void addListed();
+    /// What is not offered where it scatters: elements of long lists, and inputs that are gone.
+    void addOthers();
     void readStudy();
     /// Puts what is typed for an input into a study. @return an empty string, or why it cannot be
     QString readScatter(studies::Study& next, const std::string& pointer,
                         const QString& text) const;
     void change(const QString& name, studies::Study next);
-    CaseFile* copy_ = nullptr;  ///< that takes the change in place of the case
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
     void start();
-    struct Run;
-    /// What a run depends on: all but the limits.
-    std::string runKey() const;
-    /// Other limits alone: the samples that are there, or on the way, count anew.
-    /// @return false where it is more than that
-    bool changeLimits();
-    void countWithin(const std::shared_ptr<Run>& run);
-    QString noteText(const Message& note) const;
     void show(std::optional<StudyAnswers> answers, const QString& trouble);
 
     SceneModel* scene_;
@@ -159,14 +138,18 @@ class StudyModel : public QObject {
     std::vector<Input> inputs_;
     std::optional<StudyAnswers> answers_;
     QString trouble_;
+    QString goneMethod_;
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
-    std::string seen_;        ///< the input that is followed, while someone looks
-    int run_ = 0;
-    std::shared_ptr<Run> last_;  ///< under way or done
+    int solutions_ = -1;      ///< of the scene, at the last look
     bool stale_ = false;
     bool behind_ = false;  ///< the input has moved since it was taken over
-    bool stopped_ = false;
     bool watched_ = false;
 };
+
+/// The study of a case that says it as JSON text. A method of older versions that is gone gives way
+/// to Sobol points.
+/// @param gone  set to the word of that method
+/// @throws InputError
+studies::Study readStudyText(const std::string& text, QString* gone = nullptr);
 
 }  // namespace ravnoves

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -61,6 +60,9 @@ QString StudyModel::scatterText(const Input& input) {
 }
 
 QString StudyModel::nominalText(const Input& input) {
+    if (input.isGone) {
+        return QStringLiteral("–");
+    }
     constexpr int digits = 8;
     return withUnit(trueMinus(writtenOut(input.shown.factor * input.nominal, QLocale(), digits)),
                     input.shown.name);
@@ -137,19 +139,21 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
 
 void StudyModel::take(Preset preset) {
     Study next = study_;
-    const auto unitOf = [](const std::string& pointer, const char* suffix) {
-        return pointer.ends_with(suffix);
-    };
+    const bool weighed = preset == Preset::Weighed || preset == Preset::Typical;
+    const bool machined = preset == Preset::Machined || preset == Preset::Typical;
     for (const Input& input : inputs_) {
         Varied varied{.pointer = input.pointer};
+        if (input.isGone) {
+            continue;
+        }
         if (preset == Preset::OnePercent && input.nominal != 0.0) {
             varied.spread = Varied::Spread::plus_minus_percent;
             varied.size = 1.0;
-        } else if (preset == Preset::Weighed && unitOf(input.unit.toStdString(), "kg")) {
+        } else if (weighed && input.unit.endsWith(unitText("kg"))) {
             varied.size = weighedGrams / 1000.0;
-        } else if (preset == Preset::Weighed && input.unit == unitText("g")) {
+        } else if (weighed && input.unit == unitText("g")) {
             varied.size = weighedGrams;
-        } else if (preset == Preset::Machined && input.unit == unitText("mm")) {
+        } else if (machined && input.unit == unitText("mm")) {
             varied.size = machinedMm;
         } else {
             continue;
@@ -289,17 +293,7 @@ void StudyModel::change(const QString& name, Study next) {
         return;
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
-    if (copy_ != nullptr) {
-        copy_->study = isEmpty ? Json() : studies::write_study(next);
-        return;
-    }
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
-}
-
-void StudyModel::putTyped(CaseFile& file, const std::function<QString()>& take) {
-    copy_ = &file;
-    take();
-    copy_ = nullptr;
 }
 
 }  // namespace ravnoves

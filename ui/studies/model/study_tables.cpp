@@ -1,5 +1,7 @@
 #include "studies/model/study_tables.h"
 
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -44,7 +46,9 @@ int ScatterTable::columnCount(const QModelIndex& parent) const {
 
 Qt::ItemFlags ScatterTable::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = EditableTable::flags(index);
-    flags.setFlag(Qt::ItemIsEditable, index.column() == Scatter);
+    flags.setFlag(Qt::ItemIsEditable,
+                  index.column() == Scatter &&
+                      !model_->inputs()[static_cast<std::size_t>(index.row())].isGone);
     return flags;
 }
 
@@ -81,15 +85,23 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
                                                                                 : Qt::AlignLeft) |
                         Qt::AlignVCenter);
     }
+    if (role == Qt::ToolTipRole && input.isGone) {
+        return tr(
+            "The case no longer has this input, so the study runs without it. Remove it, or "
+            "undo.");
+    }
     if (role == Qt::ToolTipRole && index.column() == Name) {
         return input.name;
+    }
+    if (role == Qt::ForegroundRole && input.isGone) {
+        return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
     }
     if (role != Qt::DisplayRole && role != Qt::EditRole) {
         return {};
     }
     switch (index.column()) {
         case Name:
-            return input.name;
+            return input.isGone ? tr("%1 (no longer in the case)").arg(input.name) : input.name;
         case Nominal:
             return StudyModel::nominalText(input);
         default:
@@ -109,10 +121,6 @@ bool ScatterTable::setData(const QModelIndex& index, const QVariant& value, int 
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index, index);
     return why.isEmpty();
-}
-
-void ScatterTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    model_->putTyped(file, [&] { return model_->setScatter({{rowName(at.row()), text}}); });
 }
 
 void ScatterTable::removeRowRange(int first, int count) {
@@ -186,7 +194,7 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
                         Qt::AlignVCenter);
     }
     if (role == Qt::ToolTipRole && index.column() == Name) {
-        return QString::fromStdString(watched.pointer);
+        return resultName(watched.pointer).withUnit();
     }
     if (role != Qt::DisplayRole && role != Qt::EditRole) {
         return {};
@@ -243,10 +251,6 @@ void WatchTable::takeBackRefused(const QModelIndex& at) {
 
 QString WatchTable::refusedText(const Cell& cell, const Refused& refused) const {
     return resultName(cell.first).text + QStringLiteral(": ") + refused.why;
-}
-
-void WatchTable::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    model_->putTyped(file, [&] { return write(at.row(), at.column(), {{text}}); });
 }
 
 void WatchTable::removeRowRange(int first, int count) {

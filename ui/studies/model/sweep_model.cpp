@@ -1,58 +1,163 @@
 #include "studies/model/sweep_model.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/key_units.h"
 #include "model/background_job.h"
 #include "model/default_inputs.h"
 #include "model/scene_model.h"
+#include "scenes/responses.h"
 #include "studies/model/study_model.h"
+#include "studies/sampler.h"
 #include "studies/study_run.h"
-#include "studies/sweep.h"
+#include "studies/workers.h"
 
 namespace ravnoves {
 
 namespace {
 
-constexpr int linePoints = 121;
-constexpr int mapPoints = 45;
+constexpr int places = 121;
 constexpr int sweepRestMs = 200;
 
-/// One core stays free for the window.
-int sweepThreads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+/// Between order statistics.
+double percentile(const std::vector<double>& sorted, double share) {
+    const double rank = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(rank);
+    return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)],
+                     rank - std::floor(rank));
 }
 
-/// @return without numbers where it was stopped
-Sweep computed(Sweep sweep, const studies::Problem& problem,
-               const BackgroundJob::Progress& progress) {
-    studies::Part part = studies::begin_part(problem, 1, 1, sweepThreads());
-    studies::run_part(problem, part, sweepThreads(), [&](const studies::Part& now) {
-        return progress(static_cast<double>(now.done) / static_cast<double>(now.to));
-    });
-    if (!part.finished() || !progress(1.0)) {
-        return {};
-    }
-    const studies::SweepTable table = studies::sweep_table(part);
-    sweep.x.values = table.axes[0];
-    if (!sweep.y) {
-        sweep.found = table.values[0];
-    } else {
-        sweep.y->values = table.axes[1];
-        for (std::size_t j = 0; j < sweep.y->values.size(); ++j) {
-            for (std::size_t i = 0; i < sweep.x.values.size(); ++i) {
-                sweep.found.push_back(table.at(0, i, j));
+/// Solves the same samples of the other inputs at any value of the first one.
+class Sweeper {
+  public:
+    /// @param tellsBuilt  the second watched value says whether a sample can be built
+    Sweeper(const studies::Problem& problem, bool tellsBuilt,
+            const BackgroundJob::Progress& progress)
+        : problem_(problem), tellsBuilt_(tellsBuilt), progress_(progress) {
+        const std::size_t others = problem.study.vary.size() - 1;
+        const int count = others > 0 ? SweepModel::samples : 1;
+        studies::Sampler sampler(studies::Method::sobol, SweepModel::samples, problem.study.seed,
+                                 others);
+        std::vector<double> u(others);
+        for (int i = 0; i < count; ++i) {
+            std::vector<double>& x = inputs_.emplace_back(1);
+            if (others > 0) {
+                sampler.point(static_cast<std::uint64_t>(i), u);
+            }
+            for (std::size_t j = 0; j < others; ++j) {
+                const studies::Varied& varied = problem.study.vary[j + 1];
+                x.push_back(studies::law_of(varied, problem.nominal[j + 1]).at(u[j]));
             }
         }
     }
-    sweep.refused =
-        static_cast<std::size_t>(std::count_if(sweep.found.begin(), sweep.found.end(),
-                                               [](double value) { return !std::isfinite(value); }));
-    sweep.nominal = problem.nominal_result.front();
+
+    /// @param done  how much of all work is done before, and after it
+    /// @return none where it was stopped
+    std::vector<Sweep::Place> at(const std::vector<double>& values,
+                                 std::pair<double, double> done) {
+        // By value, then by sample; not a number where it was refused.
+        std::vector<std::vector<double>> found(values.size(),
+                                               std::vector<double>(inputs_.size(), none));
+        std::vector<std::vector<char>> built(values.size(), std::vector<char>(inputs_.size()));
+        std::atomic<std::size_t> next = 0;
+        std::atomic<bool> stopped = false;
+        const auto work = [&](std::size_t worker) {
+            const auto response = problem_.make();
+            std::vector<double> y(tellsBuilt_ ? 2 : 1);
+            for (std::size_t i = next++; i < inputs_.size() && !stopped; i = next++) {
+                std::vector<double> x = inputs_[i];
+                for (std::size_t k = 0; k < values.size(); ++k) {
+                    x[0] = values[k];
+                    if (response->evaluate(x, y)) {
+                        found[k][i] = y[0];
+                        built[k][i] = !tellsBuilt_ || y[1] > 0.5;
+                    }
+                }
+                const double part = static_cast<double>(i) / static_cast<double>(inputs_.size());
+                if (worker == 0 && !progress_(std::lerp(done.first, done.second, part))) {
+                    stopped = true;
+                }
+            }
+        };
+        // One core stays free for the window.
+        const auto threads =
+            static_cast<std::size_t>(std::max(2U, std::thread::hardware_concurrency()) - 1);
+        studies::run_workers(threads, work, [&] { stopped = true; });
+        std::vector<Sweep::Place> all;
+        for (std::size_t k = 0; k < values.size() && !stopped; ++k) {
+            all.push_back(placeOf(values[k], found[k],
+                                  std::count(built[k].begin(), built[k].end(), char{1})));
+        }
+        return all;
+    }
+
+  private:
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built) const {
+        std::erase_if(values, [](double value) { return !std::isfinite(value); });
+        if (values.empty()) {
+            return {x, none, none, none, 0.0};
+        }
+        std::sort(values.begin(), values.end());
+        double sum = 0.0;
+        for (const double value : values) {
+            sum += value;
+        }
+        return {x, sum / static_cast<double>(values.size()), percentile(values, 0.05),
+                percentile(values, 0.95),
+                static_cast<double>(built) / static_cast<double>(inputs_.size())};
+    }
+
+    const studies::Problem& problem_;
+    bool tellsBuilt_;
+    const BackgroundJob::Progress& progress_;
+    std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
+};
+
+std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places) {
+    std::optional<Sweep::Place> best;
+    for (const Sweep::Place& place : places) {
+        if (place.built >= Sweep::leastBuilt && (!best || place.high < best->high)) {
+            best = place;
+        }
+    }
+    return best;
+}
+
+/// @return without places where it was stopped
+Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
+               const BackgroundJob::Progress& progress) {
+    constexpr int rounds = 3;  // each a tenth as wide
+    constexpr int finer = 21;
+    const auto& [from, to] = std::pair(problem.study.vary[0].from, problem.study.vary[0].to);
+    Sweeper sweeper(problem, tellsBuilt, progress);
+    double done = static_cast<double>(places) / (places + rounds * finer);
+    sweep.places = sweeper.at(studies::spaced(from, to, places), {0.0, done});
+    sweep.best = bestOf(sweep.places);
+    double step = (to - from) / (places - 1);
+    for (int round = 0; round < rounds && sweep.best && !sweep.places.empty(); ++round) {
+        const double next = std::min(1.0, done + (1.0 - done) / (rounds - round));
+        const auto near = sweeper.at(studies::spaced(std::max(from, sweep.best->x - step),
+                                                     std::min(to, sweep.best->x + step), finer),
+                                     {done, next});
+        if (near.empty()) {
+            return {};
+        }
+        done = next;
+        step *= 2.0 / (finer - 1);
+        if (const auto best = bestOf(near); best && best->high < sweep.best->high) {
+            sweep.best = best;
+        }
+    }
+    sweep.nominalResult = problem.nominal_result.front();
     return sweep;
 }
 
@@ -65,24 +170,20 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
     connect(&later_, &QTimer::timeout, this, &SweepModel::start);
     connect(study_, &StudyModel::changed, this, &SweepModel::follow);
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
-        trouble_ = why;
+        trouble_ = study_->named(why);
         Q_EMIT changed();
     });
 }
 
-void SweepModel::choose(const std::string& input, const std::string& other,
-                        const std::string& result) {
-    if (input != input_ || other != other_ || result != result_) {
-        input_ = input;
-        other_ = other == input ? std::string() : other;
-        result_ = result;
-        follow();
-    }
+bool SweepModel::isAngle(const std::string& input) {
+    return unit_at(input) == units::degree;
 }
 
-void SweepModel::setReach(double times) {
-    if (times != reach_) {
-        reach_ = times;
+void SweepModel::choose(const std::string& input, const std::string& result, double reach) {
+    if (input != input_ || result != result_ || reach != reach_) {
+        input_ = input;
+        result_ = result;
+        reach_ = reach;
         follow();
     }
 }
@@ -106,47 +207,46 @@ void SweepModel::follow() {
     }
 }
 
-Sweep::Axis SweepModel::axisOf(const std::string& pointer) const {
-    Sweep::Axis axis{.pointer = pointer, .values = {}};
-    for (const StudyModel::Input& input : study_->inputs()) {
-        if (input.pointer == pointer) {
-            axis.nominal = input.nominal;
-            if (input.varied && input.varied->spread != studies::Varied::Spread::grid) {
-                const auto [low, high] = studies::swept_range(*input.varied, input.nominal);
-                axis.half = 0.5 * (high - low);
-            }
-        }
-    }
-    return axis;
-}
-
 void SweepModel::start() {
     later_.stop();
     if (!watched_ || input_.empty() || result_.empty()) {
         return;
     }
-    Sweep sweep{.x = axisOf(input_), .y = {}, .result = result_, .found = {}, .nominal = {}};
-    std::vector<studies::SweptInput> swept;
-    const auto add = [&](const Sweep::Axis& axis, int steps) {
-        constexpr double part = 0.1;
-        const double whole = axis.nominal != 0.0 ? part * std::abs(axis.nominal) : 1.0;
-        const double reach = reach_ * (axis.half > 0.0 ? axis.half : whole);
-        swept.push_back({axis.pointer, axis.nominal - reach, axis.nominal + reach, steps});
-    };
-    add(sweep.x, other_.empty() ? linePoints : mapPoints);
-    if (!other_.empty()) {
-        sweep.y = axisOf(other_);
-        add(*sweep.y, mapPoints);
+    Sweep sweep{.input = input_, .result = result_, .places = {}};
+    studies::Study study{.vary = {{.pointer = input_, .spread = studies::Varied::Spread::uniform}},
+                         .watch = {{.pointer = result_}},
+                         .seed = study_->study().seed};
+    for (const StudyModel::Input& input : study_->inputs()) {
+        if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
+            if (input.pointer == input_) {
+                sweep.nominal = input.nominal;
+            }
+        } else if (input.pointer == input_) {
+            sweep.nominal = input.nominal;
+            const studies::Law law = studies::law_of(*input.varied, input.nominal);
+            sweep.half = 0.5 * (law.high - law.low);
+        } else {
+            study.vary.push_back(*input.varied);
+        }
     }
-    const studies::Study tried = studies::sweep_study(swept, {{.pointer = result_}});
+    constexpr double part = 0.1;
+    const double whole = sweep.nominal != 0.0 ? part * std::abs(sweep.nominal) : 1.0;
+    const double reach = reach_ * (sweep.half > 0.0 ? sweep.half : whole);
+    study.vary[0].from = reach_ == wholeTurn ? 0.0 : sweep.nominal - reach;
+    study.vary[0].to = reach_ == wholeTurn ? 360.0 : sweep.nominal + reach;
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    giveDefaults(scene, file.input, {input_, other_});
-    file.study = studies::write_study(tried);
-    job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context()](
+    const auto built = buildable_value(file);
+    if (built) {
+        study.watch.push_back({.pointer = *built});
+    }
+    giveDefaults(scene, file.input, {input_});
+    file.study = studies::write_study(study);
+    job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context(),
+                 tellsBuilt = built.has_value()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        Sweep found = computed(sweep, studies::problem_of(file, context), progress);
-        if (found.found.empty()) {
+        Sweep found = computed(sweep, studies::problem_of(file, context), tellsBuilt, progress);
+        if (found.places.empty()) {
             return {};
         }
         return [this, found = std::move(found)] {
@@ -156,6 +256,12 @@ void SweepModel::start() {
             Q_EMIT changed();
         };
     });
+}
+
+void SweepModel::takeBest() {
+    if (sweep_ && sweep_->best) {
+        study_->scene()->editField(sweep_->input, sweep_->best->x, tr("Lowest 95 % value"));
+    }
 }
 
 }  // namespace ravnoves

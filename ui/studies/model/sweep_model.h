@@ -12,20 +12,28 @@ namespace ravnoves {
 class BackgroundJob;
 class StudyModel;
 
-/// A result over one input, or over two: what a change of these alone does to it.
+/// A result over one input while the other inputs scatter, in the units of their keys.
 struct Sweep {
-    struct Axis {
-        std::string pointer;
-        double nominal = 0.0;
-        double half = 0.0;  ///< of its ±; 0 where it has none
-        std::vector<double> values;
+    /// The result over the samples at one value of the input.
+    struct Place {
+        double x = 0.0;
+        // Not a number where no sample could be solved:
+        double mean = 0.0;
+        double low = 0.0;    ///< 5 %
+        double high = 0.0;   ///< 95 %
+        double built = 0.0;  ///< share of the samples that could be solved, and can be built
     };
-    Axis x;
-    std::optional<Axis> y;
-    std::string result;         ///< its pointer
-    std::vector<double> found;  ///< a row of x for each y; not a number where it was refused
-    std::size_t refused = 0;
-    std::optional<double> nominal;
+    /// So many samples at least can be built at the best place.
+    static constexpr double leastBuilt = 0.95;
+
+    std::string input;  ///< pointers
+    std::string result;
+    double nominal = 0.0;
+    double half = 0.0;  ///< of the input's ±; 0 where it has none
+    std::optional<double> nominalResult = {};
+    std::vector<Place> places;
+    /// Where the 95 % value is least, and so many samples can be built; between the places.
+    std::optional<Place> best = {};
 };
 
 /// Computes sweeps of the study's case in the background while someone looks.
@@ -33,18 +41,19 @@ class SweepModel : public QObject {
     Q_OBJECT
 
   public:
+    static constexpr int samples = 128;
+    static constexpr double wholeTurn = 0.0;  ///< a reach
+
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
-    StudyModel* study() const { return study_; }
     BackgroundJob* job() const { return job_; }
-    // Pointers; without a second input it is a line.
+    // Pointers.
     const std::string& input() const { return input_; }
-    const std::string& other() const { return other_; }
     const std::string& result() const { return result_; }
-    void choose(const std::string& input, const std::string& other, const std::string& result);
-    /// How far it goes: so many times the ± of each input, which is a tenth of what has none.
+    static bool isAngle(const std::string& input);
+    /// @param reach  so many times the input's ±, or a tenth of its value where it has none
+    void choose(const std::string& input, const std::string& result, double reach);
     double reach() const { return reach_; }
-    void setReach(double times);
     /// Computes while someone looks.
     void setWatched(bool watched);
 
@@ -53,6 +62,8 @@ class SweepModel : public QObject {
     /// Newer numbers are on the way, or should be.
     bool isStale() const { return stale_; }
     QString trouble() const { return trouble_; }
+    /// Sets the input to the best place, as one step of the history.
+    void takeBest();
 
   Q_SIGNALS:
     void changed();
@@ -60,13 +71,11 @@ class SweepModel : public QObject {
   private:
     void follow();
     void start();
-    Sweep::Axis axisOf(const std::string& pointer) const;
 
     StudyModel* study_;
     BackgroundJob* job_;
     QTimer later_;
     std::string input_;
-    std::string other_;
     std::string result_;
     double reach_ = 1.0;
     std::optional<Sweep> sweep_;
