@@ -19,8 +19,6 @@
 #include "text/error_text.h"
 #include "text/language.h"
 #include "text/preferences.h"
-#include "theme/one_painter.h"
-#include "theme/picture_memory.h"
 #include "theme/theme.h"
 #include "workshop/model/journal.h"
 
@@ -91,8 +89,6 @@ int main(int argc, char** argv) {
         }
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    ravnoves::paintInOneThread();
-    ravnoves::keepPictureMemory();
     QApplication app(argc, argv);
     QApplication::setApplicationName(u"Ravnoves"_s);
     QApplication::setOrganizationName(u"Ravnoves"_s);

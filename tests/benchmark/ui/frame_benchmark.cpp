@@ -4,8 +4,8 @@
 /// what share they are of the rival's just before: a plain window with three QChartView, seven
 /// series of 721 points, antialiased, whose step is `replace()` alone.
 ///
-/// Then the wheel over the largest plot, the cursor in it and the window's size, likewise; the plain
-/// window's size too.
+/// Then the wheel over the largest plot, the cursor in it and the window's size, likewise; the
+/// plain window's size too.
 ///
 /// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--events] [--table]
 /// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page;
@@ -47,8 +47,6 @@
 #include "numerics/constants.h"
 #include "plot/plot_view.h"
 #include "text/language.h"
-#include "theme/one_painter.h"
-#include "theme/picture_memory.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 
@@ -361,9 +359,6 @@ void run(const std::string& name, const std::function<Drag()>& make, const Optio
 /// The plain window's drag, in a process of its own, which prints what it took.
 Times rivalTimes(QStringList arguments) {
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("QT_NO_GUI_THREADPOOL"));
-    process.setProcessEnvironment(environment);
     const QString program = QCoreApplication::applicationFilePath();
     arguments.removeFirst();
     process.start(program, arguments << QStringLiteral("--rival"));
@@ -383,12 +378,7 @@ int main(int argc, char** argv) {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    // The rival is painted as Qt does it by itself, the pages as the program has it.
     const bool isRival = argc > 1 && std::string_view(argv[argc - 1]) == "--rival";
-    if (!isRival) {
-        paintInOneThread();
-        keepPictureMemory();
-    }
     WatchedApplication app(argc, argv);
     installLanguage(QStringLiteral("en"));
     Theme::instance().install(Theme::Mode::Light);
