@@ -1,13 +1,13 @@
 #include "shell/help_pages.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QTextList>
 #include <QTextTable>
-#include <algorithm>
 
 #include "shell/scene_list.h"
 #include "text/language.h"
@@ -58,22 +58,6 @@ void layOut(QTextDocument* document) {
     layOutTables(document->rootFrame());
 }
 
-QString around(const QString& text, qsizetype at, qsizetype length) {
-    constexpr qsizetype room = 40;
-    qsizetype from = std::max<qsizetype>(at - room, 0);
-    qsizetype to = std::min(at + length + room, text.size());
-    if (from > 0) {
-        from = std::min(text.indexOf(QLatin1Char(' '), from) + 1, at);
-    }
-    if (to < text.size()) {
-        to = std::max(text.lastIndexOf(QLatin1Char(' '), to), at + length);
-    }
-    QString part = text.mid(from, to - from).simplified();
-    part.remove(QChar::ObjectReplacementCharacter);
-    return (from > 0 ? QStringLiteral("… ") : QString()) + part +
-           (to < text.size() ? QStringLiteral(" …") : QString());
-}
-
 }  // namespace
 
 QStringList helpTopics() {
@@ -86,48 +70,29 @@ QStringList helpTopics() {
     return topics;
 }
 
-bool loadHelp(const QString& topic, QTextDocument* document) {
+namespace {
+
+QString markdown(const QString& topic) {
     QFile file(QStringLiteral(":/help/%1.%2.md").arg(topic, currentLanguage()));
     if (!file.exists()) {
         file.setFileName(QStringLiteral(":/help/%1.md").arg(topic));
     }
-    if (!file.open(QIODevice::ReadOnly)) {
-        return false;
-    }
-    document->setMarkdown(QString::fromUtf8(file.readAll()));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+}  // namespace
+
+bool loadHelp(const QString& topic, QTextDocument* document) {
+    const QString text = markdown(topic);
+    document->clear();  // with its pictures, which are in the colours of the theme
+    document->setMarkdown(text);
     layOut(document);
-    return true;
+    return !text.isEmpty();
 }
 
-QString helpTitle(const QTextDocument& document) {
-    return document.begin().text();
-}
-
-std::vector<HelpHit> findInHelp(const QTextDocument& document, const QString& words) {
-    const QString phrase = words.simplified();
-    std::vector<HelpHit> hits;
-    if (phrase.isEmpty()) {
-        return hits;
-    }
-    const QStringList each = phrase.split(QLatin1Char(' '));
-    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
-        const QString text = block.text();
-        const auto add = [&](qsizetype at, qsizetype length) {
-            hits.push_back({block.position() + static_cast<int>(at), static_cast<int>(length),
-                            around(text, at, length)});
-        };
-        qsizetype at = text.indexOf(phrase, 0, Qt::CaseInsensitive);
-        if (at >= 0) {
-            for (; at >= 0; at = text.indexOf(phrase, at + phrase.size(), Qt::CaseInsensitive)) {
-                add(at, phrase.size());
-            }
-        } else if (std::all_of(each.begin(), each.end(), [&](const QString& word) {
-                       return text.contains(word, Qt::CaseInsensitive);
-                   })) {
-            add(text.indexOf(each.constFirst(), 0, Qt::CaseInsensitive), each.constFirst().size());
-        }
-    }
-    return hits;
+QString helpTitle(const QString& topic) {
+    static const QRegularExpression heading(QStringLiteral("^#+ *"));
+    return markdown(topic).section(QLatin1Char('\n'), 0, 0).remove(heading);
 }
 
 }  // namespace ravnoves

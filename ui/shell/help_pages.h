@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <QStringList>
-#include <vector>
 
 class QTextDocument;
 
@@ -16,17 +15,6 @@ QStringList helpTopics();
 /// @return false where there is none
 bool loadHelp(const QString& topic, QTextDocument* document);
 /// Its first heading.
-QString helpTitle(const QTextDocument& document);
-
-/// A place in a page that holds what was looked for.
-struct HelpHit {
-    int position;     ///< in the document
-    int length;       ///< of what was found
-    QString context;  ///< some words around it, on one line
-};
-
-/// Where a document holds the words: each place where they stand as typed, or each paragraph that
-/// holds all of them. Case does not matter.
-std::vector<HelpHit> findInHelp(const QTextDocument& document, const QString& words);
+QString helpTitle(const QString& topic);
 
 }  // namespace ravnoves
