@@ -1,6 +1,8 @@
 #include "plot/legend_item.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <cmath>
 
 #include "plot/plot_painter.h"
@@ -117,6 +119,15 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     } else {
         painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text());
     }
+}
+
+bool LegendItem::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && isElided()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           text() + QLatin1Char('\n') + toolTip(), this);
+        return true;
+    }
+    return QAbstractButton::event(event);
 }
 
 void LegendItem::paintEvent(QPaintEvent* /*event*/) {

@@ -4,8 +4,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "plot/chart_frame.h"
@@ -48,15 +46,6 @@ double strokeScale() {
 }
 
 PlotTitle::PlotTitle(const QString& title, double width) {
-    // Titles rest while all else moves, and are laid out at every step.
-    constexpr std::size_t most = 512;
-    static std::map<std::tuple<QString, double, int>, PlotTitle> known;
-    const auto key = std::tuple(title, width, Theme::withText(1000));
-    const auto found = known.find(key);
-    if (found != known.end()) {
-        *this = found->second;
-        return;
-    }
     for (const int size : {Theme::baseSize, Theme::smallSize + 1, Theme::smallSize}) {
         font = Theme::font(size, true);
         if (textWidth(font, title) <= width) {
@@ -68,10 +57,6 @@ PlotTitle::PlotTitle(const QString& title, double width) {
     height = std::max(
         line, std::ceil(QFontMetricsF(font).boundingRect(room, PlotTitle::flags, title).height()));
     this->width = textWidth(font, title);
-    if (known.size() >= most) {
-        known.clear();
-    }
-    known.emplace(key, *this);
 }
 
 PlotPainter::PlotPainter(PlotData& data) : data_(data) {}

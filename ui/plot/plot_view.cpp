@@ -11,6 +11,7 @@
 #include "plot/model/plot_sentence.h"
 #include "plot/picture_file.h"
 #include "plot/plot_painter.h"
+#include "plot/widget_picture.h"
 #include "theme/theme.h"
 #include "widgets/figure.h"
 
@@ -23,14 +24,6 @@ QColor ghostSwatch() {
     QColor colour = Theme::instance().mutedText();
     colour.setAlphaF(0.4F);
     return colour;
-}
-
-/// Of pictures of one size, from this height down; of the picture's pixel ratio.
-void copyRows(const QImage& from, QImage& to, int top) {
-    const auto bytes = static_cast<std::size_t>(from.bytesPerLine());
-    for (int y = static_cast<int>(top * from.devicePixelRatio()); y < from.height(); ++y) {
-        std::memcpy(to.scanLine(y), from.constScanLine(y), bytes);
-    }
 }
 
 }  // namespace
@@ -506,37 +499,18 @@ void PlotView::layoutChart() {
     }
 }
 
-void PlotView::paintEvent(QPaintEvent* event) {
+void PlotView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     if (drawsForFile(painter, *this)) {
         drawChart(painter);
         return;
     }
-    const bool moves = chartStale_;
     if (chartStale_) {
         layoutChart();
         chartStale_ = false;
         pictureStale_ = true;
     }
     paintAxesPicture();
-    if (QImage* screen = screen_.of(painter, *this, chartRect(), event->region())) {
-        const int top = event->region().boundingRect().top();
-        // Curves that move go to the screen alone; a picture of those that rest is copied.
-        if (moves) {
-            copyRows(axesPicture_, *screen, top);
-            painter_->paintCurves(*screen);
-        } else {
-            paintCurvesPicture();
-            copyRows(picture_, *screen, top);
-        }
-        QPainter inside(screen);
-        inside.setFont(font());
-        if (moves) {
-            paintOverCurves(inside);
-        }
-        paintMoving(inside);
-        return;
-    }
     paintCurvesPicture();
     drawPicture(painter, picture_, rect());
     paintMoving(painter);
@@ -558,7 +532,8 @@ void PlotView::paintCurvesPicture() {
         return;
     }
     fitPicture(picture_, *this);
-    copyRows(axesPicture_, picture_, 0);
+    std::memcpy(picture_.bits(), axesPicture_.constBits(),
+                static_cast<std::size_t>(axesPicture_.sizeInBytes()));
     painter_->paintCurves(picture_);
     QPainter painter(&picture_);
     paintOverCurves(painter);

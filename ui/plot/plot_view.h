@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "plot/model/plot_data.h"
-#include "plot/screen_pixels.h"
 
 namespace ravnoves {
 
@@ -198,6 +197,7 @@ class PlotView : public QWidget {
     /// All but title and legend.
     QRect chartRect() const { return rect().adjusted(0, static_cast<int>(keyTop()), 0, 0); }
 
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -228,7 +228,6 @@ class PlotView : public QWidget {
     void chartChanged();
     void layoutHeader();
     void layoutChart();
-    /// Brings the axes back where curves were.
     /// Title, grid and axes, where they have changed.
     void paintAxesPicture();
     /// These with the curves, likewise.
@@ -243,6 +242,8 @@ class PlotView : public QWidget {
     void leaveCursor();
     /// What it stands in can be scrolled.
     bool scrollsWithin() const;
+    /// The axis beside a place of the plot; null where none is.
+    const PlotScale* axisAt(const QPoint& at) const;
     void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
     /// The data with the truth in its place.
@@ -265,8 +266,7 @@ class PlotView : public QWidget {
     std::optional<QPointF> panFrom_;
 
     QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move
-    ScreenPixels screen_;
-    QImage picture_;  ///< these with the curves
+    QImage picture_;      ///< these with the curves
     bool axesStale_ = true;
     bool pictureStale_ = true;
     bool chartStale_ = true;  ///< is to be laid out anew

@@ -1,5 +1,6 @@
 #include <QAbstractScrollArea>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScrollBar>
@@ -9,6 +10,8 @@
 #include <cmath>
 
 #include "plot/plot_view.h"
+#include "text/text_width.h"
+#include "theme/theme.h"
 #include "widgets/wheel_guard.h"
 
 namespace ravnoves {
@@ -18,6 +21,27 @@ namespace {
 constexpr double zoomPerStep = 1.2;
 
 }  // namespace
+
+const PlotScale* PlotView::axisAt(const QPoint& at) const {
+    const QRectF area = plotArea();
+    return at.y() > area.bottom()                                 ? &data_.x
+           : at.x() < area.left()                                 ? &data_.left
+           : at.x() > area.right() && data_.sideUsed(Side::Right) ? &data_.right
+                                                                  : nullptr;
+}
+
+bool PlotView::event(QEvent* event) {
+    // The title of an axis that has too little room is whole in its tip.
+    const auto* asked =
+        event->type() == QEvent::ToolTip ? static_cast<QHelpEvent*>(event) : nullptr;
+    const PlotScale* axis = asked != nullptr ? axisAt(asked->pos()) : nullptr;
+    if (axis != nullptr && textWidth(Theme::font(Theme::smallSize), axis->spec.title) >
+                               (axis == &data_.x ? data_.flatRoom : data_.uprightRoom)) {
+        QToolTip::showText(asked->globalPos(), axis->spec.title, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
     wentTo_ = true;

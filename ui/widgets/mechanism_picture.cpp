@@ -11,6 +11,7 @@
 
 #include "plot/picture_file.h"
 #include "plot/plot_view.h"
+#include "plot/widget_picture.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
@@ -83,7 +84,7 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void MechanismPicture::paintEvent(QPaintEvent* event) {
+void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     if (drawsForFile(painter, *this)) {
         painter.fillRect(rect(), Theme::instance().panel());
@@ -92,22 +93,15 @@ void MechanismPicture::paintEvent(QPaintEvent* event) {
         return;
     }
     // Into a picture whose pixels lines and shapes are painted on.
-    if (QImage* screen = screen_.of(painter, *this, rect(), event->region())) {
-        paintAll(*screen);
-        return;
-    }
     fitPicture(picture_, *this);
-    paintAll(picture_);
+    QPainter inside(&picture_);
+    inside.setFont(font());
+    paintSurface(inside);
+    inside.setRenderHint(QPainter::Antialiasing);
+    paintPicture(inside);
+    drawFocus(inside);
+    inside.end();
     drawPicture(painter, picture_, rect());
-}
-
-void MechanismPicture::paintAll(QImage& picture) {
-    QPainter painter(&picture);
-    painter.setFont(font());
-    paintSurface(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintPicture(painter);
-    drawFocus(painter);
 }
 
 void MechanismPicture::paintSurface(QPainter& painter) const {

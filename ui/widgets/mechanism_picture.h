@@ -5,7 +5,6 @@
 #include <QTimer>
 
 #include "model/crank_angle.h"
-#include "plot/screen_pixels.h"
 #include "widgets/compared_figure.h"
 #include "widgets/panel.h"
 
@@ -54,15 +53,13 @@ class MechanismPicture : public ComparedFigure {
     static QPen ghostPen();
 
   private:
-    void paintAll(QImage& picture);
     /// What all else is painted on; the corners of a panel around it stay round.
     void paintSurface(QPainter& painter) const;
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 
     CrankAngle* crank_;
-    ScreenPixels screen_;
-    QImage picture_;  ///< where the screen's pixels cannot be had
+    QImage picture_;  ///< what is seen, whose pixels lines and shapes are painted on
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// The title of an axis in so many pixels: its words give way first, then its symbol, its unit
-/// never. "first-order force F₁, N" becomes "first-or… F₁, N", then "F₁, N", at last "N".
+/// The title of an axis in so many pixels: its words give way, its unit never. "first-order force
+/// F₁, N" becomes "first-or…, N", at last "N".
 QString fittedAxisTitle(const QString& title, const QFont& font, double room);
 
 }  // namespace ravnoves
