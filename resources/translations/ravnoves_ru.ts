@@ -10080,6 +10080,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Refused before other values changed; Enter tries it again: %1</source>
         <translation>Отвергнуто до того, как изменились другие значения; Enter проверит ещё раз: %1</translation>
     </message>
+    <message>
+        <source>Cut: at most %1 characters.</source>
+        <translation>Обрезано: не больше %1 знаков.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EnvelopeView</name>
@@ -10543,10 +10547,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::Form</name>
     <message>
-        <source>Must have at most %1 characters, got %2</source>
-        <translation>Должно быть не больше %1 знаков, введено %2</translation>
-    </message>
-    <message>
         <source>At most %1 characters.</source>
         <translation>Не больше %1 знаков.</translation>
     </message>
@@ -10680,20 +10680,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Справки по этой странице ещё нет.</translation>
     </message>
     <message>
-        <source>Search all pages (Ctrl+F)</source>
-        <translation>Искать на всех страницах (Ctrl+F)</translation>
-    </message>
-    <message>
         <source>Search in the help</source>
         <translation>Поиск в справке</translation>
-    </message>
-    <message>
-        <source>Previous (Shift+F3)</source>
-        <translation>Назад (Shift+F3)</translation>
-    </message>
-    <message>
-        <source>Next (F3)</source>
-        <translation>Дальше (F3)</translation>
     </message>
     <message>
         <source>Pages of the help</source>
@@ -10702,6 +10690,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>nothing found</source>
         <translation>ничего не найдено</translation>
+    </message>
+    <message>
+        <source>Search this page (Ctrl+F, F3)</source>
+        <translation>Искать на этой странице (Ctrl+F, F3)</translation>
     </message>
 </context>
 <context>
@@ -12454,6 +12446,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>New case, empty or &amp;from…</source>
         <translation>Новая задача, пустая или &amp;из…</translation>
+    </message>
+    <message>
+        <source>&amp;What’s this?</source>
+        <translation>Что &amp;это?</translation>
     </message>
 </context>
 <context>
@@ -16932,13 +16928,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ValueSlider</name>
-    <message>
-        <source>“%1” is refused. %2</source>
-        <translation>«%1» не принято. %2</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::VariantMenu</name>
     <message>
         <source>&amp;Variants</source>
@@ -17159,13 +17148,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
         <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::WhatsThis</name>
-    <message>
-        <source>&amp;What’s this?</source>
-        <translation>Что &amp;это?</translation>
     </message>
 </context>
 <context>

@@ -31,8 +31,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    doubts_ = changingCaption(answer);
-    doubts_->setObjectName(QStringLiteral("doubts"));
+    doubts_ = copyableCaption("doubts", answer);
     colourText(doubts_, &Theme::warning);
     answerColumn->addWidget(new Apart(doubts_, answer));
     moveTrace_ = new QPushButton(tr("Move the trace by &360°"), answer);
@@ -46,8 +45,8 @@ QWidget* BalanceShaftPage::buildAnswer() {
     auto* best = new QGridLayout;
     best->setHorizontalSpacing(Theme::space);
     best->setVerticalSpacing(2);
-    bestRange_ = new ChangingLabel(answer);
-    bestRms_ = new ChangingLabel(answer);
+    bestRange_ = copyableLabel("best_range", Theme::baseSize, answer);
+    bestRms_ = copyableLabel("best_rms", Theme::baseSize, answer);
     goRange_ = new QPushButton(tr("Go"), answer);
     goRms_ = new QPushButton(tr("Go"), answer);
     const auto addBest = [&](int row, QLabel* label, QPushButton* button, const QString& name) {
@@ -70,15 +69,8 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_ = new ResultTable(tr("Forces, masses and sizes"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = changingCaption(answer);
-    auto* apart = new Apart(notes_, answer);
-    notesArea_ = scrolled(apart, answer);
-    const int line = notes_->fontMetrics().lineSpacing();
-    notesArea_->setProperty("lineHeight", line);
-    notesArea_->setMinimumHeight(4 * line + 2);
-    notesArea_->viewport()->setAutoFillBackground(false);
-    apart->setAutoFillBackground(false);
-    answerColumn->addWidget(notesArea_, 1);
+    notes_ = copyableCaption("notes", answer);
+    answerColumn->addWidget(new Apart(notes_, answer), 1);
     column->addWidget(answer);
     return holder;
 }

@@ -1,7 +1,6 @@
 #include "balance-shaft/balance_shaft_page.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -200,7 +199,6 @@ void BalanceShaftPage::showSweep() {
     doubts_->parentWidget()->setVisible(!doubts_->text().isEmpty());
     moveTrace_->setVisible(result.trace_is_a_turn_off);
     notes_->setText(model_->notesText());
-    notesArea_->setVisible(!notes_->text().isEmpty());
 }
 
 void BalanceShaftPage::showShaft() {

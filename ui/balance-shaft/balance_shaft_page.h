@@ -5,13 +5,12 @@
 #include "widgets/field_slider.h"
 
 class QComboBox;
+class QLabel;
 class QPushButton;
-class QScrollArea;
 class QTabWidget;
 
 namespace ravnoves {
 
-class ChangingLabel;
 class BalanceShaftModel;
 class MechanismView;
 class Form;
@@ -66,14 +65,13 @@ class BalanceShaftPage : public ScenePage {
     MechanismView* picture_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    ChangingLabel* bestRange_ = nullptr;
-    ChangingLabel* bestRms_ = nullptr;
+    QLabel* bestRange_ = nullptr;
+    QLabel* bestRms_ = nullptr;
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
-    ChangingLabel* doubts_ = nullptr;
+    QLabel* doubts_ = nullptr;
     QPushButton* moveTrace_ = nullptr;
-    ChangingLabel* notes_ = nullptr;
-    QScrollArea* notesArea_ = nullptr;
+    QLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
     QAction* bestRangeAction_ = nullptr;
     QAction* bestRmsAction_ = nullptr;

@@ -1,7 +1,6 @@
 #include "balance-shaft/shaft_map_view.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -25,6 +24,7 @@
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form.h"
+#include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 
@@ -79,8 +79,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     frontColumn->setSpacing(Theme::gap);
     plot_ = new ShaftMapPlot(model_, map_, front);
     frontColumn->addWidget(plot_, 1);
-    words_ = changingCaption(front);
-    words_->setObjectName(QStringLiteral("shaft_map_words"));
+    words_ = copyableCaption("shaft_map_words", front);
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
     wordsRoom_ = new Apart(words_, front);
     frontColumn->addWidget(wordsRoom_);

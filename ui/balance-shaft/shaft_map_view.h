@@ -3,7 +3,6 @@
 #include <QWidget>
 #include <optional>
 
-#include "widgets/changing_label.h"
 #include "widgets/field_slider.h"
 
 class QComboBox;
@@ -35,7 +34,7 @@ class ShaftMapView : public QWidget {
     QComboBox* criterionChoice() const { return criterion_; }
     ValueSlider* weightSlider() const { return weight_; }
     QPushButton* bestButton() const { return best_; }
-    ChangingLabel* words() const { return words_; }
+    QLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 
     /// That of the map without charts beside it: they go to tabs where there is no room.
@@ -71,7 +70,7 @@ class ShaftMapView : public QWidget {
     QComboBox* criterion_;
     ValueSlider* weight_;
     QPushButton* best_;
-    ChangingLabel* words_;
+    QLabel* words_;
     QWidget* wordsRoom_;  ///< what the words may take
     QTabWidget* tabs_;
     QWidget* side_;

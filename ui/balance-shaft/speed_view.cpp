@@ -1,7 +1,6 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -196,7 +195,7 @@ void SpeedView::showEvent(QShowEvent* event) {
 }
 
 void SpeedView::showInput() {
-    load_->box()->setSpecialValueText(study_->load() ? QString() : QStringLiteral("–"));
+    load_->setGiven(study_->load().has_value());
     load_->setToolTip(study_->hasLoad() ? QString()
                                         : tr("The load can be moved when the torque is a computed "
                                              "cycle (Torque tab)."));

@@ -1,7 +1,6 @@
 #include "elastic-hinge/elastic_hinge_page.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -31,11 +30,7 @@ using elastic_hinge::Kinematics;
 using elastic_hinge::Spring;
 namespace field = elastic_hinge::field;
 
-namespace {
-
-constexpr int boxWidth = 122;  ///< pixels, for "20000.0 kN/m"
-
-}  // namespace
+namespace {}  // namespace
 
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
@@ -95,13 +90,10 @@ QWidget* ElasticHingePage::buildSliders() {
     sliders[2]->setLogarithmic(50, 3);  // the stiffness
     // One width for labels and boxes, so that the sliders stand in line.
     int labels = 0;
-    int boxes = Theme::withText(boxWidth);
+    int boxes = 0;
     for (const FieldSlider* slider : sliders) {
         labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
-        constexpr int beside = 30;  // frame and arrows
-        const QDoubleSpinBox* box = slider->box();
-        boxes = std::max(boxes, box->fontMetrics().horizontalAdvance(box->text()) +
-                                    Theme::withText(beside));  // with a long unit
+        boxes = std::max(boxes, slider->box()->width());
     }
     for (FieldSlider* slider : sliders) {
         slider->setLabelWidth(labels);
@@ -161,8 +153,7 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    verdict_ = new ChangingLabel(answer);
-    verdict_->setObjectName(QStringLiteral("verdict"));
+    verdict_ = copyableLabel("verdict", Theme::baseSize, answer);
     answerColumn->addWidget(new Apart(verdict_, answer));
     auto* mend = new QHBoxLayout;
     takePreload_ = new QPushButton(tr("Take this pre&load"), answer);
@@ -175,13 +166,13 @@ QWidget* ElasticHingePage::buildAnswer() {
     mend->addWidget(takePreload_);
     mend->addWidget(takeStiffness_);
     answerColumn->addLayout(mend);
-    doubts_ = changingCaption(answer);
+    doubts_ = copyableCaption("doubts", answer);
     colourText(doubts_, &Theme::warning);
     answerColumn->addWidget(new Apart(doubts_, answer));
     quantities_ = new ResultTable(tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = changingCaption(answer);
+    notes_ = copyableCaption("notes", answer);
     answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;

@@ -6,10 +6,10 @@
 class QComboBox;
 class QPushButton;
 class QTabWidget;
+class QLabel;
 
 namespace ravnoves {
 
-class ChangingLabel;
 class GuideExportForm;
 class HingeMechanismView;
 class HingePlots;
@@ -47,12 +47,12 @@ class ElasticHingePage : public ScenePage {
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
-    ChangingLabel* verdict_ = nullptr;
+    QLabel* verdict_ = nullptr;
     QPushButton* takePreload_ = nullptr;
     QPushButton* takeStiffness_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    ChangingLabel* doubts_ = nullptr;
-    ChangingLabel* notes_ = nullptr;
+    QLabel* doubts_ = nullptr;
+    QLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

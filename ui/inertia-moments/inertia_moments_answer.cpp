@@ -42,7 +42,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
-    warning_ = changingCaption(panel);
+    warning_ = copyableCaption("warning", panel);
     warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
     answerColumn->addWidget(new Apart(warning_, panel));
     column->addWidget(panel, 5);

@@ -6,10 +6,10 @@
 #include "text/result_row.h"
 
 class QTabWidget;
+class QLabel;
 
 namespace ravnoves {
 
-class ChangingLabel;
 class EngineView;
 class InertiaMomentsModel;
 class PicturePanel;
@@ -45,7 +45,7 @@ class InertiaMomentsAnswer : public QWidget {
     EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
-    ChangingLabel* warning_;
+    QLabel* warning_;
     std::vector<Table> tables_;
 };
 

@@ -29,13 +29,11 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
-#include "widgets/heights_by_width.h"
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -48,17 +46,6 @@ constexpr int progressHeight = 6;  ///< pixels
 
 /// Columns of the table.
 enum Column { Method, SettingColumn, Time, Error, Operations, Order, Fails };
-
-/// A long rich text, which takes longer to lay out than to paint.
-class Words final : public QLabel {
-  public:
-    int heightForWidth(int width) const override {
-        return heights_.of(*this, width, [this](int at) { return QLabel::heightForWidth(at); });
-    }
-
-  private:
-    mutable HeightsByWidth heights_;
-};
 
 QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -245,7 +232,7 @@ QWidget* MethodsPage::buildWords() {
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(1, 1, 1, 1);
-    words_ = new Words;
+    words_ = new QLabel;
     words_->setObjectName(QStringLiteral("words"));
     words_->setWordWrap(true);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -442,12 +429,12 @@ void MethodsPage::fitTableSoon() {
 }
 
 void MethodsPage::fitTable() {
-    constexpr int namesWidth = 120;
+    constexpr int namesWidth = 150;
     constexpr int failsWidth = 170;
     constexpr int padding = 14;
     // Numbers in one line, words in as many as they need.
     std::array<int, Fails + 1> least{};
-    least[Method] = std::max(Theme::withText(namesWidth), longestWord(*table_, Method));
+    least[Method] = Theme::withText(namesWidth);
     least[Fails] = Theme::withText(failsWidth);
     for (int column = SettingColumn; column < Fails; ++column) {
         int& width = least[static_cast<std::size_t>(column)];
@@ -472,11 +459,11 @@ void MethodsPage::fitTable() {
     if (changed) {
         showTable();  // its columns share the room anew
     }
-    fitRowsToWords(*table_, {Method, Fails});
+    table_->resizeRowsToContents();
     // Where the page scrolls, the table does not: no bar within a bar.
     const bool whole = plots_->isFolded();
     table_->setVerticalScrollBarPolicy(whole ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-    const bool hasBar = table_->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff;
+    const bool hasBar = table_->horizontalHeader()->length() > table_->viewport()->width();
     table_->setMinimumHeight(
         whole
             ? table_->horizontalHeader()->sizeHint().height() + table_->verticalHeader()->length() +

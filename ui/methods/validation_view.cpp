@@ -24,7 +24,6 @@
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/panel.h"
-#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -87,7 +86,7 @@ QWidget* ValidationView::buildTable() {
     auto* panel = new Panel(this);
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
-    table_ = new WithWholeRows<QTableView>(panel);
+    table_ = new QTableView(panel);
     table_->setObjectName(QStringLiteral("validation_table"));
     table_->setAccessibleName(tr("Printed numbers beside ours"));
     table_->setModel(model_);
@@ -223,7 +222,7 @@ void ValidationView::fitColumns() {
     std::array<int, ValidationModel::Columns> least = wanted_;
     for (int column = 0; column < ValidationModel::Unit; ++column) {
         int& width = least[static_cast<std::size_t>(column)];
-        width = std::min(width, std::max(Theme::withText(90), longestWord(*table_, column)));
+        width = std::min(width, Theme::withText(150));
     }
     // The verdict stays in sight: what a tip says as well gives way, with or without a scroll bar.
     const int sure = table_->width() - table_->verticalScrollBar()->sizeHint().width();
@@ -267,8 +266,7 @@ void ValidationView::fitColumns() {
             table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
         }
     }
-    fitRowsToWords(*table_,
-                   {ValidationModel::Paper, ValidationModel::Place, ValidationModel::Quantity});
+    table_->resizeRowsToContents();
     showReason();
 }
 

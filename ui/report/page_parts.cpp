@@ -18,7 +18,6 @@
 #include "studies/tolerance_bands.h"
 #include "studies/tolerance_switch.h"
 #include "theme/theme.h"
-#include "widgets/apart.h"
 #include "widgets/figure.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
@@ -49,13 +48,12 @@ QString fragment(const QLabel& label) {
 }
 
 Paragraph::Kind kindOf(const QLabel& label) {
-    const Theme& theme = Theme::instance();
-    const QColor colour = label.palette().color(QPalette::WindowText);
-    return colour == theme.error()       ? Paragraph::Kind::Error
-           : colour == theme.warning()   ? Paragraph::Kind::Warning
-           : colour == theme.good()      ? Paragraph::Kind::Good
-           : colour == theme.mutedText() ? Paragraph::Kind::Muted
-                                         : Paragraph::Kind::Text;
+    const Ink ink = inkOf(label);
+    return ink == &Theme::error       ? Paragraph::Kind::Error
+           : ink == &Theme::warning   ? Paragraph::Kind::Warning
+           : ink == &Theme::good      ? Paragraph::Kind::Good
+           : ink == &Theme::mutedText ? Paragraph::Kind::Muted
+                                      : Paragraph::Kind::Text;
 }
 
 /// Draws with the widget at another size, then gives it back its own. A hidden widget hears of a
@@ -117,20 +115,18 @@ Table tableOf(const ResultTable& table) {
         shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
                           (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
     }
-    const bool inColumns = table.hasColumnsBeside();
     for (int row = 0; row < table.rowCount(); ++row) {
         QStringList cells;
         for (int column = 0; column < table.columnCount(); ++column) {
             const QTableWidgetItem* cell = table.item(row, column);
             cells << (cell != nullptr ? fragment(cell->text()) : QString());
-            // Differences have columns of their own, or stand below their numbers.
-            QStringList parts = inColumns ? QStringList() : table.differenceAt(row, column);
+            QStringList parts = table.differenceAt(row, column);
             parts.removeAll(QString());
             if (!parts.isEmpty()) {
                 cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
                                     .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
             }
-            const QString spread = inColumns ? QString() : table.spreadAt(row, column);
+            const QString spread = table.spreadAt(row, column);
             if (!spread.isEmpty()) {
                 cells.last() += QStringLiteral("<br/><small>%1</small>").arg(spread);
             }
@@ -292,9 +288,7 @@ class Collector {
     }
 
     void takeLabel(const QLabel& label, PageGroup& parts) {
-        const bool isSelectable =
-            label.textInteractionFlags().testFlag(Qt::TextSelectableByMouse) ||
-            qobject_cast<const Apart*>(label.parentWidget()) != nullptr;
+        const bool isSelectable = label.textInteractionFlags().testFlag(Qt::TextSelectableByMouse);
         if (!isSelectable || label.text().isEmpty()) {
             return;
         }

@@ -33,14 +33,12 @@
 #include "shell/scene_page.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
-#include "shell/whats_this.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/plain_text.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/scale_button.h"
 
@@ -54,7 +52,6 @@ const QString currentKey = QStringLiteral("session/current");  ///< a file, or a
 }  // namespace
 
 MainWindow::MainWindow(First first) {
-    keepTextPlain();
     setWindowIcon(themedIcon(QStringLiteral("ravnoves")));
     setMinimumSize(800, 500);
     resize(1280, 800);
@@ -124,7 +121,6 @@ void MainWindow::renew() {
     delete takeCentralWidget();
     delete variants_;
     delete toolBar_;
-    delete whatsThis_;
     setMenuBar(new QMenuBar(this));
     scenes_.clear();
     sceneActions_.clear();

@@ -19,7 +19,6 @@ class ScaleButton;
 class ScenePage;
 class StartPage;
 class VariantMenu;
-class WhatsThis;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
 class MainWindow : public QMainWindow {
@@ -113,7 +112,6 @@ class MainWindow : public QMainWindow {
     Recovery* recovery_ = nullptr;  ///< from beginSession() on
     StartPage* start_ = nullptr;
     QAction* startAction_ = nullptr;
-    WhatsThis* whatsThis_ = nullptr;
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

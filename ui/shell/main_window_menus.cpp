@@ -13,6 +13,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWhatsThis>
 #include <algorithm>
 
 #include "shell/case_properties.h"
@@ -25,7 +26,6 @@
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
-#include "shell/whats_this.h"
 #include "studies/tolerance_switch.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -327,8 +327,9 @@ void MainWindow::buildMenus() {
     add(help, {}, tr("&Tolerances: how sure a result is"), {},
         [this] { showHelp(QStringLiteral("tolerances")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
-    whatsThis_ = new WhatsThis(this);
-    help->addAction(whatsThis_->action());
+    // The key asks what has the focus, so it is not the action's own.
+    help->addAction(tr("&What’s this?") + QStringLiteral("\tShift+F1"), this,
+                    [] { QWhatsThis::enterWhatsThisMode(); });
     help->addSeparator();
     add(help, {}, tr("About &Ravnoves"), {}, [this] { showAbout(); });
 

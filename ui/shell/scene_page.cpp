@@ -9,19 +9,14 @@
 #include "plot/plot_view.h"
 #include "shell/comparison.h"
 #include "studies/tolerance_bands.h"
-#include "widgets/elided_tips.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/mnemonics.h"
-#include "widgets/plain_text.h"
 #include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 
 ScenePage::ScenePage(QWidget* parent) : QWidget(parent) {
     guardWheel();
-    keepTextPlain();
-    showElidedTips();
-    keepMnemonicsApart(this);
 }
 
 ScenePage::~ScenePage() {
@@ -73,6 +68,7 @@ const QList<QTabWidget*>& ScenePage::tabWidgets() {
 bool ScenePage::event(QEvent* event) {
     if (event->type() == QEvent::Polish) {
         tabWidgets();
+        separateMnemonics(this);
     }
     return QWidget::event(event);
 }

@@ -44,7 +44,6 @@
 #include "widgets/pick_box.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
-#include "widgets/whole_rows.h"
 
 namespace ravnoves {
 
@@ -176,7 +175,7 @@ QWidget* ToleranceWindow::makeInputs() {
         // What was said of a block that was not pasted.
         connect(table, &QAbstractItemModel::dataChanged, editor,
                 [editor] { editor->say({}, false); });
-        keepRowsToWords(*editor->view(), {0});
+        editor->view()->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
@@ -342,7 +341,8 @@ QWidget* ToleranceWindow::makeFound() {
     table_->setShownRows(shownRows);
     constexpr int leastHeight = 60;  // further rows scroll
     table_->setMinimumHeight(Theme::withText(leastHeight));
-    keepRowsToWords(*table_, {0});  // names that begin alike are told apart by their ends
+    table_->setWordWrap(true);  // names that begin alike are told apart by their ends
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     column->addWidget(table_, 2);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);

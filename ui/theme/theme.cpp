@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QHash>
 #include <QIcon>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QPalette>
@@ -100,6 +101,17 @@ class ProgramStyle : public QProxyStyle {
   public:
     ProgramStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
+    /// Numbers, names and paths come from files, and what looks like HTML there would load pictures
+    /// and hide the rest: a label, as of a box or a tip, is plain unless it says that it is rich.
+    void polish(QWidget* widget) override {
+        QProxyStyle::polish(widget);
+        auto* label = qobject_cast<QLabel*>(widget);
+        if (label != nullptr && label->textFormat() == Qt::AutoText) {
+            label->setTextFormat(Qt::PlainText);
+        }
+    }
+    using QProxyStyle::polish;
+
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
         switch (metric) {
@@ -172,9 +184,7 @@ class ProgramStyle : public QProxyStyle {
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
                            const QWidget* widget) const override {
         QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
-        if (type == CT_SpinBox && hasButtons(option)) {
-            size.rwidth() += beyondFusion(spinArrow);
-        } else if (type == CT_ComboBox) {
+        if (type == CT_ComboBox) {
             size.rwidth() += beyondFusion(comboArrow) + 2;
         }
         return size;
@@ -191,11 +201,6 @@ class ProgramStyle : public QProxyStyle {
                               visualRect(option->direction, whole, rect)
                                   .adjusted(isArrow ? -more : 0, 0, isArrow ? 0 : -more, 0));
         };
-        if (control == CC_SpinBox && hasButtons(option)) {
-            return part == SC_SpinBoxFrame
-                       ? rect
-                       : leftBy(beyondFusion(spinArrow), part != SC_SpinBoxEditField);
-        }
         if (control != CC_ComboBox) {
             return rect;
         }
@@ -278,13 +283,10 @@ class ProgramStyle : public QProxyStyle {
         if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
             const auto seen = outlined(*box);
             QProxyStyle::drawComplexControl(control, &seen, painter, widget);
-            drawArrow(painter, *box, SC_ComboBoxArrow, widget);
-        } else if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option)) {
-            const auto seen = outlined(*spin);
-            QProxyStyle::drawComplexControl(control, &seen, painter, widget);
-            if (hasButtons(spin)) {
-                drawArrow(painter, *spin, SC_SpinBoxUp, widget);
-                drawArrow(painter, *spin, SC_SpinBoxDown, widget);
+            // Fusion's arrow has one size: with larger text a larger one covers it.
+            if (beyondFusion(comboArrow) > 0) {
+                drawTriangle(painter, subControlRect(control, box, SC_ComboBoxArrow, widget), *box,
+                             Down, box->state.testFlag(State_Enabled));
             }
         } else if (const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
                    slider != nullptr && control == CC_Slider) {
@@ -305,27 +307,8 @@ class ProgramStyle : public QProxyStyle {
     }
 
   private:
-    // Widths of Fusion's arrows with the rim at their sides, pixels.
+    /// Width of Fusion's arrow with the rim at its sides, pixels.
     static constexpr int comboArrow = 19;
-    static constexpr int spinArrow = 14;
-
-    static bool hasButtons(const QStyleOption* option) {
-        const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
-        return spin != nullptr && spin->buttonSymbols != QAbstractSpinBox::NoButtons;
-    }
-
-    /// Fusion's arrow has one size: with larger text a larger one covers it.
-    void drawArrow(QPainter* painter, const QStyleOptionComplex& option, SubControl part,
-                   const QWidget* widget) const {
-        if (beyondFusion(comboArrow) == 0) {
-            return;
-        }
-        const auto control =
-            part == SC_ComboBoxArrow ? ComplexControl(CC_ComboBox) : ComplexControl(CC_SpinBox);
-        const QRectF room = subControlRect(control, &option, part, widget);
-        const bool isOn = option.state.testFlag(State_Enabled) && canStep(option, part);
-        drawTriangle(painter, room, option, part == SC_SpinBoxUp ? Up : Down, isOn);
-    }
 
     void drawScrollArrows(QPainter* painter, const QStyleOptionSlider& option,
                           const QWidget* widget) const {
@@ -356,13 +339,6 @@ class ProgramStyle : public QProxyStyle {
         painter->drawPolygon(QPolygonF{QPointF(-half, -half / 2.0), QPointF(half, -half / 2.0),
                                        QPointF(0.0, half / 2.0)});
         painter->restore();
-    }
-
-    static bool canStep(const QStyleOptionComplex& option, SubControl part) {
-        const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(&option);
-        return spin == nullptr ||
-               spin->stepEnabled.testFlag(part == SC_SpinBoxUp ? QAbstractSpinBox::StepUpEnabled
-                                                               : QAbstractSpinBox::StepDownEnabled);
     }
 
     static void drawFocusFrame(QPainter* painter, const QStyleOption* option) {

@@ -1,15 +1,28 @@
 #include "widgets/entry_field.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QToolTip>
+#include <algorithm>
 #include <utility>
 
+#include "text/tip_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
 EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
+    constexpr int longest = 1000;  // letters; a table that is pasted by a slip of the keys has more
+    setMaxLength(longest);
+    connect(this, &QLineEdit::inputRejected, this, [this] {
+        isCut_ = true;
+        sayCut(tr("Cut: at most %1 characters.").arg(maxLength()));
+    });
     connect(this, &QLineEdit::textEdited, this, [this] {
+        if (!std::exchange(isCut_, false)) {
+            sayCut({});
+        }
         beginEditing();
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
@@ -25,6 +38,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         if (trouble_.isEmpty()) {
             showValue();
         }
+        sayCut({});
         endEditing();
     });
 }
@@ -89,6 +103,7 @@ void EntryField::setDoubtful(bool isDoubtful) {
 
 void EntryField::showValue() {
     shown_ = written();
+    setMaxLength(std::max(maxLength(), static_cast<int>(shown_.size())));
     setText(shown_);
     setCursorPosition(0);
 }
@@ -146,20 +161,38 @@ void EntryField::setTrouble(const QString& trouble, bool isOfModel) {
 void EntryField::sayTrouble(const QString& trouble) {
     trouble_ = trouble;
     describe();
-    Q_EMIT troubleChanged(trouble_);
+    Q_EMIT troubleChanged();
     update();
+}
+
+void EntryField::sayCut(const QString& note) {
+    if (note != note_) {
+        note_ = note;
+        Q_EMIT troubleChanged();
+    }
 }
 
 void EntryField::describe() {
     QStringList tip{trouble_, hint_, rule()};
     tip.removeAll(QString());
     if (!hint_.isEmpty() || !rule().isEmpty()) {
-        setToolTip(tip.join(QLatin1Char('\n')));
+        setToolTip(tipText(tip.join(QLatin1Char('\n'))));
+        setWhatsThis(toolTip());
     }
     setAccessibleDescription(trouble_.isEmpty() ? hint_ : trouble_);
 }
 
 bool EntryField::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        constexpr int margins = 8;
+        const bool isHintCut = text().isEmpty() && fontMetrics().horizontalAdvance(
+                                                       placeholderText()) > width() - margins;
+        QStringList lines{isHintCut ? placeholderText() : wholeText(), toolTip()};
+        lines.removeAll(QString());
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           lines.join(QLatin1Char('\n')), this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool undoes = key->matches(QKeySequence::Undo);

@@ -31,6 +31,8 @@ class EntryField : public QLineEdit {
     bool isEditing() const { return editing_; }
     /// The whole number where its text is shortened; else empty. The tip says it.
     virtual QString wholeText() const { return {}; }
+    /// What its line below says: what is wrong, or else what was done to the text.
+    QString said() const { return trouble_.isEmpty() ? note_ : trouble_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
     /// As if the user typed the text and went on.
@@ -46,7 +48,8 @@ class EntryField : public QLineEdit {
     void setModel(SceneModel* model);
 
   Q_SIGNALS:
-    void troubleChanged(const QString& trouble);
+    /// What is said of the text is another.
+    void troubleChanged();
 
   protected:
     bool event(QEvent* event) override;
@@ -91,14 +94,17 @@ class EntryField : public QLineEdit {
     /// The same by itself, once other values have changed and nobody is at any of them.
     void tryStale();
     void sayTrouble(const QString& trouble);
+    void sayCut(const QString& note);
 
     QPointer<SceneModel> model_;
     QString hint_;
     QString trouble_;
+    QString note_;  ///< that a text was cut
     QString refusal_;
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
     bool isPassing_ = false;
+    bool isCut_ = false;  ///< the text that comes next
     bool isDoubtful_ = false;
     bool isOfResult_ = true;
     bool isOfModel_ = false;  ///< the trouble: nothing has changed since

@@ -1,12 +1,12 @@
 #include "widgets/field_slider.h"
 
-#include <QDoubleSpinBox>
 #include <QSlider>
 #include <algorithm>
 
 #include "model/scene_model.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "widgets/number_field.h"
 
 namespace ravnoves {
 
@@ -59,7 +59,9 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderSca
     connect(slider(), &QSlider::sliderReleased, this, &FieldSlider::follow);
     connect(model, &SceneModel::changed, this, &FieldSlider::follow);
     connect(model, &SceneModel::refused, this, [this](const QString& why) {
-        if (!why.isEmpty() && value() != own_.read()) {
+        if (box()->isEditing()) {
+            setBesideTyped(own_.read());
+        } else if (!why.isEmpty() && value() != own_.read()) {
             follow();
         }
     });

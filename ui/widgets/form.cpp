@@ -5,7 +5,6 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <limits>
 
 #include "case-file/whole_number.h"
 #include "text/message_text.h"
@@ -16,24 +15,19 @@ namespace ravnoves {
 
 namespace {
 
-/// A text of the input: every text is allowed that is not too long.
+/// A text of the input: every text is allowed that has room.
 class TextField final : public ValueEntry<QString> {
   public:
     /// @param longest  characters; 0: any
     TextField(std::function<void(const QString&)> passOn, int longest, QWidget* parent)
         : ValueEntry(parent), passOn_(std::move(passOn)), longest_(longest) {
-        setMaxLength(std::numeric_limits<int>::max());  // nothing typed is cut in silence
+        if (longest > 0) {
+            setMaxLength(longest);
+        }
     }
 
   protected:
-    Reading read(const QString& /*typed*/) const override {
-        const qsizetype length = text().size();
-        return {
-            text(),
-            longest_ == 0 || length <= longest_
-                ? QString()
-                : Form::tr("Must have at most %1 characters, got %2").arg(longest_).arg(length)};
-    }
+    Reading read(const QString& /*typed*/) const override { return {text(), {}}; }
     QString rule() const override {
         return longest_ == 0 ? QString() : Form::tr("At most %1 characters.").arg(longest_);
     }
@@ -142,7 +136,7 @@ QCheckBox* Form::box(const QString& name, const QString& label, const QString& h
                      std::function<bool()> read, std::function<void(bool)> write) {
     auto* box = new QCheckBox(label, current_);
     box->setObjectName(name);
-    box->setToolTip(hint);
+    explain(box, hint);
     current_->addWide(box);
     const auto show = [box, read = std::move(read)] { box->setChecked(read()); };
     connect(box, &QCheckBox::clicked, this, [show, write = std::move(write)](bool on) {
@@ -225,7 +219,7 @@ QWidget* Form::flag(const char* pointer) {
     const FieldEntry entry = model_->describedField(pointer);
     auto* box = new QCheckBox(shownText(entry.field.label), current_);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
-    box->setToolTip(fieldHint(entry.field));
+    explain(box, fieldHint(entry.field));
     box->setAccessibleName(fieldName(entry.field));
     current_->addWide(box);
     connect(box, &QCheckBox::clicked, this,

@@ -7,7 +7,6 @@
 
 #include "case-file/field.h"
 #include "theme/theme.h"
-#include "widgets/changing_label.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -25,9 +24,6 @@ class TroubleLine : public QLabel {
     void watch(EntryField* field, bool named = true);
     /// @param isTrouble  false: nothing is wrong, it says what was done
     void say(const QString& text, bool isTrouble = true);
-
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void showText();
@@ -66,16 +62,19 @@ class FormSection : public QWidget {
     int row_ = 0;
 };
 
+/// What a widget is, as its tip and as what Shift+F1 says.
+void explain(QWidget* widget, const QString& hint);
+
 /// A form, or another part of a page, that scrolls where it is larger than its place.
 QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
 /// A colour of the theme by what it says: &Theme::warning.
 using Ink = QColor (Theme::*)() const;
 /// Gives a label's text an ink, whose colour follows the theme.
 void colourText(QLabel* label, Ink ink);
+/// That which it was given, else that of text.
+Ink inkOf(const QLabel& label);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
-/// The same for a text that changes in drags, in an Apart.
-ChangingLabel* changingCaption(QWidget* parent);
 /// The same whose text can be copied.
 QLabel* copyableCaption(const char* name, QWidget* parent);
 /// A wrapping label whose text can be copied.

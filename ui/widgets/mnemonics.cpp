@@ -1,23 +1,17 @@
 #include "widgets/mnemonics.h"
 
 #include <QAbstractButton>
-#include <QApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QStackedWidget>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QTimer>
-#include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace ravnoves {
 
 namespace {
-
-const char* const wantedKey = "wantedMnemonicText";
-const char* const givenKey = "givenMnemonicText";
 
 qsizetype mnemonicAt(const QString& text) {
     qsizetype at = text.indexOf(QLatin1Char('&'));
@@ -27,132 +21,52 @@ qsizetype mnemonicAt(const QString& text) {
     return at >= 0 && at + 1 < text.size() ? at : -1;
 }
 
-class Keeper final : public QObject {
-  public:
-    explicit Keeper(QWidget* page) : QObject(page), page_(page) {
-        timer_.setSingleShot(true);
-        timer_.callOnTimeout(this, [this] { separate(); });
-        qApp->installEventFilter(this);
-    }
+QChar mnemonicOf(const QString& text) {
+    const qsizetype at = mnemonicAt(text);
+    return at < 0 ? QChar() : text.at(at + 1).toLower();
+}
 
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        const QEvent::Type type = event->type();
-        if ((type == QEvent::ShowToParent || type == QEvent::HideToParent) && !timer_.isActive() &&
-            watched->isWidgetType() && page_->isAncestorOf(static_cast<QWidget*>(watched))) {
-            timer_.start(0);
-        }
-        return false;
-    }
-
-  private:
-    struct Text {
-        QObject* owner;
-        QByteArray key;  ///< of the owner's properties
-        QString shown;
-        std::function<void(const QString&)> show;
-        int depth = 0;  ///< of pages of tabs that it stands in
-    };
-
-    int depthOf(const QWidget* widget) const {
-        int depth = 0;
-        for (const QWidget* each = widget; each != page_; each = each->parentWidget()) {
-            depth += qobject_cast<const QStackedWidget*>(each) != nullptr &&
-                             qobject_cast<const QTabWidget*>(each->parentWidget()) != nullptr
-                         ? 1
-                         : 0;
-        }
-        return depth;
-    }
-
-    QList<Text> texts() const {
-        QList<Text> all;
-        for (QWidget* each : page_->findChildren<QWidget*>()) {
-            if (!each->isVisibleTo(page_)) {
-                continue;
-            }
-            const qsizetype before = all.size();
-            if (auto* label = qobject_cast<QLabel*>(each)) {
-                if (label->buddy() != nullptr) {
-                    all.push_back({label, {}, label->text(), [label](const QString& text) {
-                                       label->setText(text);
-                                   }});
-                }
-            } else if (auto* button = qobject_cast<QAbstractButton*>(each)) {
-                all.push_back({button, {}, button->text(), [button](const QString& text) {
-                                   button->setText(text);
-                               }});
-            } else if (auto* bar = qobject_cast<QTabBar*>(each)) {
-                for (int i = 0; i < bar->count(); ++i) {
-                    all.push_back({bar, QByteArray::number(i), bar->tabText(i),
-                                   [bar, i](const QString& text) { bar->setTabText(i, text); }});
-                }
-            }
-            for (qsizetype i = before; i < all.size(); ++i) {
-                all[i].depth = depthOf(each);
-            }
-        }
-        return all;
-    }
-
-    void separate() {
-        QString used;
-        if (const auto* window = qobject_cast<QMainWindow*>(page_->window())) {
-            for (const QAction* menu : window->menuBar()->actions()) {
-                const qsizetype at = mnemonicAt(menu->text());
-                used += at < 0 ? QString() : menu->text().mid(at + 1, 1).toLower();
-            }
-        }
-        // What stands on the page with any tab in front comes first: it keeps its letters when the
-        // tabs change.
-        QList<Text> all = texts();
-        std::stable_sort(all.begin(), all.end(),
-                         [](const Text& a, const Text& b) { return a.depth < b.depth; });
-        for (auto from = all.cbegin(); from != all.cend();) {
-            const auto to = std::find_if(from, all.cend(), [depth = from->depth](const Text& text) {
-                return text.depth != depth;
-            });
-            separate(from, to, used);
-            from = to;
-        }
-    }
-
-    using Place = QList<Text>::const_iterator;
-    static void separate(Place from, Place to, QString& used) {
-        QList<Text> late;
-        const auto give = [](const Text& text, const QString& given) {
-            text.owner->setProperty(givenKey + text.key, given);
-            if (given != text.shown) {
-                text.show(given);
-            }
-        };
-        for (; from != to; ++from) {
-            const Text& text = *from;
-            if (text.owner->property(givenKey + text.key).toString() != text.shown) {
-                text.owner->setProperty(wantedKey + text.key, text.shown);
-            }
-            const QString wanted = text.owner->property(wantedKey + text.key).toString();
-            const qsizetype at = mnemonicAt(wanted);
-            if (at < 0) {
-                continue;
-            }
-            const QChar letter = wanted.at(at + 1).toLower();
-            if (used.contains(letter)) {
-                late << text;
-            } else {
-                used += letter;
-                give(text, wanted);
-            }
-        }
-        for (const Text& text : late) {
-            QString wanted = text.owner->property(wantedKey + text.key).toString();
-            wanted.remove(mnemonicAt(wanted), 1);
-            give(text, wanted.contains(QLatin1Char('&')) ? wanted : withMnemonic(wanted, used));
-        }
-    }
-
-    QWidget* page_;
-    QTimer timer_;
+struct Labelled {
+    QString text;
+    std::function<void(const QString&)> show;
 };
+
+/// The tab's page that a widget stands in directly; the page where it stands in none.
+QWidget* placeOf(QWidget* widget, QWidget* page) {
+    while (widget != page) {
+        QWidget* around = widget->parentWidget();
+        if (qobject_cast<QStackedWidget*>(around) != nullptr &&
+            qobject_cast<QTabWidget*>(around->parentWidget()) != nullptr) {
+            return widget;
+        }
+        widget = around;
+    }
+    return page;
+}
+
+void separateIn(QWidget* place, const std::vector<std::pair<QWidget*, Labelled>>& texts,
+                const std::vector<std::pair<QWidget*, QWidget*>>& tabs, QString used) {
+    std::vector<const Labelled*> late;
+    for (const auto& [where, each] : texts) {
+        if (const QChar letter = mnemonicOf(each.text); where != place || letter.isNull()) {
+            continue;
+        } else if (used.contains(letter)) {
+            late.push_back(&each);
+        } else {
+            used += letter;
+        }
+    }
+    for (const Labelled* each : late) {
+        QString bare = each->text;
+        bare.remove(mnemonicAt(bare), 1);
+        each->show(bare.contains(QLatin1Char('&')) ? bare : withMnemonic(bare, used));
+    }
+    for (const auto& [tab, around] : tabs) {
+        if (around == place) {
+            separateIn(tab, texts, tabs, used);
+        }
+    }
+}
 
 }  // namespace
 
@@ -172,8 +86,34 @@ QString withMnemonic(QString label, QString& used) {
     return label;
 }
 
-void keepMnemonicsApart(QWidget* page) {
-    new Keeper(page);
+void separateMnemonics(QWidget* page) {
+    std::vector<std::pair<QWidget*, Labelled>> texts;
+    std::vector<std::pair<QWidget*, QWidget*>> tabs;  // each page of tabs, and what they stand in
+    for (QWidget* each : page->findChildren<QWidget*>()) {
+        QWidget* const place = placeOf(each, page);
+        if (place == each) {
+            tabs.emplace_back(each, placeOf(each->parentWidget(), page));
+        }
+        if (auto* label = qobject_cast<QLabel*>(each); label != nullptr && label->buddy()) {
+            const auto show = [label](const QString& text) { label->setText(text); };
+            texts.push_back({place, {label->text(), show}});
+        } else if (auto* button = qobject_cast<QAbstractButton*>(each)) {
+            const auto show = [button](const QString& text) { button->setText(text); };
+            texts.push_back({place, {button->text(), show}});
+        } else if (auto* bar = qobject_cast<QTabBar*>(each)) {
+            for (int i = 0; i < bar->count(); ++i) {
+                const auto show = [bar, i](const QString& text) { bar->setTabText(i, text); };
+                texts.push_back({place, {bar->tabText(i), show}});
+            }
+        }
+    }
+    QString used;
+    if (const auto* window = qobject_cast<QMainWindow*>(page->window())) {
+        for (const QAction* menu : window->menuBar()->actions()) {
+            used += mnemonicOf(menu->text());
+        }
+    }
+    separateIn(page, texts, tabs, used);
 }
 
 }  // namespace ravnoves

@@ -1,8 +1,11 @@
 #include "widgets/number_field.h"
 
+#include <QFocusEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case-file/decimal.h"
 #include "text/message_text.h"
@@ -17,14 +20,18 @@ NumberField::NumberField(QWidget* parent) : ValueEntry(parent) {
 }
 
 NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(parent) {
-    const ShownUnit unit = shownUnit(field);
-    factor_ = unit.factor;
-    setRange(field.range, unit.name);
+    setShownUnit(shownUnit(field));
+    setRange(field.range, unit_);
     setHint(fieldHint(field));
     setPlaceholderText(shownText(field.placeholder));
     setAccessibleName(unit_.isEmpty() ? fieldName(field)
                                       : fieldName(field) + QStringLiteral(", ") + unit_);
     setObjectName(QString::fromStdString(std::string(field.key)));
+}
+
+void NumberField::setShownUnit(const ShownUnit& unit) {
+    factor_ = unit.factor;
+    unit_ = unit.name;
 }
 
 void NumberField::setRange(const Range& range, const QString& unit) {
@@ -53,12 +60,24 @@ void NumberField::setDecimals(int decimals) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
-    const int step = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
-    if (step == 0 || !whole_ || !value() || isReadOnly()) {
+    const int way = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
+    if (way == 0 || step_ == 0.0 || !value() || isReadOnly()) {
         ValueEntry::keyPressEvent(event);
-    } else if (const double next = shown(*value()) + step; range_.contains(next)) {
+    } else if (const double next = shown(*value()) + way * step_; range_.contains(next)) {
         setText(formNumber(next, locale(), digits_));
         Q_EMIT textEdited(text());
+    }
+}
+
+void NumberField::focusInEvent(QFocusEvent* event) {
+    isEntered_ = event->reason() == Qt::MouseFocusReason;
+    ValueEntry::focusInEvent(event);
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent* event) {
+    ValueEntry::mouseReleaseEvent(event);
+    if (std::exchange(isEntered_, false) && !hasSelectedText()) {
+        selectAll();
     }
 }
 
@@ -90,12 +109,32 @@ NumberField::Reading NumberField::read(const QString& typed) const {
 }
 
 QString NumberField::written() const {
-    // In a column of converted numbers the points stand below each other.
-    if (value() && factor_ != 1.0 && decimals_) {
-        return QString::number(*value() * factor_, 'f', *decimals_)
+    return value() ? textOf(*value()) : QString();
+}
+
+QString NumberField::textOf(double value) const {
+    const auto fixed = [this](double number, int decimals) {
+        return QString::number(number, 'f', decimals)
             .replace(QLatin1Char('.'), locale().decimalPoint());
+    };
+    // In a column of converted numbers the points stand below each other.
+    if (factor_ != 1.0 && decimals_) {
+        return fixed(value * factor_, *decimals_);
     }
-    return value() ? writtenOut(shown(*value()), locale(), digits_) : QString();
+    if (!places_) {
+        return writtenOut(shown(value), locale(), digits_);
+    }
+    constexpr int more = 5;
+    const double number = value * factor_;
+    // Values have 12 digits.
+    const double rounding = 6e-12 * std::max(std::abs(number), 1e-3);
+    double parts = std::pow(10.0, *places_);
+    for (int places = *places_; places <= *places_ + more; ++places, parts *= 10.0) {
+        if (std::abs(std::round(number * parts) / parts - number) <= rounding) {
+            return fixed(number, places);
+        }
+    }
+    return fixed(number, *places_);  // what was computed has no end
 }
 
 QString NumberField::wholeText() const {

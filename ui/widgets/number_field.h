@@ -3,12 +3,15 @@
 #include <optional>
 
 #include "case-file/field.h"
+#include "text/shown_units.h"
 #include "widgets/entry_field.h"
 
 namespace ravnoves {
 
-/// A field for one number with a range. Takes decimal comma and point. Of a field of core the value
-/// is in the field's unit; what is written and read may be in another that the user has chosen.
+/// A field for one number with a range. A click that gives it the focus selects all of it, as Tab
+/// does: what is typed then takes its place, and joins no digits. The next click sets the cursor.
+/// Takes decimal comma and point. Of a field of core the value is in the field's unit; what is
+/// written and read may be in another that the user has chosen.
 class NumberField : public ValueEntry<std::optional<double>> {
     Q_OBJECT
 
@@ -22,8 +25,19 @@ class NumberField : public ValueEntry<std::optional<double>> {
     const QString& unit() const { return unit_; }
     /// An empty field is allowed and means "by formula"; its value is then empty.
     void setOptional(bool optional) { optional_ = optional; }
-    /// Only whole numbers are allowed; the arrows up and down go to the next.
-    void setWhole(bool whole) { whole_ = whole; }
+    /// Only whole numbers are allowed.
+    void setWhole(bool whole) {
+        whole_ = whole;
+        step_ = whole ? 1.0 : 0.0;
+    }
+    /// The arrows up and down go so much on; 0: they do nothing.
+    void setStep(double step) { step_ = step; }
+    /// The unit that the text is in, where it is given by itself.
+    void setShownUnit(const ShownUnit& unit);
+    /// Digits after the point; more where a number was given with more.
+    void setPlaces(int places) { places_ = places; }
+    /// A value as text.
+    QString textOf(double value) const;
     /// Significant digits shown; all that is typed is kept.
     void setDigits(int digits);
     /// Digits after the point of a number that was converted, for a column of them.
@@ -36,6 +50,8 @@ class NumberField : public ValueEntry<std::optional<double>> {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     Reading read(const QString& typed) const override;
     QString written() const override;
     QString rule() const override;
@@ -53,7 +69,10 @@ class NumberField : public ValueEntry<std::optional<double>> {
     double factor_ = 1.0;  ///< numbers shown per number of the value
     int digits_ = 10;
     std::optional<int> decimals_;
+    std::optional<int> places_;
+    double step_ = 0.0;
     bool optional_ = false;
+    bool isEntered_ = false;  ///< by a click that is not over
     bool whole_ = false;
 };
 

@@ -5,26 +5,36 @@
 #include <QContextMenuEvent>
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
+#include <QToolTip>
+#include <QWhatsThis>
+#include <QtMath>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "text/csv_format.h"
+#include "text/number_text.h"
 #include "text/text_width.h"
+#include "text/tip_text.h"
 #include "theme/theme.h"
-#include "widgets/cell_delegate.h"
 #include "widgets/wrapped_header.h"
 
 namespace ravnoves {
 
 namespace {
 
-constexpr int usualPadding = 9;
-constexpr int leastPadding = 7;
+constexpr int padding = 9;
+/// Of a cell: its difference, absolute and percent.
+constexpr int differenceRole = Qt::UserRole + 1;
+/// Of a cell: its ±.
+constexpr int spreadRole = Qt::UserRole + 2;
 
 /// Whether two texts have the same signs, but for digits, which are of one width.
 bool areAsWide(const QString& one, const QString& other) {
@@ -32,14 +42,101 @@ bool areAsWide(const QString& one, const QString& other) {
                       [](QChar a, QChar b) { return a == b || (a.isDigit() && b.isDigit()); });
 }
 
+QFont smallFont() {
+    return Theme::font(Theme::smallSize);
+}
+
+int smallHeight() {
+    return QFontMetrics(smallFont()).height() - 1;
+}
+
+/// So many digits that two of the larger side say something, beside this number.
+QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
+    const double most = std::max(spread.below, spread.above);
+    const double least = std::min(spread.below, spread.above);
+    const int wanted = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+    const int decimals = std::min(wanted, number.decimals.value_or(9) + 1);
+    if (most < 0.5 * std::pow(10.0, -decimals)) {
+        return QStringLiteral("± 0");  // far less than the number's last digit
+    }
+    const auto shown = [&](double size) {
+        return most < 1e-9 || most >= 1e9 ? formNumber(size, QLocale(), 2)
+                                          : fixedDecimals(size, decimals, QLocale());
+    };
+    constexpr double alike = 0.1;
+    return least < 0.0 || most - least < alike * most
+               ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
+               : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
+}
+
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent)
-    : WithWholeRows(parent), header_(new WrappedHeader(this)) {
+/// A cell over the small lines of its difference and its ±. Its tip begins with its whole text
+/// where that has too little room.
+class ResultDelegate final : public QStyledItemDelegate {
+  public:
+    explicit ResultDelegate(ResultTable* table) : QStyledItemDelegate(table), table_(table) {}
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const int height = ResultTable::plainRowHeight();
+        if (table_->wordWrap() || option.rect.height() < height + smallHeight()) {
+            QStyledItemDelegate::paint(painter, option, index);
+            return;
+        }
+        QStyleOptionViewItem cell = option;
+        initStyleOption(&cell, index);
+        const QString text = std::exchange(cell.text, QString());
+        cell.widget->style()->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        const bool isSelected = (cell.state & QStyle::State_Selected) != 0;
+        const QColor ink =
+            cell.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+        const int side =
+            static_cast<int>((cell.displayAlignment & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
+        QRect line = cell.rect.adjusted(3, 0, -3, 0);
+        line.setHeight(height);
+        painter->save();
+        painter->setFont(cell.font);
+        painter->setPen(ink);
+        painter->drawText(line, side,
+                          QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
+        painter->setFont(smallFont());
+        painter->setPen(isSelected ? ink : Theme::instance().mutedText());
+        line.moveTop(line.top() + height - 3);
+        line.setHeight(smallHeight());
+        for (const QString& each : table_->below(index.row(), index.column())) {
+            painter->drawText(line, side, each);
+            line.translate(0, smallHeight());
+        }
+        painter->restore();
+    }
+
+    bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override {
+        QStringList lines{index.data(Qt::ToolTipRole).toString()};
+        if (const QString text = index.data().toString();
+            textWidth(view->font(), text) > option.rect.width() - 6) {
+            lines.prepend(text);
+        }
+        lines.removeAll(QString());
+        const QString text = tipText(lines.join(QLatin1Char('\n')));
+        if (event->type() == QEvent::ToolTip && !text.isEmpty()) {
+            QToolTip::showText(event->globalPos(), text, view);
+        } else if (event->type() == QEvent::WhatsThis && !text.isEmpty()) {
+            QWhatsThis::showText(event->globalPos(), text, view);
+        }
+        return !text.isEmpty();
+    }
+
+  private:
+    ResultTable* table_;
+};
+
+ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new WrappedHeader(this)) {
     static int made = 0;
     number_ = ++made;
     setHorizontalHeader(header_);
-    setItemDelegate(new CellDelegate(this));
+    setItemDelegate(new ResultDelegate(this));
     connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
     setToolTip(
         tr("Ctrl+C copies the selected cells, or the whole table if no more than one is "
@@ -55,10 +152,8 @@ ResultTable::ResultTable(QWidget* parent)
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(plainRowHeight());
     verticalHeader()->setMinimumSectionSize(Theme::withText(18));
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // until it is needed
-    setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    header_->setSectionResizeMode(QHeaderView::Stretch);
+    header_->setFont(Theme::font(Theme::smallSize + 1, true));
 }
 
 ResultTable::~ResultTable() {
@@ -79,29 +174,18 @@ const ResultNumber* ResultTable::numberAt(int row, int column) const {
     return isThere ? rows_[row][column].number() : nullptr;
 }
 
-int ResultTable::headingWidth(int column) const {
-    return header_->widthOf(horizontalHeaderItem(column)->text(), wraps_) + padding();
-}
-
-int ResultTable::padding() const {
-    return wraps_ ? leastPadding : usualPadding;
-}
-
 void ResultTable::setColumns(const ResultColumns& columns) {
     headings_ = columns;
-    tipsRest_ = false;
-    columns_ = static_cast<int>(columns.size());
-    setColumnCount(columns_);
-    isOver_ = false;
-    for (int column = 0; column < columns_; ++column) {
+    setColumnCount(static_cast<int>(columns.size()));
+    for (int column = 0; column < columnCount(); ++column) {
         auto* heading = new QTableWidgetItem(columns[column].heading);
         heading->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) |
                                   Qt::AlignVCenter);
-        heading->setToolTip(columns[column].tip);
+        heading->setToolTip(tipText(columns[column].tip));
         setHorizontalHeaderItem(column, heading);
     }
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    header_->setSectionResizeMode(QHeaderView::Fixed);
+    fittedTo_ = -1;
     fitColumns();
 }
 
@@ -117,237 +201,18 @@ void ResultTable::setResults(const Results& results) {
     setRows(results.rows);
 }
 
-namespace {
-
-/// The width of heading and texts of a column, as far as one asks.
-int widestText(const QTableWidget& table, int column, int enough) {
-    constexpr int padding = 12;
-    const QFont& cells = table.font();
-    const QHeaderView& header = *table.horizontalHeader();
-    const QTableWidgetItem* heading =
-        header.isHidden() ? nullptr : table.horizontalHeaderItem(column);
-    int width =
-        heading == nullptr ? 0 : qRound(textWidth(header.font(), heading->text())) + padding;
-    for (int row = 0; row < table.rowCount() && width < enough; ++row) {
-        if (const QTableWidgetItem* cell = table.item(row, column)) {
-            width = std::max(width, qRound(textWidth(cells, cell->text())) + padding);
-        }
-    }
-    return std::min(width, enough);
-}
-
-/// What a column of words insists on.
-int leastOfWords(const QTableWidget& table, int column) {
-    const int most = Theme::withText(110);
-    if (table.isColumnHidden(column)) {
-        return 0;
-    }
-    return std::clamp(widestText(table, column, most), Theme::withText(30), most);
-}
-
-}  // namespace
-
-QList<std::pair<int, int>> ResultTable::neededWidths() const {
-    QList<std::pair<int, int>> needed;
-    for (int column = 1; column < columnCount(); ++column) {
-        if (stretched_.contains(column) || isColumnHidden(column)) {
-            continue;
-        }
-        int width = headingWidth(column);
-        for (int row = 0; row < rowCount(); ++row) {
-            width = std::max(width, widthOf(row, column, place_));
-        }
-        needed << std::pair(column, width);
-    }
-    return needed;
-}
-
-void ResultTable::wrapHeadings() {
-    // At one width they only ever get a second line, so that they rest while a slider moves.
-    const int room = viewport()->width();
-    const bool isSame = std::exchange(wrapsAt_, room) == room;
-    if (isSame && wraps_ && small_ && !header_->isHidden()) {
-        return;
-    }
-    const auto numbers = [this] {
-        int wanted = 0;
-        for (const auto& [column, width] : neededWidths()) {
-            wanted += width;
-        }
-        return wanted;
-    };
-    if (!isSame || !wraps_ || header_->isHidden()) {
-        const bool was = std::exchange(wraps_, false);
-        setSmall(false);
-        int wanted = numbers();
-        for (const int column : stretched_) {
-            if (isColumnHidden(column)) {
-                continue;
-            }
-            wanted +=
-                column == 0 ? widestText(*this, column, room / 2) : leastOfWords(*this, column);
-        }
-        wraps_ = wanted > room && !header_->isHidden();
-        fitted_ = fitted_ && wraps_ == was;
-    }
-    if (wraps_) {
-        int wanted = numbers();
-        for (const int column : stretched_) {
-            if (isColumnHidden(column)) {
-                continue;
-            }
-            const int words = column == 0 ? widestText(*this, column, room / 2) : 0;
-            wanted += std::max(leastOfWords(*this, column), words);
-        }
-        setSmall(wanted > room);
-    }
-}
-
-void ResultTable::setSmall(bool isSmall) {
-    if (std::exchange(small_, isSmall) == isSmall) {
-        return;
-    }
-    const int size = isSmall ? Theme::smallSize : Theme::baseSize - 1;
-    setFont(Theme::font(size));
-    header_->setFont(Theme::font(size, true));
-    fitted_ = false;
-}
-
-ResultTable::Layout ResultTable::laidOut() const {
-    Layout layout{viewport()->size(),
-                  maximumViewportSize(),
-                  verticalHeader()->length(),
-                  horizontalHeader()->hiddenSectionCount(),
-                  header_->isHidden(),
-                  wraps_,
-                  small_,
-                  isOver_,
-                  {}};
-    for (int column = 0; column < columnCount(); ++column) {
-        layout.widths << columnWidth(column);
-    }
-    return layout;
-}
-
-void ResultTable::fitColumns() {
-    const Layout before = laidOut();
-    wrapHeadings();
-    const QList<std::pair<int, int>> needed = neededWidths();
-    int sum = 0;
-    for (const int column : stretched_) {
-        sum += isOver_ ? leastOfWords(*this, column) : 0;
-    }
-    for (const auto& [column, width] : needed) {
-        sum += width;
-    }
-    // Columns only ever grow, so that they rest while a slider moves; but for a value that was too
-    // large once, as a slip of the keys makes it, they do not scroll for ever.
-    const bool grows = fitted_ && !(isOver_ && sum <= viewport()->width());
-    for (const auto& [column, least] : needed) {
-        const int width = std::max(least, grows ? columnWidth(column) : 0);
-        if (width != columnWidth(column)) {
-            setColumnWidth(column, width);
-        }
-    }
-    fitted_ = true;
-    fitStretched();
-    header_->fitLines();
-    const Layout now = laidOut();
-    rests_ = now == before ? std::optional(now) : std::nullopt;
-}
-
-void ResultTable::stretchColumn(int column) {
-    stretched_ << column;
-    horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
-}
-
-void ResultTable::fitStretched() {
-    int wanted = 0;
-    QList<int> least;
-    for (int column = 0; column < columnCount(); ++column) {
-        if (!stretched_.contains(column)) {
-            wanted += columnWidth(column);
-            continue;
-        }
-        least << leastOfWords(*this, column);
-        wanted += least.last();
-    }
-    // The viewport has still the room that the bars of before leave it.
-    const QSize whole = maximumViewportSize();
-    const bool isTall = verticalHeader()->length() > whole.height();
-    const int room = whole.width() - (isTall ? verticalScrollBar()->sizeHint().width() : 0);
-    const bool over = wanted > room;
-    if (over != isOver_) {
-        isOver_ = over;
-        for (const int column : stretched_) {
-            horizontalHeader()->setSectionResizeMode(
-                column, over ? QHeaderView::Fixed : QHeaderView::Stretch);
-        }
-        updateGeometry();
-        setHorizontalScrollBarPolicy(over ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
-        if (isOver_ != over) {
-            return;  // the bar's room was taken or given, and there the answer was another
-        }
-    }
-    if (over && !least.isEmpty()) {
-        // What scrolls anyway has room for names that begin alike. They take what is left beside
-        // the columns that are seen whole.
-        least.first() = std::max(least.first(), widestText(*this, 0, 2 * viewport()->width() / 5));
-        int left = viewport()->width() - least.first();
-        for (int column = 1; column < columnCount(); ++column) {
-            const qsizetype at = stretched_.indexOf(column);
-            const int width = at >= 0 ? least[at] : columnWidth(column);
-            if (width > left) {
-                break;
-            }
-            left -= width;
-        }
-        least.first() += std::max(0, left);
-    }
-    for (int i = 0; over && i < stretched_.size(); ++i) {
-        if (columnWidth(stretched_[i]) != least[i]) {
-            setColumnWidth(stretched_[i], least[i]);
-        }
-    }
-}
-
-void ResultTable::resizeEvent(QResizeEvent* event) {
-    QTableWidget::resizeEvent(event);
-    if (reference_ != nullptr || !spreads_.empty()) {
-        placeBeside();
-    } else {
-        fitColumns();
-    }
-}
-
-bool ResultTable::hasRoomForWords() const {
-    const int half = viewport()->width() / 2;
-    return std::all_of(stretched_.begin(), stretched_.end(), [&](int column) {
-        return isColumnHidden(column) ||
-               columnWidth(column) >=
-                   (column == 0 ? widestText(*this, column, half) : leastOfWords(*this, column));
-    });
-}
-
 void ResultTable::setRows(const ResultRows& rows) {
-    // At each step of a slider: tips are put together only where they are others.
-    tipsRest_ = tipsRest_ &&
-                std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
-                           [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
+    const bool hasSameTips =
+        std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
+                   [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
     rows_ = rows;
     bool isSameShape = rowCount() == rows.size();
-    // Columns at rest keep their widths while what is new in them fits, and the words beside them.
-    const bool rests = rests_ && !isOver_ && rests_ == laidOut() && hasRoomForWords();
-    const auto fits = [&](int row, int column) {
-        return rests && !stretched_.contains(column) &&
-               widthOf(row, column, place_) <= columnWidth(column);
-    };
     if (!isSameShape) {
         setRowCount(static_cast<int>(rows.size()));
         updateGeometry();
     }
     for (int row = 0; row < rows.size(); ++row) {
-        for (int column = 0; column < columns_; ++column) {
+        for (int column = 0; column < columnCount(); ++column) {
             const QString text = rows[row].value(column).text;
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
@@ -356,22 +221,21 @@ void ResultTable::setRows(const ResultRows& rows) {
                                        Qt::AlignVCenter);
                 setItem(row, column, cell);
                 isSameShape = false;
-                tipsRest_ = false;
             } else if (const QString was = cell->text(); was != text) {
                 cell->setText(text);
-                isSameShape = isSameShape && (areAsWide(was, text) || fits(row, column));
+                isSameShape = isSameShape && areAsWide(was, text);
             }
         }
     }
-    if (!std::exchange(tipsRest_, true)) {
+    if (!hasSameTips || !isSameShape) {
         showTips();
     }
     if (!spreads_.empty()) {
         showSpreads();
     }
-    if (reference_ != nullptr || !spreads_.empty()) {
+    if (reference_ != nullptr) {
         showDifferences();
-    } else if (!isSameShape || rests_ != laidOut()) {
+    } else if (!isSameShape) {
         fitColumns();
     }
     if (referenceOf_ != nullptr) {
@@ -381,11 +245,14 @@ void ResultTable::setRows(const ResultRows& rows) {
 
 void ResultTable::showTips() {
     for (int row = 0; row < rows_.size(); ++row) {
-        const QString& ofRow = rows_[row].tip;
-        for (int column = 0; column < columns_; ++column) {
-            QStringList lines{ofRow};
-            if (column > 0 || ofRow.isEmpty()) {
-                lines << headings_[column].tip;
+        for (int column = 0; column < columnCount(); ++column) {
+            const bool isName = column == 0 && !rows_[row].tip.isEmpty();
+            QStringList lines{rows_[row].tip, isName ? QString() : headings_[column].tip};
+            if (!differenceAt(row, column).isEmpty()) {
+                lines << tr("Present value less that of the reference %1").arg(referenceName_);
+            }
+            if (!spreadAt(row, column).isEmpty()) {
+                lines << spreadTip_;
             }
             lines.removeAll(QString());
             item(row, column)->setToolTip(lines.join(QLatin1Char('\n')));
@@ -396,8 +263,207 @@ void ResultTable::showTips() {
 void ResultTable::setCellToolTip(int row, int column, const QString& text) {
     if (QTableWidgetItem* cell = item(row, column)) {
         cell->setToolTip(text);
-        tipsRest_ = false;
     }
+}
+
+void ResultTable::setReference(ResultTable* table, const QString& name) {
+    if (reference_ == table && referenceName_ == name) {
+        return;
+    }
+    if (reference_ != nullptr) {
+        reference_->referenceOf_ = nullptr;
+    }
+    reference_ = table;
+    referenceName_ = name;
+    if (table != nullptr) {
+        table->referenceOf_ = this;
+    }
+    fittedTo_ = -1;
+    showDifferences();
+    showTips();
+}
+
+void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
+    if (spreads.empty() && spreads_.empty()) {
+        return;
+    }
+    spreads_ = std::move(spreads);
+    spreadTip_ = how;
+    areSpreadsAwaited_ = false;
+    fittedTo_ = -1;
+    showSpreads();
+    showTips();
+    fitColumns();
+}
+
+void ResultTable::awaitSpreads() {
+    if (!spreads_.empty() && !std::exchange(areSpreadsAwaited_, true)) {
+        showSpreads();
+    }
+}
+
+QString ResultTable::spreadAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    return cell != nullptr ? cell->data(spreadRole).toString() : QString();
+}
+
+QStringList ResultTable::differenceAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    return cell != nullptr ? cell->data(differenceRole).toStringList() : QStringList();
+}
+
+QStringList ResultTable::below(int row, int column) const {
+    QStringList lines = differenceAt(row, column);
+    lines.removeAll(QString());
+    if (room_ != Room::Little && lines.size() > 1) {
+        lines = {lines.join(QStringLiteral("  "))};
+    }
+    if (const QString spread = spreadAt(row, column); !spread.isEmpty()) {
+        lines << spread;
+    }
+    return lines;
+}
+
+void ResultTable::showSpreads() {
+    for (int row = 0; row < rowCount(); ++row) {
+        for (int column = 0; column < columnCount(); ++column) {
+            item(row, column)->setData(spreadRole, QVariant());
+        }
+    }
+    for (const Spread& each : spreads_) {
+        const ResultNumber* number = numberAt(each.row, each.column);
+        if (number != nullptr && rows_[each.row].front().text == each.name &&
+            std::max(each.below, each.above) > 0.0) {
+            item(each.row, each.column)
+                ->setData(spreadRole,
+                          areSpreadsAwaited_ ? QStringLiteral("± …") : spreadText(each, *number));
+        }
+    }
+}
+
+int ResultTable::rowInReference(int row) const {
+    const auto name = [](const ResultTable& table, int at) {
+        const ResultRow row = table.rows_.value(at);
+        return row.name.isEmpty() ? row.value(0).text : row.name;
+    };
+    const QString wanted = name(*this, row);
+    if (row < reference_->rowCount() && name(*reference_, row) == wanted) {
+        return row;
+    }
+    // Of rows with one name the first is the first there.
+    int before = 0;
+    for (int i = 0; i < row; ++i) {
+        before += name(*this, i) == wanted ? 1 : 0;
+    }
+    for (int i = 0; i < reference_->rowCount(); ++i) {
+        if (name(*reference_, i) == wanted && before-- == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+void ResultTable::showDifferences() {
+    for (int row = 0; row < rows_.size(); ++row) {
+        const int other = reference_ != nullptr ? rowInReference(row) : -1;
+        const ResultRow was = other >= 0 ? reference_->rows_[other] : ResultRow();
+        for (int column = 1; column < columnCount(); ++column) {
+            const auto found = rows_[row].value(column).from(was.value(column));
+            const QStringList parts =
+                found ? QStringList{found->absolute, found->percent} : QStringList();
+            if (differenceAt(row, column) != parts) {
+                item(row, column)->setData(differenceRole, found ? QVariant(parts) : QVariant());
+            }
+        }
+    }
+    fitColumns();
+}
+
+int ResultTable::wantedWidth(int column) const {
+    const bool isName = stretched_.contains(column);
+    int width = header_->isHidden()
+                    ? 0
+                    : header_->widthOf(headings_[column].heading, room_ != Room::Plenty || isName);
+    for (int row = 0; row < rowCount(); ++row) {
+        const QTableWidgetItem* cell = item(row, column);
+        if (cell == nullptr) {
+            continue;
+        }
+        width = std::max(width, qCeil(textWidth(font(), cell->text())));
+        for (const QString& line : below(row, column)) {
+            width = std::max(width, qCeil(textWidth(smallFont(), line)));
+        }
+    }
+    return width + padding;
+}
+
+void ResultTable::fitColumns() {
+    const int room = viewport()->width();
+    // At one width columns only ever grow, so that they rest while a slider moves; but for a value
+    // that was too large once, as a slip of the keys makes it, they do not scroll for ever.
+    const bool isSameWidth = std::exchange(fittedTo_, room) == room;
+    const bool grows = isSameWidth && header_->length() <= room;
+    room_ = isSameWidth ? room_ : Room::Plenty;
+    std::vector<int> widths(static_cast<std::size_t>(columnCount()));
+    int sum = 0;
+    while (true) {
+        sum = 0;
+        for (int column = 0; column < columnCount(); ++column) {
+            int& width = widths[static_cast<std::size_t>(column)];
+            width = isColumnHidden(column) ? 0 : wantedWidth(column);
+            if (stretched_.contains(column)) {
+                // Words that are long end in dots rather than take the numbers' room.
+                width = std::min(width, std::max(Theme::withText(110), 2 * room / 5));
+            } else if (grows) {
+                width = std::max(width, columnWidth(column));
+            }
+            sum += width;
+        }
+        if (sum <= room || room_ == Room::Little) {
+            break;
+        }
+        room_ = static_cast<Room>(static_cast<int>(room_) + 1);
+    }
+    // The words share what is left.
+    const int left = std::max(0, room - sum);
+    const auto shares =
+        static_cast<int>(std::count_if(stretched_.begin(), stretched_.end(),
+                                       [this](int column) { return !isColumnHidden(column); }));
+    for (int column = 0; column < columnCount(); ++column) {
+        int width = widths[static_cast<std::size_t>(column)];
+        if (stretched_.contains(column)) {
+            width += left / std::max(1, shares) +
+                     (column == stretched_.front() ? left % std::max(1, shares) : 0);
+        }
+        if (!isColumnHidden(column) && width != columnWidth(column)) {
+            setColumnWidth(column, width);
+        }
+    }
+    header_->fitLines();
+    fitRows();
+}
+
+void ResultTable::fitRows() {
+    qsizetype lines = 0;
+    for (int row = 0; row < rowCount(); ++row) {
+        for (int column = 1; column < columnCount(); ++column) {
+            lines = std::max(lines, below(row, column).size());
+        }
+    }
+    const int height = plainRowHeight() + static_cast<int>(lines) * smallHeight();
+    if (verticalHeader()->defaultSectionSize() != height) {
+        verticalHeader()->setDefaultSectionSize(height);
+        updateGeometry();
+    }
+}
+
+void ResultTable::stretchColumn(int column) {
+    stretched_ << column;
+}
+
+void ResultTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns();
 }
 
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
@@ -406,38 +472,45 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
         return separator == QLatin1Char('\t') ? csv.plainMinus(text) : csv.field(text);
     };
     // In the whole table, what stands below its numbers gets columns behind them.
-    const auto isBelow = [&](const QList<int>& columns, int column) {
-        return !selectionOnly && place_ != Place::Columns && columns.contains(column);
-    };
-    QString text;
+    QList<int> compared;
+    QList<int> spread;
+    for (int column = 1; column < columnCount() && !selectionOnly; ++column) {
+        for (int row = 0; row < rowCount(); ++row) {
+            if (!differenceAt(row, column).isEmpty() && !compared.contains(column)) {
+                compared << column;
+            }
+            if (!spreadAt(row, column).isEmpty() && !spread.contains(column)) {
+                spread << column;
+            }
+        }
+    }
     QStringList line;
     for (int column = 0; column < columnCount() && !selectionOnly; ++column) {
         const QString heading = horizontalHeaderItem(column)->text();
         line << written(heading);
-        if (isBelow(compared_, column)) {
+        if (compared.contains(column)) {
             const QString delta = QStringLiteral("Δ ") + heading;
             line << written(delta) << written(delta + QStringLiteral(", %"));
         }
-        if (isBelow(spread_, column)) {
+        if (spread.contains(column)) {
             line << written(QStringLiteral("± ") + heading);
         }
     }
-    if (!line.isEmpty()) {
-        text += line.join(separator) + QLatin1Char('\n');
-    }
+    QString text = line.isEmpty() ? QString() : line.join(separator) + QLatin1Char('\n');
     for (int row = 0; row < rowCount(); ++row) {
         line.clear();
         for (int column = 0; column < columnCount(); ++column) {
             const QTableWidgetItem* cell = item(row, column);
-            if (cell != nullptr && (!selectionOnly || cell->isSelected())) {
-                line << written(cell->text());
-                if (isBelow(compared_, column)) {
-                    const QStringList parts = differenceAt(row, column);
-                    line << written(parts.value(0)) << written(parts.value(1));
-                }
-                if (isBelow(spread_, column)) {
-                    line << written(spreadAt(row, column));
-                }
+            if (cell == nullptr || (selectionOnly && !cell->isSelected())) {
+                continue;
+            }
+            line << written(cell->text());
+            if (compared.contains(column)) {
+                const QStringList parts = differenceAt(row, column);
+                line << written(parts.value(0)) << written(parts.value(1));
+            }
+            if (spread.contains(column)) {
+                line << written(spreadAt(row, column));
             }
         }
         if (!line.isEmpty()) {
@@ -463,7 +536,7 @@ void ResultTable::copySelection() {
 }
 
 void ResultTable::paintEvent(QPaintEvent* event) {
-    WithWholeRows::paintEvent(event);
+    QTableWidget::paintEvent(event);
     if (hasFocus()) {
         QPainter painter(viewport());
         painter.setPen(Theme::instance().accent());
@@ -506,19 +579,19 @@ void ResultTable::setShownRows(int rows) {
     updateGeometry();
 }
 
-int ResultTable::heightOf(int rowHeight) const {
-    const int heading =
-        horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
-    const int bar = isOver_ ? horizontalScrollBar()->sizeHint().height() : 0;
-    return heading + (shownRows_ > 0 ? shownRows_ : rowCount()) * rowHeight + bar + 2;
-}
-
 QSize ResultTable::sizeHint() const {
-    return {240, heightOf(verticalHeader()->defaultSectionSize())};
+    const int heading = header_->isHidden() ? 0 : header_->sizeHint().height();
+    const int bar =
+        header_->length() > viewport()->width() ? horizontalScrollBar()->sizeHint().height() : 0;
+    const int rows = shownRows_ > 0 ? shownRows_ : rowCount();
+    return {240, heading + rows * verticalHeader()->defaultSectionSize() + bar + 2};
 }
 
 QSize ResultTable::minimumSizeHint() const {
-    return {120, heightOf(plainRowHeight())};  // with differences below its numbers it scrolls
+    // With differences below its numbers it scrolls.
+    const int rows = shownRows_ > 0 ? shownRows_ : rowCount();
+    return {120, sizeHint().height() -
+                     rows * (verticalHeader()->defaultSectionSize() - plainRowHeight())};
 }
 
 }  // namespace ravnoves

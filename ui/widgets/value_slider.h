@@ -2,21 +2,19 @@
 
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QSlider;
 
 namespace ravnoves {
 
-class DecimalSpinBox;
+class NumberField;
 class SceneModel;
 class TroubleLine;
 
-/// A slider with a spin box for one value: drag, arrow keys (one step), page keys (a larger step),
-/// wheel; a double click on the slider goes to the box to type. Where the row is too narrow for a
-/// slider that can be used it stands below label and box. What is refused is said below, until
-/// another value is given.
+/// A slider with a field for one value: drag, arrow keys (one step), page keys (a larger step),
+/// wheel. Where the row is too narrow for a slider that can be used it stands below label and
+/// field. What is refused is said below, until another value is given.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
@@ -30,20 +28,16 @@ class ValueSlider : public QWidget {
     void setValue(double value);  ///< no signal
     void setRange(double min, double max);
     void setHint(const QString& hint);
-    void setTickInterval(double interval);
     /// The slider goes by the value's logarithm: a step is one part of a decade. Values are rounded
     /// to `digits` significant digits when the slider is moved. The range must be positive.
     void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
-    QDoubleSpinBox* box() const;
-    /// Says why the value that the user gave is refused; with nothing, that this is over.
-    void refuse(const QString& why);
+    NumberField* box() const { return box_; }
+    /// Why what was given last is refused; empty where it is not.
     QString trouble() const;
-    /// The number with all its digits where the box shows fewer; else empty. The tip says it.
-    QString wholeText() const;
     /// A value that stands for none of the case is pale; typed as it is shown, it is passed on.
     void setGiven(bool isGiven);
-    /// What this model refuses of the values passed on is said below.
+    /// What is typed is an editing of this model, and what it refuses is said below.
     void setModel(SceneModel* model);
     /// Gives the label this width, so that the sliders of a column stand in line.
     void setLabelWidth(int width);
@@ -57,18 +51,14 @@ class ValueSlider : public QWidget {
     void released();
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    /// As setValue(), but what is typed stays.
+    void setBesideTyped(double value);
 
   private:
     void arrange();
     int widthInOneRow() const;
-    void sayOutOfRange(const QString& typed);
     void edit(double value);
-    /// Of a number in the box.
-    double valueOf(double shown) const;
-    /// Decimals with which the box shows a number: more where it was given with more.
-    int decimalsOf(double shown) const;
     void showRange();
     void inkBox();
     int tickOf(double value) const;
@@ -77,17 +67,13 @@ class ValueSlider : public QWidget {
     QGridLayout* grid_;
     QLabel* label_;
     QSlider* slider_;
-    bool gripped_ = false;  ///< the last press was on the handle
-    DecimalSpinBox* box_;
+    NumberField* box_;
+    QLabel* unit_;
     TroubleLine* trouble_;
-    QString unit_;
     bool folded_ = false;
     bool isPassing_ = false;
     bool isGiven_ = true;
-    bool isTyped_ = false;    ///< in the box, since it was finished last
-    double typedOver_ = 0.0;  ///< the value before that
-    double factor_ = 1.0;     ///< numbers in the box per number of the value
-    int decimals_ = 0;        ///< of the box, where the slider moves it
+    int decimals_;  ///< where the slider moves it
     double min_;
     double max_;
     double step_;

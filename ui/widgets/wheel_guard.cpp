@@ -1,12 +1,10 @@
 #include "widgets/wheel_guard.h"
 
-#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QComboBox>
 #include <QFocusEvent>
 #include <QPointer>
 #include <QSlider>
-
-#include "widgets/application_filter.h"
 
 namespace ravnoves {
 
@@ -31,7 +29,6 @@ class WheelGuard : public QObject {
                 return false;
         }
         if (qobject_cast<QComboBox*>(watched) == nullptr &&
-            qobject_cast<QAbstractSpinBox*>(watched) == nullptr &&
             qobject_cast<QSlider*>(watched) == nullptr) {
             return false;
         }
@@ -95,7 +92,11 @@ FocusWay focusWay(Qt::FocusReason reason) {
 }
 
 void guardWheel() {
-    filterApplication<WheelGuard>();
+    static QPointer<WheelGuard> guard;
+    if (guard.isNull()) {
+        guard = new WheelGuard(qApp);
+        qApp->installEventFilter(guard);
+    }
 }
 
 }  // namespace ravnoves

@@ -25,7 +25,6 @@
 #include "events.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
-#include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 
@@ -67,7 +66,7 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
     QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 120, y));
     EXPECT_GT(model->shaftAngleDeg(), 60.0);
     EXPECT_NE(columnsOf(), before);
-    EXPECT_NEAR(page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
+    EXPECT_NEAR(*page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
     // The plot shows the new M_s.
     EXPECT_NEAR(*page.momentPlot()->valueAt(1, 0.0),
                 model->result().moment_amplitude * std::sin(model->input().shaft_angle), 1e-6);

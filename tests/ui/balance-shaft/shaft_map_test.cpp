@@ -23,7 +23,6 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "shell/comparison.h"
-#include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/value_slider.h"

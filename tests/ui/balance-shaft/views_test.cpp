@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -307,8 +306,8 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     EXPECT_NEAR(model->input().angular_speed / units::rpm, before, 1e-9);
     // The load is that of a computed cycle alone.
     EXPECT_FALSE(load->isEnabled());
-    auto* shown = test::named<QDoubleSpinBox>(*view, "study_load_bar");
-    EXPECT_EQ(shown->text(), QStringLiteral("–"));
+    auto* shown = test::named<NumberField>(*view, "study_load_bar");
+    EXPECT_EQ(shown->palette().color(QPalette::Text), Theme::instance().mutedText());
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     EXPECT_TRUE(load->isEnabled());
     const double imep = model->result().indicated->imep / units::bar;
@@ -319,7 +318,7 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     // A case beyond the slider's ends is shown as it is.
     model->editField("/torque/cycle/indicated_mean_effective_pressure_bar", 31.0,
                      QStringLiteral("IMEP"));
-    EXPECT_NEAR(shown->value(), 31.0, 0.005);
+    EXPECT_NEAR(*shown->value(), 31.0, 0.005);
     // That of a pressure trace is what the trace has.
     model->edit(QStringLiteral("trace"), [&](balance_shaft::Input& input) {
         input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
@@ -328,7 +327,7 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     });
     EXPECT_FALSE(load->isEnabled());
     ASSERT_TRUE(model->result().indicated.has_value());
-    EXPECT_NEAR(shown->value(), model->result().indicated->imep / units::bar, 0.005);
+    EXPECT_NEAR(*shown->value(), model->result().indicated->imep / units::bar, 0.005);
     EXPECT_TRUE(SpeedStudyModel(model).gasAtEverySpeed().contains(QStringLiteral("trace")));
 }
 

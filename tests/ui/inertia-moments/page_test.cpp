@@ -34,7 +34,6 @@
 #include "plot/plot_view.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "widgets/decimal_spin_box.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
@@ -102,7 +101,7 @@ TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     const QString before = page.resultsAsText();
     drag(page.sliders()->bank()->slider(), 40);
     EXPECT_GT(model->bankAngleDeg(), 25.0);
-    EXPECT_NEAR(page.sliders()->bank()->box()->value(), model->bankAngleDeg(), 0.051);
+    EXPECT_NEAR(*page.sliders()->bank()->box()->value(), model->bankAngleDeg(), 0.051);
     EXPECT_NE(page.resultsAsText(), before);
     // The plots show the new moments: curve 2 is the exact My.
     const RotatingPair& pair = model->result().exact.order(1).moment;

@@ -16,8 +16,8 @@
 
 #include "events.h"
 #include "theme/theme.h"
-#include "widgets/elided_tips.h"
 #include "widgets/form_section.h"
+#include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
@@ -166,9 +166,8 @@ TEST(Scrolled, HasABarWhereWhatItHoldsIsHigher) {
     }
 }
 
-TEST(ElidedTips, SayWhatAFieldHasNoRoomToHint) {
-    showElidedTips();
-    QLineEdit field;
+TEST(TipOfAField, SaysWhatItHasNoRoomToHint) {
+    NumberField field;
     field.setPlaceholderText(u"engine or crankshaft number, customer, technician"_s);
     test::showAt(field, {120, 30});
     const auto tip = [&] {
@@ -177,9 +176,9 @@ TEST(ElidedTips, SayWhatAFieldHasNoRoomToHint) {
         return QToolTip::text();
     };
     field.setText(u"7"_s);
-    EXPECT_NE(tip(), field.placeholderText());
+    EXPECT_FALSE(tip().contains(field.placeholderText()));
     field.clear();
-    EXPECT_EQ(tip(), field.placeholderText());
+    EXPECT_TRUE(tip().startsWith(field.placeholderText()));
     QToolTip::hideText();
 }
 

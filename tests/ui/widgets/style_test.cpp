@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QIcon>
 #include <QLineEdit>
 #include <QPainter>
@@ -119,7 +118,6 @@ TEST_F(Style, OutlinesAndSelectedTextAreSeen) {
 }
 
 TEST_F(Style, ArrowsAndHandlesGoWithTheText) {
-    QDoubleSpinBox spin;
     QComboBox combo;
     QSlider slider(Qt::Horizontal);
     const auto widths = [&] {
@@ -130,7 +128,6 @@ TEST_F(Style, ArrowsAndHandlesGoWithTheText) {
             return of.style()->subControlRect(control, &option, part, &of).width();
         };
         return QList<int>{
-            width(spin, QStyleOptionSpinBox(), QStyle::CC_SpinBox, QStyle::SC_SpinBoxUp),
             width(combo, QStyleOptionComboBox(), QStyle::CC_ComboBox, QStyle::SC_ComboBoxArrow),
             slider.style()->pixelMetric(QStyle::PM_SliderLength, nullptr, &slider),
             slider.style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &slider)};
@@ -160,10 +157,9 @@ TEST_F(Style, AChoiceHasRoomForItsEntryAtEveryTextSize) {
 
 /// A program that paints all day: what Fusion keeps of a picture is found again, not kept anew.
 TEST_F(Style, PaintingAgainKeepsNothing) {
-    QDoubleSpinBox spin;
     QSlider slider(Qt::Horizontal);
     QComboBox combo;
-    QWidget* const all[] = {&spin, &slider, &combo};
+    QWidget* const all[] = {&slider, &combo};
     const auto paint = [&](int times) {
         for (int i = 0; i < times; ++i) {
             for (QWidget* each : all) {
@@ -190,8 +186,8 @@ TEST_F(Style, PaintingNewWidgetsKeepsNothing) {
             auto* table = new QTableWidget(1, 1, &page);
             table->setHorizontalHeaderItem(0, new QTableWidgetItem(QStringLiteral("M")));
             for (QWidget* each : std::initializer_list<QWidget*>{
-                     new QDoubleSpinBox, new QSlider(Qt::Horizontal), new QComboBox, new QLineEdit,
-                     new QPushButton, new QCheckBox, new QScrollBar, table}) {
+                     new QSlider(Qt::Horizontal), new QComboBox, new QLineEdit, new QPushButton,
+                     new QCheckBox, new QScrollBar, table}) {
                 column->addWidget(each);
             }
             page.grab();

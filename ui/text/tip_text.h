@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace ravnoves {
+
+/// A tip in lines that are read without turning one's head: Qt leaves those of plain text as long
+/// as they are.
+inline QString tipText(const QString& text) {
+    constexpr qsizetype longest = 80;  // letters
+    QStringList lines;
+    for (QString rest : text.split(QLatin1Char('\n'))) {
+        while (rest.size() > longest) {
+            const qsizetype blank = rest.lastIndexOf(QLatin1Char(' '), longest);
+            if (blank <= 0) {
+                break;
+            }
+            lines << rest.left(blank);
+            rest = rest.mid(blank + 1);
+        }
+        lines << rest;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace ravnoves
