@@ -25,35 +25,14 @@ Message line_and_column(std::string_view text, std::size_t byte) {
 }
 
 // The JSON library parses any depth, but writing a value out again takes stack for each level.
-constexpr int deepest = 100;
-
-/// Says where a text is nested deeper.
-void refuse_depth(std::string_view text) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const char c = text[at];
-        if (in_string) {
-            at += c == '\\' ? 1 : 0;
-            in_string = c != '"';
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > deepest) {
-                throw InputError(
-                    line_and_column(text, at + 1),
-                    {CORE_TEXT("core", "is nested more than %1 levels deep"), deepest});
-            }
-        } else if (c == ']' || c == '}') {
-            --depth;
-        }
-    }
-}
+constexpr std::size_t deepest = 100;
+// More than the longest tables of a case and its variants take; each costs ten times its text in
+// memory.
+constexpr std::size_t most_values = 5'000'000;
+constexpr std::size_t most_names = 1000;  // of an object: each is compared with those before it
 
 /// Builds the document as the library's own parser does, but refuses what that takes in silence: a
 /// key given twice, whose last value would count, and NUL, which cuts the name of a file short.
-/// For each key the library goes through all keys of the object before it; this looks into a set
-/// where they are many.
 class DocumentBuilder final : public nlohmann::json_sax<Json> {
   public:
     explicit DocumentBuilder(std::string_view text) : text_(text) {}
@@ -77,8 +56,15 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         level.key = std::move(key);
         check_text(level.key, {});
-        if (!is_new(level)) {
+        const auto& names = entries(level);
+        if (std::any_of(names.begin(), names.end(),
+                        [&](const auto& entry) { return entry.first == level.key; })) {
             throw InputError(pointer(), CORE_TEXT("core", "is given twice"));
+        }
+        if (names.size() >= most_names) {
+            levels_.pop_back();
+            throw InputError(pointer(),
+                             {CORE_TEXT("core", "must hold at most %1 names"), most_names});
         }
         return true;
     }
@@ -99,7 +85,6 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     struct Level {
         Json value;  ///< object or list, as far as it is read
         std::string key{};
-        std::unordered_set<std::string> keys{};
     };
 
     /// JSON pointer of what is being read.
@@ -120,22 +105,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     static Json::object_t::Container& entries(Level& level) {
         return level.value.get_ref<Json::object_t&>();
     }
-    static bool is_new(Level& level) {
-        const auto& object = entries(level);
-        constexpr std::size_t few = 16;
-        if (object.size() < few) {
-            return std::none_of(object.begin(), object.end(),
-                                [&](const auto& entry) { return entry.first == level.key; });
-        }
-        for (std::size_t i = level.keys.size(); i < object.size(); ++i) {
-            level.keys.insert(object[i].first);
-        }
-        return level.keys.insert(level.key).second;
-    }
     template <typename Value>
     bool put(Value&& value) {
-        // More than the longest table takes; each costs ten times its text in memory.
-        constexpr std::size_t most_values = 5'000'000;
         if (++values_ > most_values) {
             throw InputError("", {CORE_TEXT("core", "must hold at most %1 values"), most_values});
         }
@@ -154,7 +125,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     }
     bool open(Json empty) {
         if (levels_.size() >= deepest) {
-            refuse_depth(text_);
+            throw InputError("",
+                             {CORE_TEXT("core", "is nested more than %1 levels deep"), deepest});
         }
         levels_.push_back({std::move(empty)});
         return true;

@@ -305,11 +305,6 @@ const Json& ObjectReader::raw(std::string_view key) {
 }
 
 std::vector<std::string> ObjectReader::keys() {
-    constexpr std::size_t most = 1000;  // each is compared with those before it
-    if (value_.size() > most) {
-        throw InputError(pointer_, {CORE_TEXT("core", "must hold at most %1 names"), most},
-                         Number{static_cast<double>(value_.size())});
-    }
     std::vector<std::string> names;
     for (const auto& item : value_.items()) {
         names.push_back(item.key());

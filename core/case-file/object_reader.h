@@ -58,8 +58,7 @@ class ObjectReader {
     ObjectReader object(std::string_view key);
     /// The raw value of a required key, for what the calls above do not cover.
     const Json& raw(std::string_view key);
-    /// Every key with a value, in the file's order, made known (objects such as {name: kg}); at
-    /// most 1000.
+    /// Every key with a value, in the file's order, made known (objects such as {name: kg}).
     std::vector<std::string> keys();
 
     /// Refuses a required key that is missing while one that was not asked for is nearly it, or it

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +29,7 @@ InputError not_read() {
 }
 
 constexpr std::size_t block_size = 1U << 16U;
+constexpr std::chrono::seconds longest_reading{20};
 
 struct Descriptor {
     explicit Descriptor(int it) : number(it) {}
@@ -105,16 +106,17 @@ std::string short_name(const std::filesystem::path& target) {
     return name;
 }
 
-/// A name beside the target that nothing has; `make` gives it to a file and fails where it is
-/// taken, also by a link that somebody planted there.
-template <typename Make>
-std::filesystem::path make_beside(const std::filesystem::path& target, Make make) {
+/// A new file beside the target under a name that nothing has, also no link that somebody planted
+/// there.
+int make_beside(const std::filesystem::path& target, std::filesystem::path& partial) {
     constexpr int tries = 1000;
     for (int i = 0; i < tries; ++i) {
-        std::filesystem::path partial = target.parent_path() / short_name(target);
+        partial = target.parent_path() / short_name(target);
         partial += ".part" + std::to_string(::getpid()) + "-" + std::to_string(i);
-        if (make(partial.c_str())) {
-            return partial;
+        const int file =
+            ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            return file;
         }
         if (errno != EEXIST) {
             break;
@@ -123,53 +125,17 @@ std::filesystem::path make_beside(const std::filesystem::path& target, Make make
     throw not_written();
 }
 
-/// Writes into a file that has other names too: they stay names of one file. Room is made first, so
-/// a full disk leaves it as it was.
-void write_into(const std::filesystem::path& target, std::string_view text) {
-    const Descriptor file(::open(target.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
-    if (file.number < 0) {
-        throw not_written();
-    }
-    const auto size = static_cast<off_t>(text.size());
-    if (size > 0) {
-        const int fault = ::posix_fallocate(file.number, 0, size);
-        if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) {
-            errno = fault;
-            throw not_written();
-        }
-    }
-    write_all(file.number, text);
-    if (::ftruncate(file.number, size) != 0 || ::fsync(file.number) != 0) {
-        throw not_written();
-    }
-}
-
 /// The bytes are on the disk before their name is, and the name before this returns.
 void replace_file(const std::filesystem::path& target, std::string_view text) {
-    std::filesystem::path folder = target.parent_path();
-    if (folder.empty()) {
-        folder = ".";
-    }
     struct stat old {};
     const bool is_there = ::stat(target.c_str(), &old) == 0;
     constexpr mode_t anybody_writes = S_IWUSR | S_IWGRP | S_IWOTH;
     if (is_there && ((old.st_mode & anybody_writes) == 0 || ::access(target.c_str(), W_OK) != 0)) {
         throw InputError("", CORE_TEXT("core", "is read-only and stays as it is"));
     }
-    // A file without a name goes by itself, whatever ends the program while it is written.
-    Descriptor file(::access("/proc/self/fd", X_OK) == 0
-                        ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)
-                        : -1);
-    const bool has_no_name = file.number >= 0;
-    std::optional<SignalsWait> wait;
+    const SignalsWait wait;
     std::filesystem::path partial;
-    if (!has_no_name) {
-        wait.emplace();
-        partial = make_beside(target, [&](const char* name) {
-            file.number = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-            return file.number >= 0;
-        });
-    }
+    const Descriptor file(make_beside(target, partial));
     try {
         if (is_there) {
             // Its rights, and as far as that is allowed its owner.
@@ -179,29 +145,15 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
             }
         }
         write_all(file.number, text);
-        if (::fsync(file.number) != 0) {
-            throw not_written();
-        }
-        if (has_no_name) {
-            wait.emplace();
-            const std::string open_file = "/proc/self/fd/" + std::to_string(file.number);
-            partial = make_beside(target, [&](const char* name) {
-                return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) ==
-                       0;
-            });
-        }
-        if (is_there && old.st_nlink > 1) {
-            write_into(target, text);  // should the machine stop now, the whole text lies beside it
-            ::unlink(partial.c_str());
-        } else if (::rename(partial.c_str(), target.c_str()) != 0) {
+        if (::fsync(file.number) != 0 || ::rename(partial.c_str(), target.c_str()) != 0) {
             throw not_written();
         }
     } catch (const InputError&) {
-        if (!partial.empty()) {
-            ::unlink(partial.c_str());
-        }
+        ::unlink(partial.c_str());
         throw;
     }
+    const std::filesystem::path folder =
+        target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
     const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (directory.number >= 0) {
         ::fsync(directory.number);  // some file systems have no such thing
@@ -227,13 +179,28 @@ std::string read_text_file(const std::filesystem::path& path) {
     if (!S_ISREG(status.st_mode)) {
         throw InputError("", not_a_file);
     }
+    // Some files of the system never end, or make one wait for what comes: they say so, or take
+    // their time.
+    const auto end = std::chrono::steady_clock::now() + longest_reading;
     std::string text;
     std::vector<char> block(block_size);
-    while (const std::size_t count = read_some(file.number, block)) {
-        check_text_size(text.size() + count);
-        text.append(block.data(), count);
+    while (true) {
+        const ssize_t count = ::read(file.number, block.data(), block.size());
+        if (count == 0) {
+            return text;
+        }
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            throw errno == EAGAIN ? InputError("", not_a_file) : not_read();
+        }
+        check_text_size(text.size() + static_cast<std::size_t>(count));
+        text.append(block.data(), static_cast<std::size_t>(count));
+        if (std::chrono::steady_clock::now() > end) {
+            throw InputError("", CORE_TEXT("core", "takes too long to read"));
+        }
     }
-    return text;
 }
 
 LineReader::LineReader(int descriptor) : descriptor_(descriptor), block_(block_size) {}

@@ -7,13 +7,15 @@
 
 namespace ravnoves {
 
-/// The whole file as bytes. A pipe or a device is refused at once: it might never end.
-/// @throws InputError where it cannot be read, is no file or is larger than 64 MiB
+/// The whole file as bytes: the one way in which the programs read a file that they are given. What
+/// might never end is refused: a pipe, a device, a file of the system that makes one wait, one that
+/// takes longer than 20 s.
+/// @throws InputError where it cannot be read, is no such file or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
 /// Writes beside the target, then renames: a file already there stays whole when anything fails or
 /// the machine stops, and nothing is left behind when a signal ends the program. A file that is
-/// replaced keeps its rights, a read-only one stays. A link is followed, of a file with several
-/// names all name what is written; a device or a pipe is written straight through.
+/// replaced keeps its rights, a read-only one stays. A link is followed; a device or a pipe is
+/// written straight through.
 /// @throws InputError where the place cannot be written
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 

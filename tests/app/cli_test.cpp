@@ -462,8 +462,7 @@ TEST_F(CommandLine, RefusesCasesThatTakeTooMuchWork) {
     }
     write("many.json", many.dump());
     expect_refused(run("solve many.json", "", "timeout 10 "),
-                   "many.json: /input/reciprocating_masses_kg: must hold at most 1000 names, got "
-                   "30000\n");
+                   "many.json: /input/reciprocating_masses_kg: must hold at most 1000 names\n");
 
     Json motion = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "zotov-as-printed.case.json"));
     motion["input"]["kinematics"] = "exact";

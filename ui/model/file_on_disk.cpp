@@ -1,8 +1,11 @@
 #include "model/file_on_disk.h"
 
 #include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
+
+#include "case-file/input_error.h"
+#include "case-file/text_file.h"
+#include "text/file_path.h"
 
 namespace ravnoves {
 
@@ -13,14 +16,12 @@ constexpr int settleTime = 150;  // ms
 /// Empty where nothing is there or it cannot be read; a pipe, which is never opened, or a folder is
 /// like no file's content.
 QByteArray digestNow(const QString& path) {
-    const QFileInfo info(path);
-    if (info.exists() && !info.isFile()) {
-        return QByteArrayLiteral("no file");
+    try {
+        return FileOnDisk::digestOf(read_text_file(fsPath(path)));
+    } catch (const InputError&) {
+        const QFileInfo info(path);
+        return info.exists() && !info.isFile() ? QByteArrayLiteral("no file") : QByteArray();
     }
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    return info.isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result()
-                                                                                  : QByteArray();
 }
 
 }  // namespace

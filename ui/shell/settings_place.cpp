@@ -4,6 +4,10 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "case-file/input_error.h"
+#include "case-file/text_file.h"
+#include "text/file_path.h"
+
 namespace ravnoves {
 
 QString noFileForSettings() {
@@ -12,9 +16,13 @@ QString noFileForSettings() {
     const QString organization = QCoreApplication::organizationName();
     const QString own = organization + QLatin1Char('/') + QCoreApplication::applicationName();
     for (const QString& name : {own, organization}) {
-        const QFileInfo place(folder + name + QStringLiteral(".conf"));
-        if (place.exists() && !place.isFile()) {
-            return place.filePath();
+        const QString place = folder + name + QStringLiteral(".conf");
+        try {
+            if (QFileInfo::exists(place)) {
+                read_text_file(fsPath(place));
+            }
+        } catch (const InputError&) {
+            return place;
         }
     }
     return {};

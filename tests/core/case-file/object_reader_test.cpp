@@ -78,10 +78,9 @@ TEST(ParseJson, SyntaxErrorsNameLineAndColumn) {
 TEST(ParseJson, RefusesNestingThatWouldExhaustTheStack) {
     const std::size_t levels = 1'000'000;
     const std::string deep = std::string(levels, '[') + std::string(levels, ']');
-    EXPECT_EQ(error_of([&] { parse_json(deep); }),
-              "line 1, column 101: is nested more than 100 levels deep");
+    EXPECT_EQ(error_of([&] { parse_json(deep); }), "is nested more than 100 levels deep");
     EXPECT_EQ(error_of([&] { parse_json("{\"a\": " + deep + "}"); }),
-              "line 1, column 106: is nested more than 100 levels deep");
+              "is nested more than 100 levels deep");
     // Brackets in a text nest nothing, whatever is escaped before its closing quote.
     const std::string text = R"("\"\\\")" + std::string(200, '[') + R"(")";
     EXPECT_EQ(parse_json(text).get<std::string>().size(), 203U);
@@ -129,12 +128,12 @@ TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
     EXPECT_EQ(error_of([&] { parse_json(zeros + "]"); }), "must hold at most 5000000 values");
 }
 
-TEST(ParseJson, TakesTimeInProportionToTheNamesOfAnObject) {
-    std::string text = "{";
+TEST(ParseJson, RefusesMoreNamesThanAnyObjectHas) {
+    std::string text = "{\"a\": {";
     for (int i = 0; i < 300'000; ++i) {
         text += (i == 0 ? "\"" : ",\"") + std::to_string(i) + "\":1";
     }
-    EXPECT_EQ(parse_json(text + "}").size(), 300'000U);  // all pairs would take minutes
+    EXPECT_EQ(error_of([&] { parse_json(text + "}}"); }), "/a: must hold at most 1000 names");
 }
 
 // What a file holds neither reaches the terminal as a command nor fills it.

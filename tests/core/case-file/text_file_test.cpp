@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -108,16 +109,14 @@ TEST_F(TextFile, APipeIsWrittenWhereSomebodyReadsIt) {
     ::close(reader);
 }
 
-TEST_F(TextFile, AllNamesOfAFileNameWhatIsWritten) {
-    const fs::path other = folder_ / "the same.case.json";
-    write_text_file(path_, "one, which is longer");
-    fs::create_hard_link(path_, other);
-    write_text_file(path_, "two");
-    EXPECT_EQ(read_text_file(other), "two");
-    EXPECT_EQ(fs::hard_link_count(path_), 2U);
-    write_text_file(other, "three, which is longer");
-    EXPECT_EQ(read_text_file(path_), "three, which is longer");
-    EXPECT_EQ(files(), 2U);
+/// /proc/kmsg is a file to who asks, and makes its reader wait for the kernel's next message.
+TEST_F(TextFile, WhatNeverEndsIsRefused) {
+    ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+    const auto begin = std::chrono::steady_clock::now();
+    for (const fs::path& endless : {path_, fs::path("/dev/zero"), fs::path("/proc/kmsg")}) {
+        EXPECT_THROW(read_text_file(endless), InputError) << endless;
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
 TEST_F(TextFile, ANameMayBeAsLongAsNamesAre) {
