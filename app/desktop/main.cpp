@@ -4,7 +4,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
@@ -211,6 +210,10 @@ int main(int argc, char** argv) {
         window.showScene(ravnoves::sceneList().front().name);
     }
     QStringList refused;
+    const bool isMeantAtOnce = isSilent || parser.isSet(setOption) || !scene.isEmpty();
+    if (!isMeantAtOnce) {
+        window.documents().openLater(paths);
+    }
     for (const QString& path : paths) {
         const QString trouble = window.openCase(path);
         if (!trouble.isEmpty()) {
@@ -220,6 +223,9 @@ int main(int argc, char** argv) {
             }
             refused << path;  // the window says it, too: nobody may be at the terminal
             continue;
+        }
+        if (!isMeantAtOnce) {
+            break;  // the others when their tabs are shown
         }
         if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
             return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
@@ -261,8 +267,9 @@ int main(int argc, char** argv) {
         const QString trouble = window.writeReport(reportPath);
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
-    QTimer::singleShot(0, &window, &ravnoves::MainWindow::offerRecovered);
-    QTimer::singleShot(0, &window, [&window, refused] {
+    // A folder full of what crashes have left keeps nobody from starting.
+    QObject::connect(&window, &ravnoves::MainWindow::painted, &window, [&window, refused] {
+        window.offerRecovered();
         for (const QString& path : refused) {
             window.openOrSayWhy(path);
         }

@@ -4990,6 +4990,10 @@
         <source>No engine has a mass of %1 at a crank radius of %2: was one of them typed in another unit, as grams for kilograms?</source>
         <translation>Не бывает двигателя с массой %1 при радиусе кривошипа %2: не введено ли одно из них в другой единице, например в граммах вместо килограммов?</translation>
     </message>
+    <message>
+        <source>takes too long to read</source>
+        <translation>читается слишком долго</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -9214,13 +9218,6 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::CaseNotices</name>
-    <message>
-        <source>Open case</source>
-        <translation>Открыть задачу</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::CaseProperties</name>
     <message>
         <source>Title and notes</source>
@@ -9599,6 +9596,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1, which this case reads, was changed by another program.</source>
         <translation>Файл %1, который читает эта задача, изменён другой программой.</translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation>Открыть задачу</translation>
     </message>
 </context>
 <context>
@@ -13415,6 +13416,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Throw away what is ticked? Cases that are gone for good then: %1.</source>
         <translation>Выбросить отмеченное? Задач, которые пропадут навсегда: %1.</translation>
     </message>
+    <message>
+        <source>Older ones, too many for this list: %1</source>
+        <translation>Более старых, слишком много для этого списка: %1</translation>
+    </message>
+    <message>
+        <source>Restoring shows the next hundred.</source>
+        <translation>После восстановления показаны следующие сто.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RefusedEntries</name>
@@ -13429,10 +13438,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Остаться</translation>
-    </message>
-    <message>
-        <source>The last change is still being solved. When that is done, this goes on by itself.</source>
-        <translation>Последнее изменение ещё решается. Когда решение будет готово, всё продолжится само.</translation>
     </message>
 </context>
 <context>
@@ -15020,10 +15025,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Взятие варианта %1</translation>
     </message>
     <message>
-        <source>The last change is still being solved. Wait for that, or cancel it.</source>
-        <translation>Последнее изменение ещё решается. Подождите или отмените его.</translation>
-    </message>
-    <message>
         <source>%1 has changed since this variant was kept: its results are of what is in the file now.</source>
         <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по тому, что в файле сейчас.</translation>
     </message>
@@ -15660,29 +15661,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1 cannot be read</source>
         <translation>%1 не читается</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::SolvingNotice</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Отменить</translation>
-    </message>
-    <message>
-        <source>Give the change up and keep what holds.</source>
-        <translation>Отказаться от изменения и оставить то, что действует.</translation>
-    </message>
-    <message>
-        <source>The change was not taken: %1</source>
-        <translation>Изменение не принято: %1</translation>
-    </message>
-    <message>
-        <source>Solving… Until then the results are those of the input before the change.</source>
-        <translation>Решается… До этого результаты относятся к исходным данным до изменения.</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>Решается…</translation>
     </message>
 </context>
 <context>

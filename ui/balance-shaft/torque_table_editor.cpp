@@ -76,10 +76,6 @@ void TorqueTableEditor::importWithDialog() {
 }
 
 void TorqueTableEditor::exportWithDialog() {
-    if (model_->isSolving()) {
-        QMessageBox::warning(this, tr("Export torque table"), SceneModel::solvingText());
-        return;
-    }
     const QString path =
         askSavePath(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()});
     if (path.isEmpty()) {

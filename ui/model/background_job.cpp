@@ -1,6 +1,5 @@
 #include "model/background_job.h"
 
-#include <QCoreApplication>
 #include <exception>
 #include <utility>
 
@@ -82,10 +81,6 @@ void BackgroundJob::launch() {
 void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {
     const bool whole = !stopped;
     stop_.reset();
-    if (isLetGo_) {
-        deleteLater();
-        return;
-    }
     if (whole && apply) {
         apply();
     }
@@ -110,16 +105,6 @@ void BackgroundJob::cancel() {
         *stop_ = true;
     }
     setRunning(false);
-}
-
-void BackgroundJob::letGo(std::unique_ptr<BackgroundJob> job) {
-    job->disconnect();
-    job->cancel();
-    if (job->stop_) {
-        job->isLetGo_ = true;
-        job->setParent(QCoreApplication::instance());
-        job.release();  // NOLINT(bugprone-unused-return-value): its own, or the program's
-    }
 }
 
 void BackgroundJob::setRunning(bool running) {

@@ -36,8 +36,6 @@ class BackgroundJob : public QObject {
     /// Stops what runs; what it has is thrown away.
     void cancel();
     bool isRunning() const { return running_; }
-    /// Lets a job go without waiting for work that cannot be stopped: it ends by itself.
-    static void letGo(std::unique_ptr<BackgroundJob> job);
     /// From within the work: to be done on the GUI thread before its result is.
     void post(std::function<void()> telling) { worker_.post(std::move(telling)); }
 
@@ -61,7 +59,6 @@ class BackgroundJob : public QObject {
     int patienceMs_ = -1;
     bool untilRest_ = false;
     bool running_ = false;
-    bool isLetGo_ = false;
     WorkerThread worker_;  ///< goes first: what it does uses the others
 };
 

@@ -15,7 +15,7 @@
 #include "model/case_sources.h"
 #include "model/enough_memory.h"
 #include "model/open_case.h"
-#include "model/run_beside.h"
+#include "model/recovery.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
@@ -200,21 +200,12 @@ void CaseDocument::setPath(const QString& path, const QByteArray& known) {
 }
 
 CaseFile CaseDocument::read(const QString& path, QByteArray* digest) {
-    CaseFile file;
-    const auto read = [&] {
+    return withinMemory([&] {
         const std::string text = read_text_file(fsPath(path));
         if (digest != nullptr) {
             *digest = FileOnDisk::digestOf(text);
         }
-        file = parse_case(text);
-    };
-    return withinMemory([&] {
-        if (QFileInfo(path).size() > static_cast<qint64>(longestReadAtOnce)) {
-            runBeside(read);
-        } else {
-            read();
-        }
-        return std::move(file);
+        return parse_case(text);
     });
 }
 
@@ -255,11 +246,11 @@ void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     Q_EMIT model_->broughtIn();
 }
 
-void CaseDocument::restore(const CaseFile& file, const CaseContext& context, const QString& path,
-                           const QByteArray& known) {
-    take(file, context);
-    path_ = path;
-    disk_.setPath(path, known);
+void CaseDocument::restore(const CaseFile& file, const RecoveredCase& from) {
+    take(file, from.context);
+    model_->takePlace(from.place);
+    path_ = from.path;
+    disk_.setPath(path_, from.known);
     model_->history()->resetClean();
     Q_EMIT nameChanged();
 }
@@ -342,18 +333,7 @@ void CaseDocument::keepSources() {
     Q_EMIT sourcesChanged();
 }
 
-void CaseDocument::checkReadable(const std::string& text) {
-    check_text_size(text.size());
-    constexpr std::size_t certainlyFew = 5'000'000;  // bytes
-    if (text.size() > certainlyFew) {
-        parse_json(text);  // which counts its values
-    }
-}
-
 QString CaseDocument::saveTo(const QString& path) {
-    if (model_->isSolving()) {
-        return path + QStringLiteral(": ") + SceneModel::solvingText();
-    }
     model_->keepForSaving();
     std::string text;
     try {
@@ -363,7 +343,7 @@ QString CaseDocument::saveTo(const QString& path) {
         }
         withinMemory([&] {
             text = asText(path);
-            checkReadable(text);
+            check_text_size(text.size());
         });
         write_text_file(fsPath(path), text);
     } catch (const InputError& error) {
@@ -417,11 +397,7 @@ bool CaseDocument::chooseAndSave() {
 }
 
 bool CaseDocument::saveElsewhere(const QString& trouble) {
-    if (dialogs_.elsewhere) {
-        return dialogs_.elsewhere(trouble) && chooseAndSave();
-    }
-    dialogs_.tell(trouble);
-    return false;
+    return dialogs_.elsewhere(trouble) && chooseAndSave();
 }
 
 bool CaseDocument::mayGo() {

@@ -16,6 +16,7 @@ namespace ravnoves {
 
 struct CaseFile;
 class InputError;
+struct RecoveredCase;
 
 /// What a document asks its user. The window shows it; a test answers it.
 struct DocumentDialogs {
@@ -26,10 +27,8 @@ struct DocumentDialogs {
     std::function<Answer(bool hasFile)> saveChanges;
     /// Where to save; empty where the user wants to stay.
     std::function<QString(const QString& suggestion)> choosePath;
-    /// The case could not be saved.
-    std::function<void(const QString& trouble)> tell;
-    /// The same; @return true where the user wants to choose another place.
-    std::function<bool(const QString& trouble)> elsewhere{};
+    /// The case could not be saved; @return true where the user wants to choose another place.
+    std::function<bool(const QString& trouble)> elsewhere;
     /// The file was changed by others since it was read or written.
     enum class Overwrite { Yes, Elsewhere, No };
     std::function<Overwrite(const QString& path)> overwrite{};
@@ -81,16 +80,13 @@ class CaseDocument : public QObject {
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong, with the name itself, too.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);
-    /// Takes over what was not saved, with the file that it belongs to, and needs saving.
-    /// @param known  FileOnDisk::digest() of that file
+    /// Takes over what was not saved, with the file that it belongs to and its place, and needs
+    /// saving.
+    /// @param file  its content, or what that has become
     /// @throws InputError
-    void restore(const CaseFile& file, const CaseContext& context, const QString& path,
-                 const QByteArray& known);
+    void restore(const CaseFile& file, const RecoveredCase& from);
     /// @return an empty string, or what is wrong, with the file's name
     QString saveTo(const QString& path);
-    /// Before a text is written that read() would refuse for its size.
-    /// @throws InputError
-    static void checkReadable(const std::string& text);
 
     /// The file, as others may change it.
     FileOnDisk& disk() { return disk_; }

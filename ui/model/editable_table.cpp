@@ -123,15 +123,4 @@ Json EditableTable::refusedState() const {
     return cells;
 }
 
-void EditableTable::bringRefused(const Json& state) {
-    std::vector<std::pair<QModelIndex, QString>> cells;
-    for (const Json& cell : state) {
-        cells.emplace_back(index(cell.at(0).get<int>(), cell.at(1).get<int>()),
-                           QString::fromStdString(cell.at(2).get<std::string>()));
-    }
-    for (const auto& [at, text] : cells) {
-        setData(at, text);
-    }
-}
-
 }  // namespace ravnoves

@@ -9,7 +9,6 @@
 
 namespace ravnoves {
 
-struct CaseFile;
 class SceneModel;
 
 /// What an empty line in the middle of a block is.
@@ -68,19 +67,13 @@ class EditableTable : public QAbstractTableModel {
     }
     /// Takes that back; of a whole table what was typed last.
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
-    /// What is refused in it, as data for another table over the same model; null where nothing is.
+    /// What is refused in it; null where nothing is.
     virtual Json refusedState() const;
-    /// Shows that again, where it is refused again.
-    /// @throws Json::exception for what is no such data; nothing of it is shown then
-    virtual void bringRefused(const Json& state);
     /// The model holds another state as a whole: nothing is refused any more.
     virtual void forgetRefused() {}
 
-    // For the copy that a crash leaves: what stands in a cell that is still being edited.
     /// The model of the case that the cells belong to; null where there is none.
     virtual SceneModel* scene() const { return nullptr; }
-    /// Puts into the case what a cell with this text would make of it, where it is not refused.
-    virtual void putTyped(const QModelIndex& /*at*/, const QString& /*text*/, CaseFile& /*file*/) {}
 
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 

@@ -6,43 +6,55 @@
 
 namespace ravnoves {
 
-/// One undoable change of a scene's input: the whole input before and after. Inputs are small, so
-/// one generic command serves every field of every scene. Changes with the same non-negative merge
-/// number become one step (a slider drag).
+/// A step of the history that those of the same non-negative number join: a drag, an editing.
+class NumberedStep : public QUndoCommand {
+  public:
+    int number() const { return number_; }
+
+  protected:
+    NumberedStep(const QString& text, int number) : QUndoCommand(text), number_(number) {}
+
+  private:
+    int number_;
+};
+
+/// One undoable change of a scene's input, made already: the whole input before and after. Inputs
+/// are small, so one generic command serves every field of every scene.
 template <typename Input>
-class InputCommand : public QUndoCommand {
+class InputCommand : public NumberedStep {
   public:
     using Apply = std::function<void(const Input&)>;
 
-    InputCommand(const QString& text, Input before, Input after, int mergeNumber, Apply apply)
-        : QUndoCommand(text),
+    InputCommand(const QString& text, Input before, Input after, int number, Apply apply)
+        : NumberedStep(text, number),
           before_(std::move(before)),
           after_(std::move(after)),
-          mergeNumber_(mergeNumber),
           apply_(std::move(apply)) {}
 
     void undo() override { apply_(before_); }
-    void redo() override { apply_(after_); }
+    void redo() override {
+        if (!std::exchange(isMade_, false)) {
+            apply_(after_);
+        }
+    }
     int id() const override { return 1; }
-    const Input& before() const { return before_; }
-    const Input& after() const { return after_; }
 
     bool mergeWith(const QUndoCommand* other) override {
         // Ids are equal, but another scene's stack never holds this one's commands.
         const auto* next = dynamic_cast<const InputCommand*>(other);
-        if (next == nullptr || mergeNumber_ < 0 || next->mergeNumber_ != mergeNumber_) {
+        if (next == nullptr || number() < 0 || next->number() != number()) {
             return false;
         }
         after_ = next->after_;
-        setObsolete(after_ == before_);  // Escape brought the old value back
+        setObsolete(after_ == before_);  // the hand came back
         return true;
     }
 
   private:
     Input before_;
     Input after_;
-    int mergeNumber_;
     Apply apply_;
+    bool isMade_ = true;  ///< by whom pushes it
 };
 
 }  // namespace ravnoves

@@ -2,6 +2,8 @@
 
 #include <QByteArray>
 #include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
 #include <QHash>
 #include <QList>
 #include <QLockFile>
@@ -11,13 +13,10 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
-#include <utility>
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
-#include "model/worker_thread.h"
 
 class QTimer;
 
@@ -27,38 +26,39 @@ class CaseDocument;
 
 /// An unsaved case as the program left it when it ended unexpectedly.
 struct RecoveredCase {
-    QString file;  ///< that it was kept in
+    QString file;   ///< that it is kept in
+    QString order;  ///< by which the cases of one program stand as they were opened
     QDateTime saved;
     QString path;      ///< of the case; empty where it had no file
     QByteArray known;  ///< FileOnDisk::digest() of that file
     CaseContext context;
+    Json place;     ///< SceneModel::placeJson()
     QString draft;  ///< ScenePage::draftName()
-    Json refused;   ///< texts that stood on the page and were refused
     CaseFile content;
-
-    /// By which the cases of one program stand in the order in which they were opened.
-    std::pair<QString, int> place() const;
 };
 
-/// Keeps every unsaved case in a file of its own while it is open, so that a program that is killed
-/// loses what was changed in the last half second. Each running program locks its files: others
-/// take over only what nobody holds any more.
+/// The one store for a crash, of cases and jobs alike: every unsaved document is kept in a file of
+/// its own while it is open, so that a program that is killed loses what was changed in the last
+/// half second. A job is a case with a place in the journal (SceneModel::placeJson()), and is kept
+/// and offered as any other. Each running program locks its files: others take over only what
+/// nobody holds any more.
 class Recovery : public QObject {
     Q_OBJECT
 
   public:
     explicit Recovery(const QString& folder = defaultFolder(), QObject* parent = nullptr);
-    ~Recovery() override;
 
     /// In the user's data folder.
     static QString defaultFolder();
+    /// Puts a case there as if a crash had left it: what an older version kept elsewhere.
+    /// @throws InputError where it cannot be written
+    static void leave(const CaseFile& content, const Json& place,
+                      const QString& folder = defaultFolder());
 
     /// Keeps the document from now on.
-    /// @param draft    asked for RecoveredCase::draft whenever it is written
-    /// @param refused  the same for RecoveredCase::refused
+    /// @param draft  asked for RecoveredCase::draft whenever it is written
     void watch(
-        CaseDocument* document, const std::function<QString()>& draft,
-        const std::function<Json()>& refused = [] { return Json(); });
+        CaseDocument* document, const std::function<QString()>& draft = [] { return QString(); });
     /// Writes it now rather than soon. @return false where it could not be kept
     bool keep(CaseDocument* document);
     /// The document is closed: nothing of it is kept.
@@ -67,14 +67,18 @@ class Recovery : public QObject {
     void releaseAll();
 
     struct Found {
-        QList<RecoveredCase> cases;  ///< the newest first
+        QList<RecoveredCase> cases;  ///< the newest first, `most` or fewer
+        int older = 0;               ///< files that are not read: there are too many
         QStringList damaged;         ///< files that cannot be read, where they lie now
         QStringList newer;           ///< files of a newer program, left to it
     };
+    static constexpr int most = 100;
     /// What programs have left that run no longer. Nobody else is offered it while this one runs.
     Found leftBehind();
     /// It was restored and is kept anew, or nobody wants it.
-    void discard(const RecoveredCase& recovered);
+    void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
+    /// Nobody wants the older ones.
+    void discardOlder();
 
   Q_SIGNALS:
     /// A case cannot be kept, and why; said once.
@@ -86,25 +90,22 @@ class Recovery : public QObject {
         QByteArray written;
         QTimer* timer;
         std::function<QString()> draft;
-        std::function<Json()> refused;
-        bool mayBeWritten = false;  ///< in the thread
     };
 
-    void keepSoon(CaseDocument* document);
-    std::optional<Json> contentOf(CaseDocument* document, const Watched& watched);
+    /// Locks of the programs whose files are looked at; null: it runs.
+    using Locks = std::map<QString, std::unique_ptr<QLockFile>>;
+
     void forget(Watched& watched);
-    void tellFailed(const QString& why);
-    enum class Lock { Ours, Others, Failed };
-    Lock lock(const QString& session);
-    QStringList filesOf(const QString& session) const;
+    QString newFile();
+    QFileInfoList leftFiles() const;
+    bool isLeft(const QString& name, Locks& locks) const;
 
     QString folder_;
     QString session_;
+    QLockFile lock_;
     int count_ = 0;
     bool failed_ = false;
-    std::map<QString, std::unique_ptr<QLockFile>> locks_;  ///< by session
     QHash<CaseDocument*, Watched> watched_;
-    WorkerThread writer_;  ///< of cases that take long to write
 };
 
 }  // namespace ravnoves

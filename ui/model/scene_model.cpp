@@ -6,6 +6,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/default_inputs.h"
+#include "model/input_command.h"
 #include "numerics/demand.h"
 #include "text/field_names.h"
 #include "text/number_text.h"
@@ -19,53 +20,62 @@ SceneModel::SceneModel(QObject* parent) : QObject(parent) {
 
 void SceneModel::beginEditing() {
     endEditing();
+    finishDrag();
     editing_ = true;
-    ++editings_;
 }
 
 void SceneModel::endEditing(bool isRefused) {
-    keepTyped();
-    editing_ = false;
+    if (std::exchange(editing_, false)) {
+        finishDrag();
+        editingEnds();
+    }
     if (!isRefused) {
         sayRefused({});
     }
 }
 
-QString SceneModel::solvingText() {
-    return tr("The last change is still being solved. Wait for that, or cancel it.");
+namespace {
+
+const NumberedStep* lastStep(const QUndoStack& history) {
+    return history.canUndo()
+               ? dynamic_cast<const NumberedStep*>(history.command(history.index() - 1))
+               : nullptr;
 }
 
-SceneModel::Waiting::Waiting(SceneModel* model)
-    : model_(model), before_(std::exchange(model->waiting_, true)) {
-    Q_EMIT model->solvingChanged();
+}  // namespace
+
+bool SceneModel::isTyped() const {
+    const NumberedStep* last = lastStep(history_);
+    return editing_ && last != nullptr && last->number() == step_;
 }
 
-SceneModel::Waiting::~Waiting() {
-    model_->waiting_ = before_;
-    Q_EMIT model_->solvingChanged();
+bool SceneModel::takeBack() {
+    if (!isTyped()) {
+        return false;
+    }
+    const_cast<NumberedStep*>(lastStep(history_))->setObsolete(true);
+    history_.undo();
+    return true;
+}
+
+int SceneModel::stepOf(const QString& name) {
+    if (name != lastName_) {
+        // What else changes in an editing is no part of it.
+        editing_ = editing_ && lastName_.isEmpty();
+        ++step_;
+        lastName_ = name;
+    }
+    moved_ = moved_ || !editing_;
+    return step_;
 }
 
 void SceneModel::undo() {
-    if (dropAwaited()) {
-        return;
-    }
-    keepTyped();
-    if (history_.canUndo() && !prepareStep(history_.command(history_.index() - 1), true)) {
-        return;
-    }
     history_.undo();
     finishDrag();
     Q_EMIT broughtIn();
 }
 
 void SceneModel::redo() {
-    if (isSolving()) {
-        return;
-    }
-    keepTyped();
-    if (history_.canRedo() && !prepareStep(history_.command(history_.index()), false)) {
-        return;
-    }
     history_.redo();
     finishDrag();
     Q_EMIT broughtIn();
@@ -78,28 +88,13 @@ void SceneModel::sayRefused(const QString& why) {
     }
 }
 
-Json SceneModel::latestInputJson() const {
-    return inputJson();
-}
-
 Json SceneModel::keptJson() const {
     return nullptr;
 }
 
-namespace {
-
-/// What scatters is given, also where it is left to its default.
-void giveVaried(const SceneModel& model, CaseFile& file) {
-    if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
-        std::vector<std::string> varied;
-        for (const auto& [pointer, spread] : file.study["vary"].items()) {
-            varied.push_back(pointer);
-        }
-        giveDefaults(model, file.input, varied);
-    }
+Json SceneModel::placeJson() const {
+    return nullptr;
 }
-
-}  // namespace
 
 void SceneModel::noteRefused(QObject* where, bool isRefused) {
     if (!isRefused) {
@@ -122,39 +117,19 @@ void SceneModel::forgetRefusedIn(QObject* where) {
     }
 }
 
-void SceneModel::setTyping(const QObject* widget, const Typing& typing) {
-    if (!typing && !typing_.contains(widget)) {
-        return;
-    }
-    if (!typing) {
-        typing_.remove(widget);
-    } else {
-        if (!typing_.contains(widget)) {
-            connect(widget, &QObject::destroyed, this, [this, widget] { setTyping(widget, {}); });
-        }
-        typing_.insert(widget, typing);
-    }
-    Q_EMIT typingChanged();
-}
-
-CaseFile SceneModel::draftFile() const {
-    CaseFile file = caseFile();
-    if (isSolving()) {
-        file.input = latestInputJson();
-    }
-    for (const Typing& typing : typing_) {
-        typing(file);
-    }
-    giveVaried(*this, file);
-    return file;
-}
-
 CaseFile SceneModel::caseFile() const {
     CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
     file.notes = notes_.toStdString();
     file.kept = keptJson();
     file.study = study_.empty() ? Json() : Json::parse(study_);
-    giveVaried(*this, file);
+    // What scatters is given, also where it is left to its default.
+    if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
+        std::vector<std::string> varied;
+        for (const auto& [pointer, spread] : file.study["vary"].items()) {
+            varied.push_back(pointer);
+        }
+        giveDefaults(*this, file.input, varied);
+    }
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QHash>
 #include <QList>
 #include <QObject>
 #include <QString>
@@ -49,6 +48,11 @@ class SceneModel : public QObject {
     virtual Json inputJson() const = 0;
     /// What the input does not use now, for the case to keep; null where there is nothing.
     virtual Json keptJson() const;
+    /// Where the case lies beside its file, a job in the journal, for the copy that a crash leaves;
+    /// null: nowhere.
+    virtual Json placeJson() const;
+    /// It lies there again: what a crash has left was loaded.
+    virtual void takePlace(const Json& /*place*/) {}
     /// The case as it stands: scene, title, notes, input and what is kept.
     CaseFile caseFile() const;
     /// Takes over the same of a case as one step of the history. A fault leaves all as it was.
@@ -153,15 +157,6 @@ class SceneModel : public QObject {
     /// Where something was refused last; null where nothing is.
     QObject* newestRefused() const { return refusedIn_.isEmpty() ? nullptr : refusedIn_.last(); }
 
-    /// What is typed in a dialog or a cell that is still open, and not yet part of the case.
-    using Typing = std::function<void(CaseFile&)>;
-    /// Lets the copy for a crash have that, by `typing`, which leaves out what is refused. It is
-    /// over with an empty one, or with the widget.
-    void setTyping(const QObject* widget, const Typing& typing);
-    bool hasTyping() const { return !typing_.isEmpty(); }
-    /// caseFile() with all that is typed.
-    CaseFile draftFile() const;
-
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
     /// The next change is a step of its own in the history, whatever its name.
@@ -179,55 +174,35 @@ class SceneModel : public QObject {
         }
     }
 
-    // An editing of a field, from its first key to Enter, Escape or the loss of the focus. What is
-    // typed shows its effect at once, but is in no history: that, and what could be redone, change
-    // when the editing ends, by one step.
+    // An editing of a field, from its first key to Enter, Escape or the loss of the focus: what is
+    // typed shows its effect at once, and all of it is one step of the history.
     void beginEditing();
     /// @param isRefused  what was typed still stands there, refused: so does the reason
     void endEditing(bool isRefused = false);
     bool isEditing() const { return editing_; }
     /// True where the editing has changed the input.
-    virtual bool isTyped() const { return false; }
-    /// Makes hold again what stood before the editing. @return false where it has changed nothing
-    virtual bool takeBack() { return false; }
-    /// Puts into the history what was typed so far: it is to be saved, or something else changes.
-    virtual void keepTyped() {}
-    /// The same for what is saved now: Escape returns to it, though the editing goes on.
+    bool isTyped() const;
+    /// Makes hold again what stood before the editing, without a step.
+    /// @return false where it has changed nothing
+    virtual bool takeBack();
+    virtual void editingEnds() {}
+    /// What was typed so far is saved now: Escape returns to it, though the editing goes on.
     void keepForSaving() {
-        keepTyped();
+        finishDrag();
         Q_EMIT typedKept();
     }
-    /// True for changes since the last saving, also of an editing that has not ended.
-    bool hasChanges() const { return isTyped() || isSolving() || !history_.isClean(); }
-    /// Takes back first what is still being solved. Where a state cannot be solved again (memory),
-    /// all stays as it is, and notSolved() says why.
+    bool hasChanges() const { return !history_.isClean(); }
     void undo();
     void redo();
 
-    // A change whose solution takes long is solved in a thread. Until then input and result are
-    // those of before, and together; further changes build on what is awaited, the latest counts.
-    /// True while a change is awaited.
-    virtual bool isSolving() const { return false; }
-    /// The input that the user gave last: while it is being solved, the one awaited.
-    virtual Json latestInputJson() const;
-    /// True for an input that is too large to be solved or written at once.
-    virtual bool isLarge() const { return false; }
-    /// Gives the awaited changes up.
-    virtual void stopSolving() {}
-    /// True while what is loaded, undone or redone is solved: the caller waits for it.
-    bool isWaiting() const { return waiting_; }
     /// Grows with each solution of an input that is another, or that is solved otherwise.
     int solutions() const { return solutions_; }
-    /// Why nothing can be written or kept while isSolving(), as a sentence.
-    static QString solvingText();
 
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
     /// A drag has ended, or pauses: what rested meanwhile follows.
     void rested();
-    /// What draftFile() has beyond the case.
-    void typingChanged();
     /// What is typed so far is saved.
     void typedKept();
     void titleChanged(const QString& title);
@@ -237,10 +212,6 @@ class SceneModel : public QObject {
     void refusedInChanged();
     /// A change was refused; empty when that is over.
     void refused(const QString& why);
-    /// isSolving() or isWaiting() is another.
-    void solvingChanged();
-    /// What was awaited, or was to be undone or redone, is refused.
-    void notSolved(const QString& why);
     /// The variants, or which of them is the reference.
     void variantsChanged();
     void studyChanged();
@@ -268,22 +239,9 @@ class SceneModel : public QObject {
     /// Why an input is refused; empty where it is none.
     virtual QString inputTrouble(const std::string& /*input*/) const { return {}; }
     /// Number of the step that a change of this name belongs to, for InputCommand.
-    int stepOf(const QString& name) {
-        if (name != lastName_) {
-            ++step_;
-            lastName_ = name;
-        }
-        moved_ = true;
-        return step_;
-    }
-    /// Drops the latest awaited change. @return false where there is none
-    virtual bool dropAwaited() { return false; }
-    /// Solves what a step of the history brings back, before it does. @return false where it cannot
-    virtual bool prepareStep(const QUndoCommand* /*step*/, bool /*isUndo*/) { return true; }
+    int stepOf(const QString& name);
     /// Something else than the editing changes the input: what is typed after it are steps as any.
     void leaveEditing() { editing_ = false; }
-    /// Of the editing that goes on; 0: none.
-    int editingNumber() const { return editing_ ? editings_ : 0; }
     /// Says why a change is refused; with nothing, that it no longer matters.
     void sayRefused(const QString& why);
     // For setViewOption().
@@ -301,18 +259,6 @@ class SceneModel : public QObject {
     static QString changedTitle(const QString& title) { return title + changedMark; }
     static constexpr QLatin1String changedMark{" (changed)"};
     void setNotes(const QString& notes) { notes_ = notes; }
-    /// While it lives, isWaiting().
-    class Waiting {
-      public:
-        explicit Waiting(SceneModel* model);
-        ~Waiting();
-        Waiting(const Waiting&) = delete;
-        Waiting& operator=(const Waiting&) = delete;
-
-      private:
-        SceneModel* model_;
-        bool before_;
-    };
 
   private:
     void forgetRefusedIn(QObject* where);
@@ -326,11 +272,8 @@ class SceneModel : public QObject {
     QString lastName_;
     bool moved_ = false;
     bool editing_ = false;
-    int editings_ = 0;
     bool saidRefused_ = false;
-    bool waiting_ = false;
     CaseContext context_;
-    QHash<const QObject*, Typing> typing_;
     QList<QObject*> refusedIn_;  ///< the newest last
     QUndoStack history_;
 };

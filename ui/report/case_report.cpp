@@ -324,7 +324,6 @@ void addVariants(Report& report, const SceneModel& model) {
 
 Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patience) {
     SceneModel& model = *page.model();
-    model.keepTyped();
     Report report;
     report.program = QStringLiteral("Ravnoves " RAVNOVES_VERSION);
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));

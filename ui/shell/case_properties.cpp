@@ -9,7 +9,6 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "case-file/case_file.h"
 #include "model/scene_model.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
@@ -47,8 +46,6 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, this,
                 &CaseProperties::accept);
     }
-    connect(title_, &QLineEdit::textChanged, this, &CaseProperties::type);
-    connect(notes_, &QPlainTextEdit::textChanged, this, &CaseProperties::type);
     resizeWithText(this, 480, 320);
 }
 
@@ -59,24 +56,6 @@ QString CaseProperties::title() const {
 
 bool CaseProperties::isChanged() const {
     return title() != model_->title() || notes_->toPlainText() != model_->notes();
-}
-
-/// A crash takes none of it.
-void CaseProperties::type() {
-    SceneModel::Typing typing;
-    if (isChanged()) {
-        typing = [title = title().toStdString(),
-                  notes = notes_->toPlainText().toStdString()](CaseFile& file) {
-            file.title = title;
-            file.notes = notes;
-        };
-    }
-    model_->setTyping(this, typing);
-}
-
-void CaseProperties::done(int result) {
-    model_->setTyping(this, {});
-    QDialog::done(result);
 }
 
 void CaseProperties::accept() {

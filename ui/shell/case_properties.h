@@ -19,13 +19,11 @@ class CaseProperties : public QDialog {
     void accept() override;
     /// Also by Escape; changes are asked for.
     void reject() override;
-    void done(int result) override;
 
   private:
     /// As the case is to have it.
     QString title() const;
     bool isChanged() const;
-    void type();
 
     SceneModel* model_;
     QLineEdit* title_;

@@ -1,26 +1,44 @@
 #include "shell/disk_notice.h"
 
+#include <QApplication>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include "model/case_document.h"
+#include "theme/theme.h"
+#include "widgets/layouts.h"
 
 namespace ravnoves {
 
-DiskNotice::DiskNotice(QWidget* parent)
-    : NoticeBar(QStringLiteral("disk_notice"), parent),
-      reload_(addButton(QStringLiteral("disk_reload"), tr("Reload"),
-                        tr("Show what the file holds now. Undo brings back what is shown here."))),
-      keep_(addButton(QStringLiteral("disk_keep"), tr("Keep mine"), {})),
-      saveAs_(addButton(QStringLiteral("disk_save_as"), tr("Save as…"),
-                        tr("Save what is shown here in another file."))) {
-    connect(reload_, &QPushButton::clicked, this, &DiskNotice::reloadAsked);
-    connect(keep_, &QPushButton::clicked, this, &DiskNotice::keepAsked);
-    connect(saveAs_, &QPushButton::clicked, this, &DiskNotice::saveAsAsked);
+DiskNotice::DiskNotice(QWidget* parent) : Panel(parent), text_(new QLabel(this)) {
+    setObjectName(QStringLiteral("disk_notice"));
+    QHBoxLayout* row = rowIn(this, Theme::space, barMargins);
+    text_->setWordWrap(true);
+    row->addWidget(text_, 1);
+    reload_ = addButton("disk_reload", tr("Reload"),
+                        tr("Show what the file holds now. Undo brings back what is shown here."),
+                        &DiskNotice::reload);
+    keep_ = addButton("disk_keep", tr("Keep mine"), {}, &DiskNotice::keep);
+    saveAs_ = addButton("disk_save_as", tr("Save as…"),
+                        tr("Save what is shown here in another file."), &DiskNotice::saveAs);
+    hide();
 }
 
-void DiskNotice::showFor(CaseDocument* document) {
+QPushButton* DiskNotice::addButton(const char* name, const QString& text, const QString& tip,
+                                   void (DiskNotice::*pressed)()) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(QLatin1String(name));
+    button->setToolTip(tip);
+    layout()->addWidget(button);
+    connect(button, &QPushButton::clicked, this, pressed);
+    return button;
+}
+
+void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
+    document_ = document;
+    const bool hadFocus = isAncestorOf(QApplication::focusWidget());
     const FileOnDisk& own = document->disk();
     const FileOnDisk* source =
         own.state() == FileOnDisk::State::Same ? document->changedSource() : nullptr;
@@ -39,8 +57,34 @@ void DiskNotice::showFor(CaseDocument* document) {
                       : tr("%1 was changed by another program."))
             : (isGone ? tr("%1, which this case reads, is no longer there.")
                       : tr("%1, which this case reads, was changed by another program."));
-    text()->setText(words.arg(QFileInfo(file.path()).fileName()));
-    text()->setToolTip(file.path());
+    text_->setText(words.arg(QFileInfo(file.path()).fileName()));
+    text_->setToolTip(file.path());
+    if (hadFocus && isHidden()) {
+        // Else it goes where it happens to.
+        QWidget* last = page->focusWidget();
+        (last != nullptr ? last : page)->setFocus(Qt::OtherFocusReason);
+    }
+}
+
+void DiskNotice::reload() {
+    const QString trouble = document_->disk().state() != FileOnDisk::State::Same
+                                ? document_->reload()
+                                : document_->readSources();
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(window(), tr("Open case"), trouble);
+    }
+}
+
+void DiskNotice::keep() {
+    if (document_->disk().state() != FileOnDisk::State::Same) {
+        document_->keepMine();
+    } else {
+        document_->keepSources();
+    }
+}
+
+void DiskNotice::saveAs() {
+    document_->saveAs();
 }
 
 }  // namespace ravnoves

@@ -1,27 +1,34 @@
 #pragma once
 
-#include "shell/notice_bar.h"
+#include "widgets/panel.h"
+
+class QLabel;
+class QPushButton;
 
 namespace ravnoves {
 
 class CaseDocument;
 
 /// Over the page: that the case's file, or one that it reads, was changed or deleted by others, and
-/// what to do. Hidden where they are as they were.
-class DiskNotice : public NoticeBar {
+/// what to do about it. Hidden where they are as they were.
+class DiskNotice : public Panel {
     Q_OBJECT
 
   public:
     explicit DiskNotice(QWidget* parent = nullptr);
 
-    void showFor(CaseDocument* document);
-
-  Q_SIGNALS:
-    void reloadAsked();
-    void keepAsked();
-    void saveAsAsked();
+    /// @param page  has the focus again where the notice had it and hides
+    void showFor(CaseDocument* document, QWidget* page);
 
   private:
+    QPushButton* addButton(const char* name, const QString& text, const QString& tip,
+                           void (DiskNotice::*pressed)());
+    void reload();
+    void keep();
+    void saveAs();
+
+    CaseDocument* document_ = nullptr;
+    QLabel* text_;
     QPushButton* reload_;
     QPushButton* keep_;
     QPushButton* saveAs_;

@@ -15,10 +15,9 @@
 #include "model/recovery.h"
 #include "numerics/demand.h"
 #include "scenes/case_sources.h"
-#include "shell/case_notices.h"
 #include "shell/case_tabs.h"
+#include "shell/disk_notice.h"
 #include "shell/missing_file.h"
-#include "shell/refused_entries.h"
 #include "shell/saving_dialogs.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
@@ -36,15 +35,14 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     makeNotices();
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
-    connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
-        if (OpenDocument* document = ofTab(tab)) {
-            bringToFront(*document);
-        }
-    });
+    connect(tabs_, &QTabBar::currentChanged, this, &Documents::showTab);
     connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
     connect(tabs_, &CaseTabs::closeAsked, this, [this](int id) {
         if (OpenDocument* document = withId(id)) {
             close(*document);
+        } else if (std::erase_if(later_, [id](const Later& each) { return each.id == id; }) > 0) {
+            arrangeTabs();
+            Q_EMIT changed();
         }
     });
 }
@@ -76,11 +74,19 @@ OpenDocument* Documents::lastOf(std::size_t scene) const {
     return last;
 }
 
+namespace {
+
+/// By whatever name, and also where nothing is there.
+bool isSame(const QString& known, const QString& path) {
+    return !known.isEmpty() && (known == QFileInfo(path).absoluteFilePath() ||
+                                is_same_file(fsPath(known), fsPath(path)));
+}
+
+}  // namespace
+
 OpenDocument* Documents::withFile(const QString& path) const {
     for (const auto& each : documents_) {
-        const QString other = each->document->path();
-        if (!other.isEmpty() && (other == QFileInfo(path).absoluteFilePath() ||
-                                 is_same_file(fsPath(other), fsPath(path)))) {
+        if (isSame(each->document->path(), path)) {
             return each.get();
         }
     }
@@ -118,10 +124,10 @@ OpenDocument* Documents::untouchedOf(std::size_t scene, const OpenDocument* butN
 
 // ------------------------------------------------------------------------ coming and going
 
-OpenDocument& Documents::add(std::size_t scene) {
+OpenDocument& Documents::add(std::size_t scene, int id) {
     documents_.push_back(std::make_unique<OpenDocument>());
     OpenDocument& added = *documents_.back();
-    added.id = ++ids_;
+    added.id = id != 0 ? id : ++ids_;
     added.scene = scene;
     putPage(added, scenes_[scene].make(stack_));
     SceneModel* model = added.page->model();
@@ -177,7 +183,7 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
 }
 
 void Documents::makeNotices() {
-    notices_ = new CaseNotices(this);
+    notices_ = new DiskNotice(this);
     static_cast<QVBoxLayout*>(layout())->insertWidget(1, notices_);  // below the tabs
 }
 
@@ -185,13 +191,12 @@ void Documents::renewPages() {
     scenes_ = sceneList();
     for (const auto& each : documents_) {
         ScenePage* old = each->page;
-        const ScenePage::Left left = old->giveWay();
-        const Json refused = refusedTexts(*old);
+        const QStringList tabs = old->shownTabs();
+        SceneModel* model = old->letGo();
         stack_->removeWidget(old);
         delete old;
-        putPage(*each, scenes_[each->scene].make(stack_, left.model));
-        each->page->resume(left);
-        typeAgain(*each->page, refused);
+        putPage(*each, scenes_[each->scene].make(stack_, model));
+        each->page->showTabs(tabs);
     }
     tabs_->renew();
     delete notices_;
@@ -274,21 +279,52 @@ void Documents::bringToFront(OpenDocument& document) {
 
 void Documents::step(int by) {
     const int count = tabs_->count();
-    if (OpenDocument* next = ofTab((tabs_->currentIndex() + by + count) % count)) {
-        bringToFront(*next);
+    showTab((tabs_->currentIndex() + by + count) % count);
+}
+
+void Documents::showTab(int tab) {
+    if (OpenDocument* document = ofTab(tab)) {
+        bringToFront(*document);
+        return;
     }
+    const auto later = std::find_if(later_.begin(), later_.end(),
+                                    [&](const Later& each) { return each.id == tabs_->idOf(tab); });
+    if (later == later_.end()) {
+        return;
+    }
+    const QString trouble = open(QString(later->path), true);
+    if (current_ == nullptr || current_->id != tabs_->idOf(tabs_->currentIndex())) {
+        arrangeTabs();
+        Q_EMIT changed();
+    }
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(window(), tr("Open case"), trouble);
+    }
+}
+
+void Documents::openLater(const QStringList& paths) {
+    for (const QString& path : paths) {
+        const bool isAsked = std::any_of(later_.begin(), later_.end(), [&](const Later& each) {
+            return isSame(each.path, path);
+        });
+        if (!isAsked && withFile(path) == nullptr) {
+            later_.push_back({++ids_, QFileInfo(path).absoluteFilePath()});
+        }
+    }
+    arrangeTabs();
+    Q_EMIT changed();
 }
 
 bool Documents::hasSeveralTabs() const {
     return tabs_->hasSeveral();
 }
 
-void Documents::put(const CaseFile& file, OpenDocument* there,
+void Documents::put(const CaseFile& file, OpenDocument* there, int id,
                     const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
     RAVNOVES_DEMAND(scene.has_value(), "every scene of a case file has a page");
-    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
-    OpenDocument& target = reused != nullptr ? *reused : add(*scene);
+    OpenDocument* reused = there != nullptr || id != 0 ? there : untouchedOf(*scene, nullptr);
+    OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);
     try {
         load(*target.document);
     } catch (const InputError&) {
@@ -308,6 +344,12 @@ QString Documents::open(const QString& path, bool locates) {
         bringToFront(*there);
         return {};
     }
+    int id = 0;  // of the tab that waits for it
+    std::erase_if(later_, [&](const Later& each) {
+        const bool isIt = isSame(each.path, path);
+        id = isIt ? each.id : id;
+        return isIt;
+    });
     CaseFile file;
     QByteArray known;
     MissingFile missing(this, tr("Open case"), QFileInfo(path).absolutePath());
@@ -316,7 +358,7 @@ QString Documents::open(const QString& path, bool locates) {
             if (!isMoved) {
                 file = CaseDocument::read(path, &known);
             }
-            put(file, nullptr, [&](CaseDocument& document) {
+            put(file, nullptr, id, [&](CaseDocument& document) {
                 document.open(file, path, known);
                 // Where a file is now, and what an older version has become, is to be saved.
                 if (isMoved || !file.changes.empty()) {
@@ -332,11 +374,9 @@ QString Documents::open(const QString& path, bool locates) {
         } catch (const InputError& error) {
             QString trouble = path + QStringLiteral(": ") + errorText(error);
             const auto isMoving = locates ? missing.locate(file, error, trouble) : std::nullopt;
-            if (!isMoving) {
-                return trouble;
-            }
-            if (!*isMoving) {
-                return {};
+            if (!isMoving.value_or(false)) {
+                arrangeTabs();
+                return isMoving ? QString() : trouble;
             }
         }
     }
@@ -359,7 +399,7 @@ bool Documents::begin(const QString& scene) {
 
 QString Documents::begin(const CaseFile& file, const CaseContext& context) {
     try {
-        put(file, nullptr, [&](CaseDocument& document) { document.begin(file, context); });
+        put(file, nullptr, 0, [&](CaseDocument& document) { document.begin(file, context); });
         return {};
     } catch (const InputError& error) {
         return errorText(error);
@@ -377,9 +417,7 @@ void Documents::keepIn(Recovery* recovery) {
 
 void Documents::keep(OpenDocument& document) {
     if (recovery_ != nullptr) {
-        recovery_->watch(
-            document.document, [&document] { return document.page->draftName(); },
-            [&document] { return refusedTexts(*document.page); });
+        recovery_->watch(document.document, [&document] { return document.page->draftName(); });
     }
 }
 
@@ -396,9 +434,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
         recovered.path.isEmpty() ? QString() : QFileInfo(recovered.path).absolutePath());
     for (bool isThere = false; !isThere;) {
         try {
-            put(file, there, [&](CaseDocument& document) {
-                document.restore(file, recovered.context, recovered.path, recovered.known);
-            });
+            put(file, there, 0, [&](CaseDocument& document) { document.restore(file, recovered); });
             isThere = true;
         } catch (const InputError& error) {
             const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
@@ -415,7 +451,6 @@ bool Documents::restore(const RecoveredCase& recovered) {
     if (!recovered.draft.isEmpty()) {
         current_->page->takeDraft(recovered.draft);
     }
-    typeAgain(*current_->page, recovered.refused);
     return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
 }
 
@@ -428,11 +463,16 @@ void Documents::drop(const RecoveredCase& recovered) {
 QStringList Documents::paths() const {
     QStringList paths;
     for (int tab = 0; tab < tabs_->count(); ++tab) {
-        const QString path = ofTab(tab)->document->path();
-        if (!path.isEmpty()) {
-            paths << path;
+        if (const OpenDocument* document = ofTab(tab)) {
+            paths << document->document->path();
+        }
+        for (const Later& each : later_) {
+            if (each.id == tabs_->idOf(tab)) {
+                paths << each.path;
+            }
         }
     }
+    paths.removeAll(QString());
     return paths;
 }
 
@@ -466,17 +506,22 @@ bool Documents::close(OpenDocument& document) {
                 next = each.get();
             }
         }
-        if (next == nullptr && isUntouched(document)) {
-            return true;  // the next would be like it
+        if (next != nullptr) {
+            bringToFront(*next);
+        } else {
+            document.page->setActive(false);
+            current_ = nullptr;
         }
-        if (next == nullptr) {
-            next = untouchedOf(document.scene, &document);
-        }
-        bringToFront(next != nullptr ? *next : add(document.scene));
     }
     remove(document);
     arrangeTabs();
     Q_EMIT changed();
+    while (current_ == nullptr && !later_.empty()) {
+        showTab(std::max(tabs_->currentIndex(), 0));
+    }
+    if (current_ == nullptr) {
+        Q_EMIT lastClosed();
+    }
     return true;
 }
 
@@ -501,6 +546,21 @@ QString Documents::nameOf(const OpenDocument& document) const {
     return name.isEmpty() ? scenes_[document.scene].title : name;
 }
 
+namespace {
+
+/// Of a file, without its endings.
+QString bareName(const QString& path) {
+    QString name = QFileInfo(path).fileName();
+    for (const QString& ending : {QStringLiteral(".json"), QStringLiteral(".case")}) {
+        if (name.endsWith(ending)) {
+            name.chop(ending.size());
+        }
+    }
+    return name;
+}
+
+}  // namespace
+
 std::vector<CaseTab> Documents::caseTabs() const {
     std::vector<CaseTab> tabs;
     for (const auto& each : documents_) {
@@ -509,18 +569,18 @@ std::vector<CaseTab> Documents::caseTabs() const {
         }
         const SceneInfo& scene = scenes_[each->scene];
         const QString path = each->document->path();
-        QString name = nameOf(*each);
-        for (const QString& ending : {QStringLiteral(".json"), QStringLiteral(".case")}) {
-            if (!path.isEmpty() && name.endsWith(ending)) {
-                name.chop(ending.size());
-            }
-        }
         tabs.push_back(
             {.id = each->id,
              .icon = QStringLiteral("scene-") + scene.name,
-             .name = name,
+             .name = path.isEmpty() ? nameOf(*each) : bareName(path),
              .needsSaving = each->document->needsSaving(),
              .toolTip = scene.title + (path.isEmpty() ? QString() : QStringLiteral("\n") + path)});
+    }
+    for (const Later& each : later_) {
+        tabs.push_back({.id = each.id,
+                        .icon = QStringLiteral("open"),
+                        .name = bareName(each.path),
+                        .toolTip = each.path});
     }
     return tabs;
 }
@@ -529,9 +589,11 @@ void Documents::arrangeTabs() {
     for (const auto& each : documents_) {
         each->hasTab = each->hasTab || !isUntouched(*each);
     }
-    tabs_->arrange(caseTabs(), current_->id);
+    tabs_->arrange(caseTabs(), current_ != nullptr ? current_->id : 0);
     // Who has stood in the bar beside others does not vanish from it.
-    current_->hasTab = current_->hasTab || hasSeveralTabs();
+    if (current_ != nullptr) {
+        current_->hasTab = current_->hasTab || hasSeveralTabs();
+    }
 }
 
 }  // namespace ravnoves

@@ -13,8 +13,8 @@ class QStackedWidget;
 
 namespace ravnoves {
 
-class CaseNotices;
 class CaseTabs;
+class DiskNotice;
 class Recovery;
 class ScenePage;
 struct CaseTab;
@@ -32,7 +32,7 @@ struct OpenDocument {
 };
 
 /// What is open: the documents as tabs (CaseTabs) over the page of the one in front, what there is
-/// to say of it between them (CaseNotices). Each has a page, a history and a file of its own.
+/// to say of it between them (DiskNotice). Each has a page, a history and a file of its own.
 ///
 /// The first document of a scene is made when the scene is shown; while it is untouched and has no
 /// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
@@ -72,6 +72,8 @@ class Documents : public QWidget {
     /// @param locates  the user is asked for files that the case names and that cannot be read
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
     QString open(const QString& path, bool locates = false);
+    /// Each gets a tab, and is opened when that is shown.
+    void openLater(const QStringList& paths);
     /// Begins a case without a file and brings it to the front: what a new document of the scene
     /// starts with.
     /// @return false for a word that is no scene
@@ -79,7 +81,8 @@ class Documents : public QWidget {
     /// The same from a case, as an example is. The same return as open().
     QString begin(const CaseFile& file, const CaseContext& context);
 
-    /// Closes the document, or the one in front. What is not saved is asked for.
+    /// Closes the document, or the one in front: the one that was there before it comes to the
+    /// front, and where there is none lastClosed() follows. What is not saved is asked for.
     /// @return false where the user wants to stay
     bool close(OpenDocument& document);
     bool closeCurrent() { return close(current()); }
@@ -103,6 +106,8 @@ class Documents : public QWidget {
   Q_SIGNALS:
     /// Another document is in front.
     void currentChanged();
+    /// None is open any more.
+    void lastClosed();
     /// The document that was in front already shall be seen.
     void currentAsked();
     /// What is open, in which order or under which names is another.
@@ -127,14 +132,17 @@ class Documents : public QWidget {
     OpenDocument* withId(int id) const;
     OpenDocument* ofTab(int tab) const;
     OpenDocument& firstOf(std::size_t scene);
-    OpenDocument& add(std::size_t scene);
+    /// @param id  of its tab; 0: a new one
+    OpenDocument& add(std::size_t scene, int id = 0);
     void putPage(OpenDocument& document, ScenePage* page);
     void remove(OpenDocument& document);
     static bool isUntouched(const OpenDocument& document);
     OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
+    void showTab(int tab);
     /// Brings a case into a document of its own, or into one that is there; one that is refused
     /// leaves none behind.
-    void put(const CaseFile& file, OpenDocument* there,
+    /// @param id  of the tab that waits for it; 0: none does
+    void put(const CaseFile& file, OpenDocument* there, int id,
              const std::function<void(CaseDocument&)>& load);
     void keep(OpenDocument& document);
     void makeNotices();
@@ -142,13 +150,20 @@ class Documents : public QWidget {
     std::vector<CaseTab> caseTabs() const;
     void arrangeTabs();
 
+    /// A file whose tab nobody has looked at yet.
+    struct Later {
+        int id;
+        QString path;
+    };
+
     std::vector<SceneInfo> scenes_;
     std::vector<std::unique_ptr<OpenDocument>> documents_;
+    std::vector<Later> later_;
     OpenDocument* current_ = nullptr;
     int ids_ = 0;
     int shows_ = 0;
     CaseTabs* tabs_ = nullptr;
-    CaseNotices* notices_ = nullptr;
+    DiskNotice* notices_ = nullptr;
     QStackedWidget* stack_ = nullptr;
     Recovery* recovery_ = nullptr;
 };

@@ -19,7 +19,9 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QWindow>
 #include <algorithm>
+#include <utility>
 
 #include "model/recovery.h"
 #include "plot/picture_file.h"
@@ -70,6 +72,7 @@ MainWindow::MainWindow(First first) {
     connect(documents_, &Documents::currentChanged, this,
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
+    connect(documents_, &Documents::lastClosed, this, &MainWindow::showStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
     connect(documents_, &Documents::refusedInChanged, this, &MainWindow::updateHistoryActions);
     connect(documents_, &Documents::historyChanged, this, [this] {
@@ -277,14 +280,24 @@ void MainWindow::beginSession() {
     const QSettings settings;
     if (settings.value(restoreKey, false).toBool()) {
         QStringList missing;
-        for (const QString& path : settings.value(filesKey).toStringList()) {
-            if (!openCase(path).isEmpty()) {
+        QStringList files = settings.value(filesKey).toStringList();
+        files.removeIf([&](const QString& path) {
+            const bool isMissing = !QFileInfo(path).isFile();
+            if (isMissing) {
                 missing << path;
             }
-        }
+            return isMissing;
+        });
+        documents_->openLater(files);
+        // The one that was in front, or any that can be read.
         const QString current = settings.value(currentKey).toString();
-        if (!showScene(current) && documents_->paths().contains(current)) {
-            openCase(current);
+        if (files.removeAll(current) > 0) {
+            files.prepend(current);
+        }
+        if (!showScene(current)) {
+            while (!files.isEmpty() && !openCase(files.constFirst()).isEmpty()) {
+                missing << files.takeFirst();
+            }
         }
         if (!missing.isEmpty()) {
             // What the status bar says of a window that is not shown yet lies over the hint.
@@ -334,6 +347,11 @@ void MainWindow::offerRecovered() {
         documents_->drop(recovered);
         recovery_->discard(recovered);
     });
+    connect(dialog, &RecoveryDialog::olderThrownAway, recovery_, &Recovery::discardOlder);
+    connect(dialog, &RecoveryDialog::olderWanted, this, [this, dialog] {
+        dialog->close();
+        offerRecovered();
+    });
     dialog->open();
 }
 
@@ -381,13 +399,11 @@ void MainWindow::updateHistoryActions() {
     }
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
-    // What is typed or still being solved is in no history yet; undo takes it back.
-    const bool isUnderWay =
-        model.isTyped() || model.isSolving() || model.newestRefused() != nullptr;
-    show(undo_, isUnderWay || history.canUndo(), tr("&Undo"),
-         isUnderWay ? QString() : history.undoText());
-    show(redo_, !model.isTyped() && !model.isSolving() && history.canRedo(), tr("&Redo"),
-         history.redoText());
+    // What is refused is in no history; undo takes it back.
+    const bool isRefused = model.newestRefused() != nullptr;
+    show(undo_, isRefused || history.canUndo(), tr("&Undo"),
+         isRefused ? QString() : history.undoText());
+    show(redo_, history.canRedo(), tr("&Redo"), history.redoText());
 }
 
 void MainWindow::updateSceneActions() {
@@ -464,10 +480,6 @@ void MainWindow::openWithDialog() {
 
 void MainWindow::exportPicture() {
     ScenePage* page = currentPage();
-    if (page->model()->isSolving()) {
-        QMessageBox::warning(this, tr("Save page as picture"), SceneModel::solvingText());
-        return;
-    }
     const auto draw = [page](QPainter& painter, double scale) {
         if (takesLines(painter)) {
             drawPage(painter, page);
@@ -571,6 +583,23 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
     event->accept();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    windowHandle()->installEventFilter(this);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == windowHandle() && event->type() == QEvent::Expose &&
+        windowHandle()->isExposed()) {
+        watched->removeEventFilter(this);
+        if (!std::exchange(isPainted_, true)) {
+            // The event paints it.
+            QMetaObject::invokeMethod(this, &MainWindow::painted, Qt::QueuedConnection);
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

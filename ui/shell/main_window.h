@@ -67,7 +67,13 @@ class MainWindow : public QMainWindow {
     /// Offers what a crash has left, where there is any.
     void offerRecovered();
 
+  Q_SIGNALS:
+    /// The first picture of the window is there.
+    void painted();
+
   protected:
+    void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -127,6 +133,7 @@ class MainWindow : public QMainWindow {
     QLabel* hint_ = nullptr;
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;
+    bool isPainted_ = false;
     QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
     QList<QAction*> pageActions_;   ///< need a page in front
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page

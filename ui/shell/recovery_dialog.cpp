@@ -63,6 +63,12 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             row->setToolTip(0, name);
             row->setToolTip(1, path);
         }
+        if (found.older > 0) {
+            auto* row = new QTreeWidgetItem(
+                list_, {tr("Older ones, too many for this list: %1").arg(found.older)});
+            row->setCheckState(0, Qt::Unchecked);
+            row->setToolTip(0, tr("Restoring shows the next hundred."));
+        }
         list_->header()->setStretchLastSection(false);
         list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
         list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
@@ -96,12 +102,11 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     };
     if (!cases_.isEmpty()) {
         add("recovery_restore", tr("&Restore"), [this] {
-            QList<RecoveredCase> ticked = takeTicked();
+            QList<RecoveredCase> ticked = takeTicked(&RecoveryDialog::olderWanted);
             // Tabs stand as they stood.
-            std::stable_sort(ticked.begin(), ticked.end(),
-                             [](const RecoveredCase& a, const RecoveredCase& b) {
-                                 return a.place() < b.place();
-                             });
+            std::stable_sort(
+                ticked.begin(), ticked.end(),
+                [](const RecoveredCase& a, const RecoveredCase& b) { return a.order < b.order; });
             for (const RecoveredCase& each : ticked) {
                 Q_EMIT restored(each);
             }
@@ -110,7 +115,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             if (!mayThrowAway()) {
                 return;
             }
-            for (const RecoveredCase& each : takeTicked()) {
+            for (const RecoveredCase& each : takeTicked(&RecoveryDialog::olderThrownAway)) {
                 Q_EMIT thrownAway(each);
             }
         })->setAutoDefault(false);
@@ -154,15 +159,21 @@ bool RecoveryDialog::mayThrowAway() {
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
-QList<RecoveredCase> RecoveryDialog::takeTicked() {
+QList<RecoveredCase> RecoveryDialog::takeTicked(void (RecoveryDialog::*older)()) {
     QList<RecoveredCase> ticked;
     for (int row = list_->topLevelItemCount(); row-- > 0;) {
         if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
-            ticked.prepend(cases_.takeAt(row));
             delete list_->takeTopLevelItem(row);
+            if (row < cases_.size()) {
+                ticked.prepend(cases_.takeAt(row));
+            } else {
+                // Once the cases themselves are done with.
+                QMetaObject::invokeMethod(
+                    this, [this, older] { (this->*older)(); }, Qt::QueuedConnection);
+            }
         }
     }
-    if (cases_.isEmpty()) {
+    if (list_->topLevelItemCount() == 0) {
         accept();
     }
     return ticked;

@@ -2,12 +2,10 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
-#include <QMap>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableView>
 
-#include "case-file/json.h"
 #include "model/editable_table.h"
 #include "model/scene_model.h"
 #include "shell/scene_page.h"
@@ -21,33 +19,6 @@ namespace {
 
 QString said(const char* text) {
     return QCoreApplication::translate("ravnoves::RefusedEntries", text);
-}
-
-ScenePage* pageOf(QWidget* part) {
-    while (part != nullptr && qobject_cast<ScenePage*>(part) == nullptr) {
-        part = part->parentWidget();
-    }
-    return static_cast<ScenePage*>(part);
-}
-
-/// Waits for what is being solved. @return false where the user does not, or it is refused
-bool isSolved(SceneModel& model, const QWidget* part, const QString& title) {
-    if (!model.isSolving()) {
-        return true;
-    }
-    QMessageBox box(QMessageBox::Information, title,
-                    said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
-                                           "The last change is still being solved. When that is "
-                                           "done, this goes on by itself.")),
-                    QMessageBox::Cancel, part->window());
-    bool isRefused = false;
-    QObject::connect(&model, &SceneModel::notSolved, &box, [&isRefused] { isRefused = true; });
-    QObject::connect(&model, &SceneModel::solvingChanged, &box, [&model, &box] {
-        if (!model.isSolving()) {
-            box.done(QMessageBox::Ignore);
-        }
-    });
-    return box.exec() == QMessageBox::Ignore && !isRefused;
 }
 
 const QWidget* wholePage(const QWidget* part) {
@@ -103,67 +74,6 @@ QStringList refusedInputs(const QWidget* part) {
     return refusedOf(part, true);
 }
 
-namespace {
-
-/// A page of another size has its sections in another order.
-QMap<QString, QList<EntryField*>> fieldsByName(const ScenePage& page) {
-    QMap<QString, QList<EntryField*>> fields;
-    for (EntryField* field : entriesOfPage(&page)) {
-        fields[field->objectName()] << field;
-    }
-    return fields;
-}
-
-}  // namespace
-
-Json refusedTexts(const ScenePage& page) {
-    Json texts;
-    const auto byName = fieldsByName(page);
-    for (auto each = byName.cbegin(); each != byName.cend(); ++each) {
-        const QList<EntryField*>& fields = each.value();
-        for (qsizetype i = 0; i < fields.size(); ++i) {
-            if (!fields[i]->trouble().isEmpty()) {
-                texts.push_back({{"field", each.key().toStdString()},
-                                 {"place", i},
-                                 {"text", fields[i]->text().toStdString()}});
-            }
-        }
-    }
-    const auto tables = page.findChildren<TableEditor*>();
-    for (qsizetype i = 0; i < tables.size(); ++i) {
-        if (!tables[i]->trouble().isEmpty()) {
-            texts.push_back({{"table", i}, {"cells", tables[i]->table()->refusedState()}});
-        }
-    }
-    return texts;
-}
-
-void typeAgain(ScenePage& page, const Json& texts) {
-    SceneModel& model = *page.model();
-    const auto fields = fieldsByName(page);
-    const auto tables = page.findChildren<TableEditor*>();
-    for (const Json& each : texts) {
-        const int steps = model.history()->index();
-        try {
-            // What is not there is of a copy of another version of the program.
-            if (each.contains("table")) {
-                if (TableEditor* table = tables.value(each.at("table").get<qsizetype>())) {
-                    table->table()->bringRefused(each.at("cells"));
-                }
-            } else if (EntryField* field =
-                           fields.value(QString::fromStdString(each.at("field").get<std::string>()))
-                               .value(each.at("place").get<qsizetype>())) {
-                field->typeAgain(QString::fromStdString(each.at("text").get<std::string>()));
-            }
-        } catch (const Json::exception&) {
-            // A copy that is damaged here still holds its case.
-        }
-        while (model.history()->index() > steps) {
-            model.undo();
-        }
-    }
-}
-
 bool takeBackRefused(const SceneModel& model) {
     QObject* where = model.newestRefused();
     if (auto* table = qobject_cast<TableEditor*>(where)) {
@@ -187,9 +97,6 @@ QString refusedWords(const QWidget* part) {
 }
 
 bool goOnWithoutRefused(QWidget* part, const QString& title) {
-    if (ScenePage* page = pageOf(part); page != nullptr && !isSolved(*page->model(), part, title)) {
-        return false;
-    }
     const QString words = refusedWords(part);
     if (words.isEmpty()) {
         return true;

@@ -2,15 +2,12 @@
 
 #include <QStringList>
 
-#include "case-file/json_fwd.h"
-
 class QWidget;
 
 namespace ravnoves {
 
 class EntryField;
 class SceneModel;
-class ScenePage;
 
 /// The entries of the page that a widget is part of, whatever their tab.
 QList<EntryField*> entriesOfPage(const QWidget* part);
@@ -23,12 +20,6 @@ QStringList refusedInputs(const QWidget* part);
 
 /// The same as a paragraph that goes with a question; empty where nothing is refused.
 QString refusedWords(const QWidget* part);
-
-/// The same as data; null where nothing is refused.
-Json refusedTexts(const ScenePage& page);
-/// Types that again on another page of the scene over the same input, where it is refused again:
-/// what would be taken there, as in other units, is left out.
-void typeAgain(ScenePage& page, const Json& texts);
 
 /// Takes back what was refused last, in an entry or a table: what was there before stands there
 /// again, as after Escape. @return false where nothing is refused

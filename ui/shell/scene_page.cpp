@@ -58,26 +58,14 @@ void ScenePage::setActive(bool active) {
     }
 }
 
-const QList<QTabWidget*>& ScenePage::tabWidgets() {
-    if (tabWidgets_.isEmpty()) {
-        tabWidgets_ = findChildren<QTabWidget*>();
-    }
-    return tabWidgets_;
-}
-
 bool ScenePage::event(QEvent* event) {
     if (event->type() == QEvent::Polish) {
-        tabWidgets();
         separateMnemonics(this);
     }
     return QWidget::event(event);
 }
 
-ScenePage::Left ScenePage::giveWay() {
-    Left left{model(), {}, {}};
-    for (const MechanismPicture* picture : findChildren<MechanismPicture*>()) {
-        left.playing.push_back(picture->isPlaying());
-    }
+SceneModel* ScenePage::letGo() {
     setActive(false);
     if (QWidget* field = focusWidget()) {
         field->clearFocus();
@@ -85,23 +73,26 @@ ScenePage::Left ScenePage::giveWay() {
     if (model()->isEditing()) {
         model()->endEditing();
     }
-    for (const QTabWidget* tabs : tabWidgets()) {
-        left.tabs.push_back(tabs->currentIndex());
-    }
-    left.model->setParent(nullptr);
-    return left;
+    model()->setParent(nullptr);
+    return model();
 }
 
-void ScenePage::resume(const Left& left) {
-    const auto& tabs = tabWidgets();
-    const auto count = std::min(tabs.size(), static_cast<qsizetype>(left.tabs.size()));
-    for (qsizetype i = 0; i < count; ++i) {
-        tabs[i]->setCurrentIndex(left.tabs[static_cast<std::size_t>(i)]);
+QStringList ScenePage::shownTabs() const {
+    QStringList names;
+    for (const QTabWidget* tabs : findChildren<QTabWidget*>()) {
+        names << tabs->currentWidget()->objectName();
     }
-    const auto pictures = findChildren<MechanismPicture*>();
-    const auto shown = std::min(pictures.size(), static_cast<qsizetype>(left.playing.size()));
-    for (qsizetype i = 0; i < shown; ++i) {
-        pictures[i]->setPlaying(left.playing[static_cast<std::size_t>(i)]);
+    return names;
+}
+
+void ScenePage::showTabs(const QStringList& names) {
+    for (QTabWidget* tabs : findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            const QString name = tabs->widget(i)->objectName();
+            if (!name.isEmpty() && names.contains(name)) {
+                tabs->setCurrentIndex(i);
+            }
+        }
     }
 }
 

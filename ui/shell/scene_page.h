@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QList>
-#include <QTabWidget>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -51,15 +50,11 @@ class ScenePage : public QWidget {
     using ShowOther = std::function<bool(const std::function<bool(ScenePage*)>& isWanted)>;
     void setShowOther(const ShowOther& show) { showOther_ = show; }
 
-    /// Before the page gives way to one that is made anew over its model, in another language or
-    /// with other units: lets the model go and says what else the new one shall show.
-    struct Left {
-        SceneModel* model;
-        std::vector<int> tabs;
-        std::vector<bool> playing;  ///< pictures of mechanisms
-    };
-    Left giveWay();
-    void resume(const Left& left);
+    /// Lets the model go: the page is made anew over it, in another language or with other units.
+    SceneModel* letGo();
+    /// The tabs in front, by the names of their pages.
+    QStringList shownTabs() const;
+    void showTabs(const QStringList& names);
 
     /// Looks into the journal of the page, where it keeps one.
     virtual void showJournal(const QString& /*search*/) {}
@@ -87,17 +82,11 @@ class ScenePage : public QWidget {
         return showOther_ && showOther_(isWanted);
     }
 
-    bool event(QEvent* event) override;
-
   private:
     /// Axes rest while something is dragged, and are then those of what is shown, whatever was
     /// shown before.
     void followDrags(SceneModel* model);
-    /// All of the page, in the order in which they were made: before it is laid out, for that of a
-    /// narrow window puts some of them elsewhere.
-    const QList<QTabWidget*>& tabWidgets();
 
-    QList<QTabWidget*> tabWidgets_;
     ShowOther showOther_;
 };
 

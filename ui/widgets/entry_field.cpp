@@ -67,7 +67,6 @@ void EntryField::setModel(SceneModel* model) {
     connect(model, &SceneModel::changed, this, tryLater);
     connect(model, &SceneModel::historyChanged, this, tryLater);
     connect(model, &SceneModel::rested, this, tryLater);
-    connect(model, &SceneModel::solvingChanged, this, tryLater);
     connect(model, &SceneModel::typedKept, this, [this] {
         if (editing_ && trouble_.isEmpty()) {
             keepValue();
@@ -86,12 +85,6 @@ void EntryField::setModel(SceneModel* model) {
 void EntryField::setHint(const QString& hint) {
     hint_ = hint;
     describe();
-}
-
-void EntryField::typeAgain(const QString& text) {
-    setText(text);
-    Q_EMIT textEdited(text);
-    Q_EMIT editingFinished();
 }
 
 void EntryField::setDoubtful(bool isDoubtful) {
@@ -124,8 +117,7 @@ void EntryField::tryAgain() {
 }
 
 void EntryField::tryStale() {
-    if (!isStale_ || editing_ || model_ == nullptr || model_->isEditing() || model_->isMoved() ||
-        model_->isSolving() || model_->isWaiting()) {
+    if (!isStale_ || editing_ || model_ == nullptr || model_->isEditing() || model_->isMoved()) {
         return;
     }
     tryAgain();

@@ -35,8 +35,6 @@ class EntryField : public QLineEdit {
     QString said() const { return trouble_.isEmpty() ? note_ : trouble_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
-    /// As if the user typed the text and went on.
-    void typeAgain(const QString& text);
     /// What stands in it may not hold any more: it has an amber frame, where nothing is wrong.
     void setDoubtful(bool isDoubtful);
     bool isDoubtful() const { return isDoubtful_; }

@@ -6,7 +6,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -30,27 +29,7 @@ namespace {
 /// Colours what was refused.
 class TroubleDelegate final : public QStyledItemDelegate {
   public:
-    TroubleDelegate(EditableTable* table, QObject* parent)
-        : QStyledItemDelegate(parent), table_(table) {}
-
-    /// A crash takes at most the last keys of a cell.
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
-                          const QModelIndex& index) const override {
-        QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
-        auto* line = qobject_cast<QLineEdit*>(editor);
-        SceneModel* scene = table_->scene();
-        if (line != nullptr && scene != nullptr) {
-            const QPersistentModelIndex at(index);
-            connect(line, &QLineEdit::textEdited, scene, [=, table = table_](const QString& text) {
-                scene->setTyping(line, [=](CaseFile& file) {
-                    if (at.isValid()) {
-                        table->putTyped(at, text, file);
-                    }
-                });
-            });
-        }
-        return editor;
-    }
+    using QStyledItemDelegate::QStyledItemDelegate;
 
   protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
@@ -59,9 +38,6 @@ class TroubleDelegate final : public QStyledItemDelegate {
             option->palette.setColor(QPalette::Text, Theme::instance().error());
         }
     }
-
-  private:
-    EditableTable* table_;
 };
 
 }  // namespace
@@ -77,7 +53,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addLayout(tools_);
     view_ = new QTableView(this);
     view_->setModel(table_);
-    view_->setItemDelegate(new TroubleDelegate(table_, view_));
+    view_->setItemDelegate(new TroubleDelegate(view_));
     view_->setAlternatingRowColors(true);
     view_->setAccessibleName(name);
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -186,8 +162,7 @@ void TableEditor::paste() {
     if (!trouble.isEmpty()) {
         say(trouble, true);
     } else if (scene != nullptr && !trouble_.isEmpty()) {
-        pasted_ = {step, scene->history()->index() > step || scene->isSolving(),
-                   table_->refusedState().dump()};
+        pasted_ = {step, scene->history()->index() > step, table_->refusedState().dump()};
     }
 }
 
@@ -198,8 +173,7 @@ bool TableEditor::takeBackPasted() {
     }
     const Pasted pasted = *std::exchange(pasted_, std::nullopt);
     const int steps = scene->history()->index() - pasted.step;
-    if (steps != (pasted.isTaken && !scene->isSolving() ? 1 : 0) ||
-        table_->refusedState().dump() != pasted.refused) {
+    if (steps != (pasted.isTaken ? 1 : 0) || table_->refusedState().dump() != pasted.refused) {
         return false;
     }
     if (pasted.isTaken) {

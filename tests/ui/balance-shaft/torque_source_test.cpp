@@ -259,26 +259,6 @@ TEST_F(TorqueSourceTest, ABlockOfWhichCellsAreRefusedIsOneStep) {
     EXPECT_EQ(model->input().torque.table.torque[3], 111.0);
 }
 
-TEST_F(TorqueSourceTest, ACellThatIsBeingTypedBelongsToTheCopyForACrash) {
-    QTableView* view = source->tableEditor()->view();
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
-    view->setFocus();
-    view->setCurrentIndex(view->model()->index(2, 1));
-    QTest::keyClick(view, Qt::Key_F2);
-    auto* cell = view->viewport()->findChild<QLineEdit*>();
-    ASSERT_NE(cell, nullptr);
-    cell->selectAll();
-    QTest::keyClicks(cell, QStringLiteral("77"));
-    ASSERT_TRUE(model->hasTyping());
-    EXPECT_EQ(model->draftFile().input.at("torque").at("torque_Nm").at(2), 77.0);
-    EXPECT_NE(model->inputJson().at("torque").at("torque_Nm").at(2), 77.0);
-    QTest::keyClicks(cell, QStringLiteral("x"));  // no number: the table as it is
-    EXPECT_EQ(model->draftFile().input, model->inputJson());
-    QTest::keyClick(cell, Qt::Key_Escape);
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    EXPECT_FALSE(model->hasTyping());
-}
-
 TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
     const auto table = model->input().torque.table;
     choose(2);

@@ -46,7 +46,10 @@ class CaseDocumentTest : public ::testing::Test {
              asked << suggestion;
              return chosen;
          },
-         [this](const QString& trouble) { asked << trouble; }}};
+         [this](const QString& trouble) {
+             asked << trouble;
+             return false;
+         }}};
 };
 
 TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {

@@ -2,14 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QSignalSpy>
-#include <QTest>
-#include <memory>
-#include <mutex>
 
 #include "case-file/case_file.h"
-#include "model/case_document.h"
 #include "model/root_model.h"
 
 namespace ravnoves {
@@ -18,7 +13,7 @@ namespace {
 class CaseModelTest : public ::testing::Test {
   protected:
     /// How often the scene solved since the last time this was asked.
-    int solves() { return scene.solves->exchange(0); }
+    int solves() { return std::exchange(*scene.solves, 0); }
 
     test::RootScene scene;
     test::RootModel model{scene};
@@ -100,7 +95,7 @@ TEST_F(CaseModelTest, WhatIsNoDragIsAStepOfItsOwn) {
     EXPECT_EQ(model.history()->count(), 4);
 }
 
-TEST_F(CaseModelTest, AnEditingIsOneStepAtItsEnd) {
+TEST_F(CaseModelTest, AnEditingIsOneStep) {
     model.set("square", 9.0);
     model.history()->setClean();
     model.beginEditing();
@@ -109,9 +104,10 @@ TEST_F(CaseModelTest, AnEditingIsOneStepAtItsEnd) {
         model.step("square", typed);
     }
     EXPECT_EQ(model.root(), 4.0);
-    EXPECT_EQ(model.history()->count(), 1);
+    EXPECT_TRUE(model.isTyped());
     EXPECT_TRUE(model.hasChanges());
     model.endEditing();
+    EXPECT_FALSE(model.isTyped());
     EXPECT_EQ(model.history()->count(), 2);
     EXPECT_EQ(model.history()->undoText(), QStringLiteral("square"));
     EXPECT_EQ(solves(), 6);  // once for each value
@@ -121,23 +117,36 @@ TEST_F(CaseModelTest, AnEditingIsOneStepAtItsEnd) {
     EXPECT_EQ(model.root(), 4.0);
 }
 
-TEST_F(CaseModelTest, AnEditingTakenBackLeavesTheHistoryAsItWas) {
+TEST_F(CaseModelTest, AnEditingTakenBackLeavesNoStep) {
     model.step("square", 9.0);
-    model.step("square", 16.0);
-    model.undo();
-    QSignalSpy history(&model, &SceneModel::historyChanged);
+    model.history()->setClean();
     model.beginEditing();
     model.step("square", 25.0);
-    EXPECT_EQ(model.root(), 5.0);
-    EXPECT_GT(history.size(), 0);
+    model.step("square", 36.0);
     EXPECT_TRUE(model.takeBack());
     EXPECT_EQ(model.root(), 3.0);
     EXPECT_FALSE(model.takeBack());
+    EXPECT_FALSE(model.hasChanges());
+    model.step("square", 49.0);  // the editing goes on
+    EXPECT_TRUE(model.takeBack());
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 1);
+    EXPECT_EQ(model.root(), 3.0);
+}
+
+TEST_F(CaseModelTest, AnEditingIsNoPartOfTheDragBeforeIt) {
+    model.set("square", 9.0);
+    model.beginEditing();
+    model.step("square", 16.0);
+    EXPECT_TRUE(model.takeBack());
+    EXPECT_EQ(model.root(), 3.0);
+    model.step("square", 25.0);
+    model.keepForSaving();  // Escape returns to what was saved
+    model.step("square", 36.0);
+    EXPECT_TRUE(model.takeBack());
+    EXPECT_EQ(model.root(), 5.0);
     model.endEditing();
     EXPECT_EQ(model.history()->count(), 2);
-    ASSERT_TRUE(model.history()->canRedo());
-    model.redo();
-    EXPECT_EQ(model.root(), 4.0);
 }
 
 TEST_F(CaseModelTest, AnEditingThatComesBackByItselfIsNoStep) {
@@ -366,198 +375,6 @@ TEST_F(CaseModelTest, TitleAndNotesAreOneStepThatSolvesNothing) {
     EXPECT_EQ(model.notes(), QStringLiteral("Two\nlines"));
     model.loadDefault();
     EXPECT_EQ(model.notes(), QString());
-}
-
-TEST_F(CaseModelTest, WhereMemoryRunsOutAllStaysAsItWas) {
-    model.step("square", 9.0);
-    model.step("square", 16.0);
-    *scene.isFull = true;
-    QSignalSpy told(&model, &SceneModel::notSolved);
-    model.undo();
-    EXPECT_EQ(model.root(), 4.0);
-    EXPECT_EQ(model.history()->index(), 2);
-    ASSERT_EQ(told.size(), 1);
-    EXPECT_TRUE(told[0][0].toString().contains(QStringLiteral("memory")));
-    *scene.isFull = false;
-    model.undo();
-    EXPECT_EQ(model.root(), 3.0);
-    *scene.isFull = true;
-    model.redo();
-    EXPECT_EQ(model.root(), 3.0);
-    EXPECT_EQ(model.history()->index(), 1);
-    *scene.isFull = false;
-    const QString why = model.edit(QStringLiteral("square"), [](test::RootScene::Input& input) {
-        input.square = 25.0;
-        throw std::bad_alloc();
-    });
-    EXPECT_TRUE(why.contains(QStringLiteral("memory"))) << why.toStdString();
-    EXPECT_EQ(model.root(), 3.0);
-    model.redo();
-    EXPECT_EQ(model.root(), 4.0);
-}
-
-/// Squares above a hundred are solved in a thread, when the test lets it.
-class LargeInput : public CaseModelTest {
-  protected:
-    LargeInput() { model.setLargestAtOnce(100); }
-
-    bool isSolved() {
-        gate.unlock();
-        const bool done = QTest::qWaitFor([this] { return !model.isSolving(); });
-        gate.lock();
-        return done;
-    }
-
-    std::unique_lock<std::mutex> gate{*scene.gate, std::defer_lock};
-};
-
-TEST_F(LargeInput, LeavesInputAndResultTogetherUntilItIsSolved) {
-    gate.lock();
-    EXPECT_EQ(model.step("square", 400.0), QString());
-    EXPECT_TRUE(model.isSolving());
-    EXPECT_TRUE(model.hasChanges());
-    EXPECT_EQ(model.input().square, 4.0);
-    EXPECT_EQ(model.root(), 2.0);
-    EXPECT_EQ(model.history()->count(), 0);
-    EXPECT_EQ(changes.size(), 0);
-    ASSERT_TRUE(isSolved());
-    EXPECT_EQ(model.input().square, 400.0);
-    EXPECT_EQ(model.root(), 20.0);
-    EXPECT_EQ(model.title(), QStringLiteral("Root of four (changed)"));
-    EXPECT_EQ(model.history()->count(), 1);
-    EXPECT_EQ(changes.size(), 1);
-    gate.unlock();
-    model.undo();
-    EXPECT_EQ(model.root(), 2.0);
-    EXPECT_TRUE(model.history()->isClean());
-    model.redo();  // is waited for
-    EXPECT_EQ(model.root(), 20.0);
-}
-
-TEST_F(LargeInput, OfSeveralChangesTheLatestCounts) {
-    gate.lock();
-    model.step("square", 400.0);
-    model.step("another name", 900.0);
-    model.step("square", 1600.0);
-    model.editText(QStringLiteral("Mine"), {});
-    ASSERT_TRUE(isSolved());
-    EXPECT_EQ(model.root(), 40.0);
-    EXPECT_EQ(model.title(), QStringLiteral("Mine"));
-    EXPECT_EQ(changes.size(), 2);  // the title's and this one
-    EXPECT_LE(solves(), 3);        // 900 was never solved
-    gate.unlock();
-    EXPECT_EQ(model.history()->count(), 4);  // but each is a step
-    model.undo();
-    EXPECT_EQ(model.root(), 30.0);
-    model.undo();
-    EXPECT_EQ(model.root(), 20.0);
-}
-
-TEST_F(LargeInput, ChangesOfADragAreOneStep) {
-    gate.lock();
-    model.set("square", 400.0);
-    model.set("square", 900.0);
-    ASSERT_TRUE(isSolved());
-    model.set("square", 1600.0);
-    ASSERT_TRUE(isSolved());
-    gate.unlock();
-    EXPECT_EQ(model.root(), 40.0);
-    EXPECT_EQ(model.history()->count(), 1);
-}
-
-TEST_F(LargeInput, WhatIsRefusedThenIsGivenUp) {
-    QSignalSpy told(&model, &SceneModel::notSolved);
-    gate.lock();
-    model.step("square", 400.0);
-    model.step("square", -900.0);
-    ASSERT_TRUE(isSolved());
-    ASSERT_EQ(told.size(), 1);
-    EXPECT_TRUE(told[0][0].toString().contains(QStringLiteral("negative")));
-    EXPECT_EQ(model.root(), 20.0);  // the change before it holds
-    EXPECT_EQ(model.history()->count(), 1);
-}
-
-TEST_F(LargeInput, UndoAndCancelGiveItUp) {
-    gate.lock();
-    model.step("square", 400.0);
-    model.undo();
-    EXPECT_FALSE(model.isSolving());
-    model.step("square", 900.0);
-    model.step("square", 1600.0);
-    model.stopSolving();
-    EXPECT_FALSE(model.isSolving());
-    EXPECT_FALSE(model.hasChanges());
-    EXPECT_FALSE(model.history()->canUndo());
-    gate.unlock();
-    QTest::qWait(20);
-    EXPECT_EQ(model.root(), 2.0);
-    model.step("square", 2500.0);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !model.isSolving(); }));
-    EXPECT_EQ(model.root(), 50.0);
-}
-
-TEST_F(LargeInput, AnEditingIsOneStepAndEscapeTakesItBack) {
-    gate.lock();
-    model.beginEditing();
-    model.step("square", 400.0);
-    model.step("square", 4000.0);
-    EXPECT_TRUE(model.takeBack());
-    model.endEditing();
-    EXPECT_FALSE(model.isSolving());
-    model.beginEditing();
-    model.step("square", 400.0);
-    ASSERT_TRUE(isSolved());
-    EXPECT_TRUE(model.isTyped());
-    model.step("square", 900.0);
-    EXPECT_EQ(model.root(), 20.0);
-    ASSERT_TRUE(isSolved());
-    EXPECT_EQ(model.root(), 30.0);
-    EXPECT_EQ(model.history()->count(), 0);
-    model.endEditing();
-    EXPECT_EQ(model.history()->count(), 1);
-    model.beginEditing();
-    model.step("square", 1600.0);
-    model.endEditing();
-    EXPECT_TRUE(model.isSolving());
-    ASSERT_TRUE(isSolved());
-    EXPECT_EQ(model.history()->count(), 2);
-    EXPECT_FALSE(model.isTyped());
-}
-
-TEST_F(LargeInput, WhatIsLoadedTakesThePlaceOfWhatIsAwaited) {
-    model.step("square", 400.0);
-    EXPECT_TRUE(model.isSolving());
-    EXPECT_THROW(model.loadInput({{"crank_radius_mm", -1.0}}, {}), InputError);
-    EXPECT_TRUE(model.isSolving());
-    model.loadInput({{"crank_radius_mm", 900.0}}, {});
-    EXPECT_FALSE(model.isSolving());
-    EXPECT_EQ(model.root(), 30.0);
-}
-
-TEST_F(LargeInput, IsNotWrittenBeforeItIsSolved) {
-    CaseDocument document(&model, {});
-    gate.lock();
-    model.step("square", 400.0);
-    EXPECT_TRUE(document.needsSaving());
-    const QString why = document.saveTo(QStringLiteral("/nowhere/file"));
-    EXPECT_TRUE(why.contains(QStringLiteral("still being solved"))) << why.toStdString();
-    model.keepVariant();
-    EXPECT_EQ(model.variants().size(), 0);
-    ASSERT_TRUE(isSolved());
-}
-
-TEST_F(LargeInput, KeepsNobodyWhoCloses) {
-    auto other = std::make_unique<test::RootModel>(scene);
-    other->setLargestAtOnce(100);
-    gate.lock();
-    other->step("square", 400.0);
-    other->step("square", 900.0);
-    other.reset();  // would wait for ever
-    gate.unlock();
-    const auto isOver = [] {
-        return QCoreApplication::instance()->findChildren<BackgroundJob*>().isEmpty();
-    };
-    EXPECT_TRUE(QTest::qWaitFor(isOver));
 }
 
 }  // namespace

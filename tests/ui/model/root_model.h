@@ -1,10 +1,7 @@
 #pragma once
 
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <mutex>
 
 #include "case-file/field_visitor.h"
 #include "model/case_model_json.h"
@@ -34,16 +31,10 @@ struct RootScene {
         return read;
     }
     static Json write(const Input& input) { return {{"crank_radius_mm", input.square}}; }
-    /// None is, until a test says so.
-    static std::size_t size(const Input& input) {
-        return static_cast<std::size_t>(std::min(std::abs(input.square), 1e9));
-    }
-    static constexpr std::size_t largestAtOnce = std::numeric_limits<std::size_t>::max();
     Solved solve(const Input& input) const {
         ++*solves;
-        const std::lock_guard lock(*gate);
         *dirty += are_vector_registers_dirty() ? 1 : 0;
-        if (input.square > 1e100 || *isFull) {
+        if (input.square > 1e100) {
             throw std::bad_alloc();
         }
         if (input.square < 0.0) {
@@ -52,12 +43,9 @@ struct RootScene {
         return std::sqrt(input.square);
     }
 
-    std::shared_ptr<std::atomic<int>> solves = std::make_shared<std::atomic<int>>(0);
-    std::shared_ptr<std::atomic<int>> dirty =
-        std::make_shared<std::atomic<int>>(0);  ///< with registers that others left in use
-    std::shared_ptr<std::mutex> gate = std::make_shared<std::mutex>();  ///< solving waits for it
-    std::shared_ptr<std::atomic<bool>> isFull =
-        std::make_shared<std::atomic<bool>>(false);  ///< there is no more memory
+    std::shared_ptr<int> solves = std::make_shared<int>(0);
+    std::shared_ptr<int> dirty =
+        std::make_shared<int>(0);  ///< with registers that others left in use
 };
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
@@ -80,9 +68,12 @@ class RootModel : public CaseModel<RootScene> {
         return edit(
             QString::fromLatin1(name), [=](Input& input) { input.square = square; }, title);
     }
+    Json placeJson() const override { return place; }
+    void takePlace(const Json& from) override { place = from; }
     using CaseModel::restart;
     using CaseModel::solveAgain;
 
+    Json place;
     int loads = 0;
     int takes = 0;
 

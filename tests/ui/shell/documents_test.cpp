@@ -270,12 +270,49 @@ TEST_F(DocumentsTest, ClosesByKeyByButtonAndByTheMiddleButton) {
     QTest::mouseClick(&bar(), Qt::MiddleButton, {}, bar().tabRect(1).center());
     EXPECT_EQ(window.documents().all().size(), 1U);
     EXPECT_FALSE(bar().isVisible());
-    // The last leaves what a new document is.
+    // The last leaves the start page, not another engine's numbers as if they were one's own.
     press(Qt::Key_W);
-    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
-    EXPECT_EQ(window.documents().current().document->path(), QString());
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_FALSE(window.documents().hasCurrent());
+    EXPECT_FALSE(action(u"Close case"_s)->isEnabled());
+    open(u"honda"_s);
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+}
+
+TEST_F(DocumentsTest, FilesAreOpenedWhenTheirTabsAreShown) {
+    const QString broken = folder.filePath(u"broken.case.json"_s);
+    QFile::copy(example(u"honda"_s), broken);
+    ASSERT_TRUE(QFile::resize(broken, 20));
+    window.documents().openLater({example(u"zotov-energy"_s), example(u"tmz-650d"_s), broken,
+                                  example(u"honda"_s), example(u"tmz-650d"_s)});
+    EXPECT_EQ(tabs(), (QStringList{u"TMZ-650D"_s, u"zotov-energy"_s, u"tmz-650d"_s, u"broken"_s,
+                                   u"honda"_s}));
+    EXPECT_EQ(window.documents().all().size(), 1U) << "none of them is read";
+    EXPECT_EQ(window.documents().paths().size(), 4);
+    open(u"tmz-650d"_s);
+    EXPECT_EQ(window.documents().all().size(), 2U);
+    EXPECT_EQ(bar().currentIndex(), 2) << "in its place";
+    answer(QMessageBox::Ok);
+    press(Qt::Key_Tab);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(broken)) << asked[0].toStdString();
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_EQ(bar().count(), 4);
+    press(Qt::Key_Tab);
+    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+    EXPECT_EQ(bar().currentIndex(), 3);
+    // One that was never shown is closed without being read, and is the next after the last.
     press(Qt::Key_W);
+    press(Qt::Key_W);
+    window.documents().openLater({example(u"honda"_s)});
+    QTest::mouseClick(bar().tabButton(bar().count() - 1, QTabBar::RightSide), Qt::LeftButton);
+    EXPECT_EQ(window.documents().paths(), QStringList{example(u"zotov-energy"_s)});
+    press(Qt::Key_W);
+    EXPECT_TRUE(window.windowTitle().contains(u"zotov-energy"_s));
     EXPECT_EQ(window.documents().all().size(), 1U);
+    press(Qt::Key_W);
+    EXPECT_TRUE(window.isAtStart());
 }
 
 TEST_F(DocumentsTest, ClosingAsksForItsOwnChangesAlone) {

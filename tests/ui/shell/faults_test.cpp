@@ -246,38 +246,5 @@ TEST_F(Faults, WithoutAPrinterTheDialogsComeAndGo) {
     EXPECT_EQ(dialogs, 1);
 }
 
-TEST_F(Faults, WhatIsStillBeingSolvedIsSaidAndNotWritten) {
-    auto* model = qobject_cast<BalanceShaftModel*>(window->currentPage()->model());
-    ASSERT_NE(model, nullptr);
-    model->setLargestAtOnce(10);  // rows
-    const auto* notice = test::named<QWidget>(*window, "solving_notice");
-    EXPECT_FALSE(notice->isVisible());
-    const double before = model->input().crank_radius;
-    model->edit(u"r"_s, [](balance_shaft::Input& input) { input.crank_radius *= 1.01; });
-    // Nothing is delivered before events are.
-    ASSERT_TRUE(model->isSolving());
-    EXPECT_TRUE(notice->isVisible());
-    EXPECT_EQ(model->input().crank_radius, before);
-    EXPECT_TRUE(window->saveCase(file).contains(u"still being solved"_s));
-    // Who is to save or print waits, and goes on by itself when it is solved.
-    EXPECT_TRUE(goOnWithoutRefused(window->currentPage(), u"Report"_s));
-    EXPECT_FALSE(model->isSolving());
-    EXPECT_FALSE(notice->isVisible());
-    EXPECT_NE(model->input().crank_radius, before);
-    // What is refused is so at once, and in the words of any other input.
-    EXPECT_FALSE(model->editField("/crank_radius_mm", -1.0, u"r"_s).isEmpty());
-    EXPECT_FALSE(model->isSolving());
-    EXPECT_EQ(window->saveCase(file), QString());
-    // Closing saves it, and then closes.
-    const Json saved = CaseDocument::read(file).input;
-    model->edit(u"r"_s, [](balance_shaft::Input& input) { input.crank_radius *= 1.01; });
-    ASSERT_TRUE(model->isSolving());
-    test::whenModal<QMessageBox>(window.get(), [](QMessageBox* box) {
-        QTest::mouseClick(box->button(QMessageBox::Save), Qt::LeftButton);
-    });
-    EXPECT_TRUE(window->close());
-    EXPECT_NE(CaseDocument::read(file).input, saved);
-}
-
 }  // namespace
 }  // namespace ravnoves

@@ -144,43 +144,6 @@ TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
     EXPECT_NE(offered(), nullptr);
 }
 
-TEST_F(NothingIsLost, WhatStandsInAnOpenDialogIsKept) {
-    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
-    QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier);
-    auto* dialog = window->findChild<CaseProperties*>();
-    ASSERT_NE(dialog, nullptr);
-    QTest::keyClicks(test::named<QPlainTextEdit>(*dialog, "case_notes"), u"measured twice"_s);
-    crash();
-    start();
-    ASSERT_NE(offered(), nullptr);
-    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
-    EXPECT_EQ(model().notes(), u"measured twice"_s);
-}
-
-TEST_F(NothingIsLost, WhatIsRefusedIsKept) {
-    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
-    const auto radius = [this] {
-        return test::named<NumberField>(*window->currentPage(), "crank_radius_mm");
-    };
-    const auto cell = [this](int row) {
-        return window->currentPage()->findChild<TableEditor*>()->view()->model()->index(row, 1);
-    };
-    radius()->setFocus();
-    radius()->selectAll();
-    QTest::keyClicks(radius(), u"46,x"_s);
-    QTest::keyClick(radius(), Qt::Key_Backspace);
-    QTest::keyClicks(radius(), u"yz"_s);
-    window->currentPage()->findChild<TableEditor*>()->view()->model()->setData(cell(5), u"abc"_s);
-    ASSERT_FALSE(window->isWindowModified());
-    crash();
-    start();
-    ASSERT_NE(offered(), nullptr);
-    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
-    EXPECT_EQ(radius()->text(), u"46,yz"_s);
-    EXPECT_FALSE(radius()->trouble().isEmpty());
-    EXPECT_EQ(cell(5).data(Qt::EditRole).toString(), u"abc"_s);
-}
-
 TEST_F(NothingIsLost, TabsComeBackInTheirOrder) {
     ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
     set(u"shaft_angle_deg=77"_s);

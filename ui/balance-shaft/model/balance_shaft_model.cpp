@@ -14,7 +14,6 @@
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "model/case_model_json.h"
-#include "model/run_beside.h"
 #include "numerics/vector_state.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -52,23 +51,6 @@ Json BalanceShaftScene::write(const Input& input) {
     return balance_shaft::write_input(input);
 }
 
-bool BalanceShaftScene::isLong(const Json& input, const CaseContext& context) {
-    const auto has = [&](const char* place, const auto& isSo) {
-        const Json::json_pointer at(place);
-        return input.is_object() && input.contains(at) && isSo(input.at(at));
-    };
-    const auto isMany = [](const Json& list) { return list.size() > largestAtOnce; };
-    const auto isLongFile = [&](const Json& name) {
-        std::error_code none;
-        return name.is_string() &&
-               std::filesystem::file_size(context.directory / name.get<std::string>(), none) >
-                   longestReadAtOnce &&
-               !none;
-    };
-    return has("/torque/torque_Nm", isMany) || has("/torque/csv", isLongFile) ||
-           has("/torque/pressure/csv", isLongFile);
-}
-
 void BalanceShaftScene::keep(Input& input, const Json& kept, const CaseContext& context) {
     balance_shaft::read_kept(kept, context, input);
 }
@@ -103,9 +85,6 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
 }
 
 QString BalanceShaftModel::tabulateTorque() {
-    if (isSolving()) {
-        return solvingText();  // it is made of the result
-    }
     return edit(tr("Torque table"), [this](Input& input) {
         balance_shaft::TorqueTable& table = input.torque.table;
         table.crank_angle_deg = result().curves.crank_angle_deg;
@@ -125,9 +104,6 @@ bool BalanceShaftModel::canRebuildTorque() const {
 }
 
 QString BalanceShaftModel::rebuildTorque() {
-    if (isSolving()) {
-        return solvingText();
-    }
     return edit(tr("Rebuild torque"), [this](Input& input) {
         input = balance_shaft::with_rebuilt_torque(input, result().inertia_check);
     });
@@ -140,15 +116,8 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
         std::string sum;
         withinMemory([&] {
             const std::string text = read_text_file(fsPath(path));
-            const auto parse = [&] {
-                read = balance_shaft::parse_pressure_trace(text);
-                sum = sha256(text);
-            };
-            if (text.size() > longestReadAtOnce) {
-                runBeside(parse);
-            } else {
-                parse();
-            }
+            read = balance_shaft::parse_pressure_trace(text);
+            sum = sha256(text);
         });
         described = messageText(read.describe());
         why = edit(tr("Pressure trace"), [&](Input& input) {
@@ -247,18 +216,11 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
         return;
     }
     const QString name = fieldName(balance_shaft::field::shaft_angle);
-    if (isSolving()) {
-        drag(name, [radians](Input& input) { input.shaft_angle = radians; });
-        return;
-    }
-    if (joinEditing(name)) {
-        applyShaftAngle(radians);
-        settle();
-        return;
-    }
     // Only the number goes into the history, so that a drag copies no torque table.
-    history()->push(new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
-                                             [this](double a) { applyShaftAngle(a); }));
+    auto* step = new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
+                                          [this](double a) { applyShaftAngle(a); });
+    applyShaftAngle(radians);
+    history()->push(step);
 }
 
 void BalanceShaftModel::applyShaftAngle(double radians) {

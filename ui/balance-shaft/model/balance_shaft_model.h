@@ -38,17 +38,6 @@ struct BalanceShaftScene {
         last = balance_shaft::Solver(input, last ? &*last : nullptr);
         return {*last, last->result(), {}};
     }
-    /// Rows of the torque that is in use; the time of all else does not grow.
-    static std::size_t size(const Input& input) {
-        return input.torque.kind == balance_shaft::TorqueSource::Kind::pressure
-                   ? input.torque.trace.pressure.size()
-               : input.torque.is_computed() ? 0
-                                            : input.torque.table.size();
-    }
-    static constexpr std::size_t largestAtOnce = 20'000;
-    static bool isLong(const Json& input, const CaseContext& context);
-    static void check(const Input& input) { balance_shaft::check_input(input); }
-    void took(const Solved& solved) const { last = solved.solver; }
     mutable std::optional<balance_shaft::Solver> last{};  ///< spares the next what stays
 };
 

@@ -10,7 +10,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/run_beside.h"
 #include "numerics/constants.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -282,30 +281,6 @@ void TorqueTableModel::putInto(balance_shaft::Input& input, const TorqueTable& t
     input.strokes = input.strokes_of_torque();
 }
 
-void TorqueTableModel::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    const auto number = readCell(text);
-    if (!number || rows_.empty()) {
-        return;
-    }
-    TorqueTable table = tableOf(Cells::typed);
-    const auto row = static_cast<std::size_t>(at.row());
-    if (at.column() == CrankAngle) {
-        table.crank_angle_deg[row] = *number;
-    } else {
-        table.torque[row] = *number * shownAs(units::N_m);
-        if (row == 0 || row + 1 == rows_.size()) {  // the cycle repeats
-            table.torque.front() = table.torque.back() = table.torque[row];
-        }
-    }
-    if (!cycleTrouble(table).isEmpty()) {
-        return;
-    }
-    Json input = model_->inputAfter([&](balance_shaft::Input& next) { putInto(next, table); });
-    if (!input.is_null()) {
-        file.input = std::move(input);
-    }
-}
-
 void TorqueTableModel::insertRowBelow(int row) {
     if (rows_.empty()) {
         return;
@@ -335,13 +310,7 @@ void TorqueTableModel::removeRowRange(int first, int count) {
 }
 
 QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
-    balance_shaft::ParsedTorqueTable read;
-    const auto parse = [&] { read = balance_shaft::parse_torque_table(text); };
-    if (text.size() > longestReadAtOnce) {
-        runBeside(parse);
-    } else {
-        parse();
-    }
+    balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text);
     if (isShown && text.find("N·m") == std::string::npos && text.find("Nm") == std::string::npos) {
         for (double& torque : read.table.torque) {
             torque = torque * shownAs(units::N_m);
@@ -457,39 +426,6 @@ Json TorqueTableModel::refusedState() const {
         rows.push_back({cell(row, CrankAngle, angleOf(row)), cell(row, Torque, torqueOf(row))});
     }
     return rows;
-}
-
-void TorqueTableModel::bringRefused(const Json& state) {
-    std::vector<Row> rows;
-    for (const Json& each : state) {
-        const std::size_t place = rows.size();
-        Row& row = rows.emplace_back();
-        if (state.size() == valid_.size()) {  // what holds below what was typed
-            row.angle = valid_.crank_angle_deg[place];
-            row.torque = valid_.torque[place];
-        }
-        const bool isHeld = state.size() == valid_.size();
-        const auto put = [&](const Json& cell, double& own, int column) {
-            if (!cell.is_number()) {
-                type(row, column, QString::fromStdString(cell.get<std::string>()));
-            } else if (const double number = cell.get<double>(); !isHeld) {
-                own = number;
-            } else if (number != own) {
-                Row other;
-                (column == CrankAngle ? other.angle : other.torque) = number;
-                type(row, column, ownText(other, column));
-            }
-        };
-        put(each.at(0), row.angle, CrankAngle);
-        put(each.at(1), row.torque, Torque);
-    }
-    if (rows.empty()) {
-        return;
-    }
-    beginResetModel();
-    rows_ = std::move(rows);
-    endResetModel();
-    check();
 }
 
 void TorqueTableModel::put(const QModelIndex& index, const QString& text) {

@@ -48,9 +48,7 @@ class TorqueTableModel : public EditableTable {
     /// The whole table, whose numbers are in SI units; nothing of one so long that it takes a
     /// while.
     Json refusedState() const override;
-    void bringRefused(const Json& state) override;
     SceneModel* scene() const override;
-    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     /// Puts the table into an input.
     static void putInto(balance_shaft::Input& input, const balance_shaft::TorqueTable& table);
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;

@@ -347,17 +347,6 @@ SceneModel* CylinderTableModel::scene() const {
     return model_;
 }
 
-void CylinderTableModel::putTyped(const QModelIndex& at, const QString& text, CaseFile& file) {
-    const auto row = static_cast<std::size_t>(at.row());
-    bool isTaken = false;
-    Json input = model_->inputAfter([&](Input& next) {
-        isTaken = setCell(model_->tableOf(next).at(row), at.column(), text.trimmed());
-    });
-    if (isTaken && !input.is_null()) {
-        file.input = std::move(input);
-    }
-}
-
 void CylinderTableModel::takeBackRefused(const QModelIndex& at) {
     model_->sayTrouble({});
     RefusingTable::takeBackRefused(at);

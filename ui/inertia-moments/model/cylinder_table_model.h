@@ -45,7 +45,6 @@ class CylinderTableModel final : public RefusingTable {
     /// Rows that are missing are added.
     void takeBackRefused(const QModelIndex& at) override;
     SceneModel* scene() const override;
-    void putTyped(const QModelIndex& at, const QString& text, CaseFile& file) override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -137,7 +137,7 @@ void MethodsModel::setKernel(std::size_t kernel) {
     if (kernel == kernel_ || kernel >= kernels().size()) {
         return;
     }
-    keepTyped();
+    before_.reset();
     kernel_ = kernel;
     measurements_->cancel();
     if (auto known = measurements_->newest(this->kernel())) {
@@ -154,7 +154,7 @@ void MethodsModel::setSweep(std::size_t sweep) {
     if (sweep == sweepIndex() || sweep >= kernel().sweeps.size()) {
         return;
     }
-    keepTyped();
+    before_.reset();
     chosen().sweep = sweep;
     chosen().value.reset();
     measurements_->cancel();
@@ -198,7 +198,7 @@ void MethodsModel::followCase() {
     if (followsCase()) {
         return;
     }
-    keepTyped();
+    before_.reset();
     chosen().value.reset();
     Q_EMIT valueChanged(value());
     choiceMoved(0);

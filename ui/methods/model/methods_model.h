@@ -76,7 +76,7 @@ class MethodsModel : public SceneModel {
 
     // Of an editing of the value: Escape brings back also that it followed the case.
     bool takeBack() override;
-    void keepTyped() override { before_.reset(); }
+    void editingEnds() override { before_.reset(); }
 
   Q_SIGNALS:
     void kernelChanged();

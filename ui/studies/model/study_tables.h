@@ -16,6 +16,7 @@ class ScatterTable final : public RefusingTable {
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
+    SceneModel* scene() const override { return model_->scene(); }
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,6 +51,7 @@ class WatchTable final : public RefusingTable {
     /// These limits are there no more, as one step.
     void clearLimits(const QModelIndexList& cells);
     void takeBackRefused(const QModelIndex& at) override;
+    SceneModel* scene() const override { return model_->scene(); }
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
