@@ -82,6 +82,8 @@ class ScenePage : public QWidget {
         return showOther_ && showOther_(isWanted);
     }
 
+    bool event(QEvent* event) override;
+
   private:
     /// Axes rest while something is dragged, and are then those of what is shown, whatever was
     /// shown before.
