@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "balance-shaft/angle_minimum.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/envelope.h"
 #include "case-file/message.h"
 
@@ -23,9 +23,8 @@ double distance_from_cylinder(const FrontView& view, double x, double y);
 /// @param shaft_angle  α, rad, any
 ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 
-/// Whether a place of the shaft's axis (m) is within the limits.
-/// @param rounding  m, what it may miss them by
-bool is_within(const PlaceLimits& limits, double x, double y, double rounding);
+/// How far a place of the shaft's axis may move and stay within the limits, m; negative outside.
+double margin_within(const PlaceLimits& limits, double x, double y);
 
 /// The angles of the shaft that can be built: every clearance is at least the view's, the gears
 /// mesh (the tip circle reaches the pitch circle, and not the other gear's root circle, 1.25
@@ -45,7 +44,7 @@ struct BuildableAngles {
 double nearest_angle(const std::vector<AngleStretch>& stretches, double angle);
 
 /// The ends are found to rounding, on the side that can be built. A stretch or gap of less than
-/// 0.02° may be missed; limits cut exactly.
+/// 0.02° may be missed.
 BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limits = {});
 
 }  // namespace ravnoves::balance_shaft

@@ -7,6 +7,22 @@
 
 namespace ravnoves::balance_shaft {
 
+namespace {
+
+constexpr double largest = 1e100;
+
+double bore_of(const Input& input) {
+    return input.envelope.cylinder_bore.value_or(
+        input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * input.crank_radius);
+}
+
+/// Of steel, as long as the bore.
+double half_disc_radius(double unbalance, double bore) {
+    return std::min(std::cbrt(1.5 * unbalance / (steel_density * bore)), largest);
+}
+
+}  // namespace
+
 FrontView front_view(const Input& input) {
     const EnvelopeSizes& sizes = input.envelope;
     FrontView view{};
@@ -14,9 +30,7 @@ FrontView front_view(const Input& input) {
     view.rod_length = input.effective_rod_length();
     view.offset = input.torque.cylinder.offset;
     view.counterweight_radius = input.counterweight_radius;
-    const double known_bore =
-        input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * view.crank_radius;
-    view.cylinder_bore = sizes.cylinder_bore.value_or(known_bore);
+    view.cylinder_bore = bore_of(input);
     view.cylinder_wall = sizes.cylinder_wall.value_or(0.06 * view.cylinder_bore);
     const SliderCrank<double> crank = view.crank();
     view.cylinder_top =
@@ -24,16 +38,16 @@ FrontView front_view(const Input& input) {
     view.cylinder_bottom = sizes.cylinder_bottom.value_or(crank.at(crank.bottom_dead_centre()).s -
                                                           0.3 * view.cylinder_bore);
     view.rod_width = sizes.rod_width.value_or(view.crank_radius / 2.0);
-    const double unbalance =
-        input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
-                                          (2.0 * input.counterweight_radius)) *
-        input.counterweight_radius;
-    constexpr double largest = 1e100;
-    const double half_disc =
-        std::min(std::cbrt(1.5 * unbalance / (steel_density * view.cylinder_bore)), largest);
+    const double unbalance = input.unbalance();
+    const double half_disc = half_disc_radius(unbalance, view.cylinder_bore);
     view.crank_swing_radius = sizes.crank_swing_radius.value_or(
         std::max(view.crank_radius + view.rod_width / 2.0, half_disc));
-    view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(half_disc);
+    double shaft_radius = half_disc;
+    if (input.relieved_shaft) {
+        const double bar = design_relieved_shaft(*input.relieved_shaft, unbalance).diameter / 2.0;
+        shaft_radius = bar > 0.0 ? std::min(bar, largest) : half_disc;
+    }
+    view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(shaft_radius);
     view.gear_tip_radius = sizes.gear_tip_radius.value_or(0.0);
     view.tip_follows_distance = !sizes.gear_tip_radius;
     view.gear_teeth = input.gears.teeth;
@@ -53,6 +67,14 @@ FrontView FrontView::at_distance(double distance) const {
     return view;
 }
 
+RelievedShaftSizes relieved_shaft_sizes(const Input& input) {
+    if (input.relieved_shaft) {
+        return *input.relieved_shaft;
+    }
+    const double bore = bore_of(input);
+    return {.diameter = 2.0 * half_disc_radius(input.unbalance(), bore), .length = bore};
+}
+
 Message assumed_sizes(const Input& input) {
     const FrontView view = front_view(input);
     Message sizes;
@@ -63,8 +85,10 @@ Message assumed_sizes(const Input& input) {
         }
     };
     const EnvelopeSizes& given = input.envelope;
-    add(given.shaft_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the shaft"),
-        view.shaft_swing_radius);
+    if (!input.relieved_shaft) {
+        add(given.shaft_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the shaft"),
+            view.shaft_swing_radius);
+    }
     add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "of the crank"),
         view.crank_swing_radius);
     add(given.rod_width, CORE_TEXT("balance-shaft", "width of the rod"), view.rod_width);

@@ -47,9 +47,14 @@ struct FrontView {
 
 /// The sizes of an input, what it leaves out by default. The counterweights' circle follows from
 /// what they have to do: a half disc of steel (7850 kg/m³) of radius R and as long as the bore b
-/// has the unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. The crank's circle
-/// holds the crankpin with half the rod's width besides.
+/// has the unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. A relieved shaft that
+/// the input gives sweeps the circle of its bar instead. The crank's circle holds the crankpin with
+/// half the rod's width besides.
 FrontView front_view(const Input& input);
+
+/// The sizes of the relieved shaft as the input gives them, else those of the half disc that
+/// front_view() takes for the shaft: a bar with half of it milled away, as long as the bore.
+RelievedShaftSizes relieved_shaft_sizes(const Input& input);
 
 /// Says which of the sizes that decide what can be built are defaults, and what they are; empty
 /// where all are given.

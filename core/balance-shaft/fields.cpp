@@ -193,22 +193,15 @@ void visit_fields(FieldVisitor& visitor, SpeedBand& band) {
 }
 
 void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes) {
-    if (visitor.is_reading()) {
-        sizes.diameter.reset();
-        sizes.depth.reset();
-        sizes.length.reset();
-    }
     visitor.number(field::bar_diameter, sizes.diameter);
     visitor.number(field::relief_depth, sizes.depth);
     visitor.number(field::relief_length, sizes.length);
-    const RelievedShaftSizes usual;
-    visitor.number(field::density, sizes.density, usual.density);
-    visitor.number(field::elastic_modulus, sizes.elastic_modulus, usual.elastic_modulus);
-    visitor.number(field::bearing_span, sizes.bearing_span);
-    visitor.number(field::allowable_stress, sizes.allowable_stress, usual.allowable_stress);
-    visitor.number(field::permitted_sag, sizes.permitted_sag);
-    visitor.number(field::speed_margin, sizes.speed_margin, usual.speed_margin);
-    visitor.number(field::bearing_limit, sizes.bearing_limit);
+    visitor.number(field::density, sizes.density, RelievedShaftSizes{}.density);
+    if (visitor.is_reading()) {
+        for (const std::string_view key : field::bending_keys) {
+            sizes.had_bending = visitor.has(key, false) || sizes.had_bending;
+        }
+    }
 }
 
 void visit_fields(FieldVisitor& visitor, Input& input) {

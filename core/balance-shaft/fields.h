@@ -245,7 +245,8 @@ inline constexpr Field shaft_swing_radius{
     .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft."),
     .if_empty =
         CORE_TEXT("balance-shaft",
-                  "the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁"),
+                  "the bar of the relieved shaft, else the half disc of steel, as long as the "
+                  "bore, with the unbalance m₁ ρ₁"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
@@ -259,7 +260,9 @@ inline constexpr Field wall{.key = "wall_mm",
                             .unit = units::mm,
                             .range = Range::at_least(0),
                             .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
-                            .hint = CORE_TEXT("balance-shaft", "Added around every circle.")};
+                            .hint = CORE_TEXT("balance-shaft",
+                                              "Added around every circle, and above and beside "
+                                              "the cylinder.")};
 
 inline constexpr Field place_limits{
     .key = "place_limits",
@@ -579,58 +582,9 @@ inline constexpr Field density{
     .label = CORE_TEXT("balance-shaft", "Densit&y"),
     .hint = CORE_TEXT("balance-shaft",
                       "Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.")};
-inline constexpr Field elastic_modulus{
-    .key = "elastic_modulus_GPa",
-    .unit = units::GPa,
-    .range = Range::between(1, 1000),
-    .label = CORE_TEXT("balance-shaft", "&Elastic modulus"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "For the sag under the shaft's own centrifugal load. Steel 210, cast iron "
-                      "170, tungsten alloy 360.")};
-inline constexpr Field bearing_span{
-    .key = "bearing_span_mm",
-    .unit = units::mm,
-    .range = Range::between(1e-3, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Bearin&g span L"),
-    .symbol = "L",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Between the middles of the two bearings, the relief in the middle."),
-    .if_empty = CORE_TEXT("balance-shaft", "b + D, half a diameter of whole bar on both sides"),
-    .placeholder = CORE_TEXT("balance-shaft", "b + D")};
-inline constexpr Field allowable_stress{
-    .key = "allowable_stress_MPa",
-    .unit = units::MPa,
-    .range = Range::between(1, 10000),
-    .label = CORE_TEXT("balance-shaft", "Allo&wable stress"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "For bending and shear together. The notches at the ends of the relief are "
-                      "to be counted in here. 150 MPa is half the yield strength of normalised "
-                      "C45 steel from 16 to 100 mm (EN 10083-2: 305 MPa).")};
-inline constexpr Field permitted_sag{
-    .key = "permitted_sag_mm",
-    .unit = units::mm,
-    .range = Range::between(1e-6, 1e5),
-    .label = CORE_TEXT("balance-shaft", "&Permitted sag"),
-    .hint = CORE_TEXT("balance-shaft", "Largest deflection at speed, with that of the weight."),
-    .if_empty = CORE_TEXT("balance-shaft",
-                          "L / 1200, which tilts the journals by about 0.0027 rad; ball bearings "
-                          "take 0.001 to 0.003 (Shigley, Table 7-2)"),
-    .placeholder = CORE_TEXT("balance-shaft", "L / 1200")};
-inline constexpr Field speed_margin{
-    .key = "speed_margin",
-    .range = Range::between(1, 100),
-    .label = CORE_TEXT("balance-shaft", "W&hirling over speed"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "So many times the speed the whirling speed must be at least. Shigley, "
-                      "section 7-6: designers seek twice the operating speed.")};
-inline constexpr Field bearing_limit{
-    .key = "bearing_load_limit_N",
-    .unit = units::newton,
-    .range = Range::greater_than(0, 1e9),
-    .label = CORE_TEXT("balance-shaft", "Bearing load &up to"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "What one bearing can bear at this speed, by its maker's catalogue."),
-    .if_empty = CORE_TEXT("balance-shaft", "the load is computed but not judged"),
-    .placeholder = CORE_TEXT("balance-shaft", "any")};
+/// Of the shaft's bending in cases of before: read, and no longer used.
+inline constexpr std::string_view bending_keys[] = {"elastic_modulus_GPa",  "bearing_span_mm",
+                                                    "allowable_stress_MPa", "permitted_sag_mm",
+                                                    "speed_margin",         "bearing_load_limit_N"};
 
 }  // namespace ravnoves::balance_shaft::field

@@ -123,7 +123,7 @@ std::vector<Formula> formulas(const Input& input) {
                     CORE_TEXT("balance-shaft",
                               "half-axes of the ellipse of the first-order force, along and across "
                               "the cylinder; κ balanced share")});
-    if (!input.envelope.shaft_swing_radius) {
+    if (!input.envelope.shaft_swing_radius && !input.relieved_shaft) {
         list.push_back(
             {CORE_TEXT("balance-shaft", "Swing circle of the shaft, assumed"),
              "R = (3 m<sub>1</sub>ρ<sub>1</sub> / (2 ρ B))<sup>1/3</sup>", "", "",
@@ -143,14 +143,6 @@ std::vector<Formula> formulas(const Input& input) {
                         CORE_TEXT("balance-shaft",
                                   "ρ density, b length of the relief, A the segment milled away, y "
                                   "from the axis")});
-        list.push_back({CORE_TEXT("balance-shaft", "Bending of the shaft at speed"),
-                        "(E I w″)″ = ρ A ω<sup>2</sup> (e + w), √(σ<sup>2</sup> + 3 "
-                        "τ<sup>2</sup>)",
-                        "", "",
-                        CORE_TEXT("balance-shaft",
-                                  "w deflection and e eccentricity of the section, on two simple "
-                                  "supports; it whirls where w has no bound; the bending by its "
-                                  "weight is added")});
     }
     return list;
 }
@@ -173,10 +165,7 @@ std::span<const Text> left_out() {
             "balance-shaft",
             "The play of the gears moves the shaft to any place within it; how it moves there "
             "is not computed."),
-        CORE_TEXT("balance-shaft",
-                  "Of the relieved shaft: notches, loads of its gear, and the resonance between "
-                  "half and 0.71 of the whirling speed that its own weight excites, because it "
-                  "bends more easily one way."),
+        CORE_TEXT("balance-shaft", "Of the relieved shaft: bending, stress and bearing loads."),
         CORE_TEXT("balance-shaft",
                   "Whether parts that meet in the front view lie behind one another is not known."),
     };

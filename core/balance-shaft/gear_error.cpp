@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/play_range.h"
+#include "balance-shaft/angle_search.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -52,10 +52,23 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     result.play_range_high = result.range;
     const double turned = angle + solver.shaft_phase();
     if (result.play > 0.0) {
-        const PlayRange reach =
-            play_range(solver.extrema(), turned - result.play, turned + result.play);
-        result.play_range_low = std::min(result.range, reach.low);
-        result.play_range_high = std::max(result.range, reach.high);
+        const double first = angle - result.play;
+        const AngleMinimum least =
+            minimise_range(solver.plane(), force * distance,
+                           {{turned - result.play, turned + result.play}});
+        // Between these angles the range R lies at most A h²/4 above the larger one beside, since
+        // R + A α² is convex: 1e-7 of A where the play is 1°.
+        constexpr std::size_t angles = 257;
+        std::vector<double> at(angles);
+        std::vector<double> range(angles);
+        std::vector<double> rms(angles);
+        for (std::size_t i = 0; i < angles; ++i) {
+            at[i] = first + 2.0 * result.play * static_cast<double>(i) / (angles - 1.0);
+        }
+        solver.sweep(at, range, rms);
+        result.play_range_low = std::min(result.range, least.value);
+        result.play_range_high =
+            std::max(result.range, *std::max_element(range.begin(), range.end()));
     }
 
     const int last = static_cast<int>(input.cycle_deg());

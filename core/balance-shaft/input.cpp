@@ -220,9 +220,8 @@ void check_limits(const PlaceLimits& limits) {
 void check_together(const Input& input) {
     const double speed = input.angular_speed;
     const double reciprocating = input.reciprocating_mass();
-    const double counterweight = input.counterweight_mass.value_or(
-        reciprocating * input.crank_radius / (2.0 * input.counterweight_radius));
-    const double force = counterweight * input.counterweight_radius * speed * speed;
+    const double counterweight = input.counterweight();
+    const double force = input.unbalance() * speed * speed;
     constexpr Text mechanism = CORE_TEXT("balance-shaft", "the mechanism");
     constexpr Text envelope = CORE_TEXT("balance-shaft", "the envelope");
     const EnvelopeSizes& sizes = input.envelope;
@@ -293,6 +292,11 @@ double Input::reciprocating_mass() const {
         sum += part.mass;
     }
     return sum;
+}
+
+double Input::counterweight() const {
+    return counterweight_mass.value_or(reciprocating_mass() * crank_radius /
+                                       (2.0 * counterweight_radius));
 }
 
 int Input::strokes_of_torque() const {

@@ -173,6 +173,8 @@ struct Input {
     std::optional<RelievedShaftSizes> relieved_shaft;
 
     double reciprocating_mass() const;                    ///< m_j, kg
+    double counterweight() const;                         ///< m₁, kg, given or by equation (1)
+    double unbalance() const { return counterweight() * counterweight_radius; }  ///< m₁ ρ₁, kg·m
     double effective_rod_length() const;                  ///< L, m, given or by default
     double cycle_deg() const { return 180.0 * strokes; }  ///< 720° or 360°
     /// What the torque's rows say of the strokes; `strokes` itself where it has none.

@@ -17,7 +17,7 @@ inline constexpr MethodChoice cycle_mean_choice{
               "pieces between the rows are integrated exactly; after that every angle of the shaft "
               "costs three multiplications.")};
 
-/// Range of M_ups at one α: CycleExtrema.
+/// Range of M_ups at one α: MomentPlane.
 inline constexpr MethodChoice moment_range_choice{
     "balance-shaft",
     "moment-range",
@@ -42,7 +42,7 @@ inline constexpr MethodChoice best_angle_choice{
         "them. Sinusoids that bound it from below tell where no better angle can be, so the best "
         "one is found and not just a good one, with fewer evaluations than a scan of 5°.")};
 
-/// The place with the least range: minimise_range() of a MomentPlane.
+/// The place with the least range: minimise_range().
 inline constexpr MethodChoice best_position_choice{
     "balance-shaft",
     "best-position",

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "balance-shaft/best_range.h"
 #include "balance-shaft/engine_torque.h"
 
 namespace ravnoves::balance_shaft {
@@ -18,13 +16,14 @@ PeriodicPiecewise engine_torque(const Input& input, const std::optional<Cylinder
                : torque_curve(input.torque.table, input.interpolation);
 }
 
-MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
+MomentMetrics metrics_of(const MomentPlane& plane, const MomentPlane::Moment& shaft) {
+    const MomentPlane::Extrema extrema = plane(shaft);
     MomentMetrics metrics;
-    metrics.mean = mean;
+    metrics.mean = plane.mean();
     metrics.max = extrema.max.value;
     metrics.min = extrema.min.value;
     metrics.range = metrics.max - metrics.min;
-    metrics.rms = std::sqrt(std::max(variance, 0.0));
+    metrics.rms = plane.rms(shaft);
     metrics.max_angle = extrema.max.angle_deg * degree;
     metrics.min_angle = extrema.min.angle_deg * degree;
     return metrics;
@@ -33,8 +32,6 @@ MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
 double size_of(const MomentMetrics& moment) {
     return std::max(std::abs(moment.max), std::abs(moment.min));
 }
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Text makes_no_moment =
     CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
@@ -45,13 +42,12 @@ Forces::Forces(const Input& input) {
     const double mass = input.reciprocating_mass();
     const double speed2 = input.angular_speed * input.angular_speed;
     inertia_force_1_max = mass * input.crank_radius * speed2;
-    counterweight_mass = input.counterweight_mass.value_or(mass * input.crank_radius /
-                                                           (2.0 * input.counterweight_radius));
+    counterweight_mass = input.counterweight();
     counterweight_force = counterweight_mass * input.counterweight_radius * speed2;
     moment_amplitude = counterweight_force * input.centre_distance;
 }
 
-Moments::Moments(const Input& checked, bool orders)
+Moments::Moments(const Input& checked)
     : strokes(checked.strokes),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
@@ -63,13 +59,7 @@ Moments::Moments(const Input& checked, bool orders)
       moment(with_offset_term(
           torque.negated(), crank,
           checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
-      extrema(moment, forces.moment_amplitude),
-      mean(moment.mean()),
-      variance(moment.variance()),
-      series(orders ? moment.fourier_series(degree / static_cast<double>(turns()),
-                                            turns() * spectrum_orders)
-                    : std::vector<FourierPair>{}),
-      order_1(orders ? series[first_order()] : FourierPair{not_a_number, not_a_number}) {}
+      plane(moment) {}
 
 bool Moments::follow(const Input& checked) {
     if (gas || crank.offset != 0.0) {
@@ -80,36 +70,20 @@ bool Moments::follow(const Input& checked) {
     piston_1 = piston_first_order(crank);
     phase = top - piston_1.lag;
     forces = Forces(checked);
-    if (forces.moment_amplitude != extrema.amplitude()) {
-        extrema = CycleExtrema(moment, forces.moment_amplitude);
-    }
     return true;
-}
-
-double Moments::variance_at(double alpha) const {
-    // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
-    // shares only the first order with M_up.
-    const double amplitude = forces.moment_amplitude;
-    return variance + amplitude * (amplitude / 2.0 + std::sin(alpha + phase) * order_1.a +
-                                   std::cos(alpha + phase) * order_1.b);
-}
-
-double Moments::rms_at(double alpha) const {
-    return std::sqrt(std::max(variance_at(alpha), 0.0));
 }
 
 void Moments::sweep(std::span<const double> alpha, std::span<double> range,
                     std::span<double> rms) const {
     std::vector<double> turned(alpha.begin(), alpha.end());
-    for (std::size_t i = 0; i < alpha.size(); ++i) {
-        turned[i] += phase;
-        rms[i] = rms_at(alpha[i]);
+    for (double& angle : turned) {
+        angle += phase;
     }
-    extrema.ranges(turned, range);
+    balance_shaft::sweep(plane, forces.moment_amplitude, turned, range, rms);
 }
 
 MomentMetrics Moments::tipping() const {
-    return metrics_of(CycleExtrema(moment, 0.0)(0.0), mean, variance);
+    return metrics_of(plane, {0.0, 0.0});
 }
 
 MomentMetrics Moments::shaft(double alpha) const {
@@ -127,18 +101,18 @@ MomentMetrics Moments::shaft(double alpha) const {
 }
 
 MomentMetrics Moments::at(double alpha) const {
-    return metrics_of(extrema(alpha + phase), mean, variance_at(alpha));
+    return metrics_of(plane, shaft_moment(alpha));
 }
 
 Optimum Moments::best_range(const MomentMetrics& tipping) const {
     if (forces.moment_amplitude == 0.0) {
         return {std::nullopt, tipping.range, makes_no_moment};
     }
-    const BestRange best = minimise_range(extrema);
-    if (best.worst - best.range > moment_rounding * best.worst) {
-        return {wrap_turn(best.shaft_angle - phase), best.range, {}};
+    const AngleMinimum best = minimise_range(plane, forces.moment_amplitude);
+    if (best.worst - best.value > moment_rounding * best.worst) {
+        return {wrap_turn(best.alpha - phase), best.value, {}};
     }
-    return {std::nullopt, best.range,
+    return {std::nullopt, best.value,
             CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.")};
 }
 
@@ -147,11 +121,12 @@ Optimum Moments::best_rms(const MomentMetrics& tipping) const {
         return {std::nullopt, tipping.rms, makes_no_moment};
     }
     // The variance is least where the shaft's moment opposes M_up's first order.
-    if (std::hypot(order_1.a, order_1.b) > moment_rounding * size_of(tipping)) {
-        const double angle = wrap_turn(std::atan2(order_1.a, order_1.b) + pi - phase);
-        return {angle, rms_at(angle), {}};
+    const MomentPlane::Moment& opposed = plane.opposed();
+    if (opposed.norm() > moment_rounding * size_of(tipping)) {
+        const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - phase);
+        return {angle, plane.rms(shaft_moment(angle)), {}};
     }
-    return {std::nullopt, rms_at(0.0),
+    return {std::nullopt, plane.rms(shaft_moment(0.0)),
             CORE_TEXT("balance-shaft",
                       "The tipping moment has no first order, so the RMS is the same "
                       "at every angle of the shaft.")};
@@ -165,8 +140,9 @@ void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.counterweight_force = forces.counterweight_force;
     result.moment_amplitude = forces.moment_amplitude;
     result.M_up = tipping();
-    result.order_1_amplitude = std::hypot(order_1.a, order_1.b);
-    result.order_1_phase = std::atan2(order_1.a, order_1.b);
+    result.order_1_amplitude = plane.opposed().norm();
+    result.order_1_phase = std::atan2(-plane.opposed().x(), -plane.opposed().y());
+    const double variance = plane.variance({0.0, 0.0});
     if (result.M_up.range > moment_rounding * size_of(result.M_up) && variance > 0.0) {
         result.order_1_share =
             std::min(result.order_1_amplitude * result.order_1_amplitude / (2.0 * variance), 1.0);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/offset_cylinder.h"
 #include "balance-shaft/result.h"
@@ -34,30 +34,22 @@ struct Moments {
     std::optional<CylinderGas> gas;   ///< where the torque is computed
     PeriodicPiecewise torque;         ///< M_id over φ in degrees, given or computed
     PeriodicPiecewise moment;         ///< M_up over φ in degrees
-    CycleExtrema extrema;             ///< of M_up + M_s
-    double mean = 0.0;                ///< of M_up, N·m
-    double variance = 0.0;            ///< of M_up, (N·m)²
-    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …, or 1, 2 …
-    FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
+    MomentPlane plane;           ///< of M_up
 
     /// @param checked  as check_input() leaves it
-    /// @param orders  false: the series stays empty and what rests on it, all RMS but M_up's, is
-    /// not
-    ///                a number; it is a third of the work
-    explicit Moments(const Input& checked, bool orders = true);
+    explicit Moments(const Input& checked);
 
     /// Follows an input whose torque, interpolation, strokes and offset are those of the one
     /// before.
     /// @return false where M_up rests on more than these: nothing is done then
     bool follow(const Input& checked);
 
-    /// Crank turns of the cycle, and the place of order 1 in the spectrum.
-    std::size_t turns() const { return strokes == 2 ? 1 : 2; }
-    std::size_t first_order() const { return turns() - 1; }
-
-    double variance_at(double alpha) const;  ///< of M_ups, (N·m)²
-    double rms_at(double alpha) const;       ///< of M_ups, N·m
-    /// Ranges and RMS of M_ups at many angles, see CycleExtrema::ranges().
+    /// M_s at an angle.
+    MomentPlane::Moment shaft_moment(double alpha) const {
+        return shaft_at(forces.moment_amplitude, alpha + phase);
+    }
+    /// Ranges and RMS of M_ups at many angles, cheaper where neighbours in the list are near each
+    /// other.
     void sweep(std::span<const double> alpha, std::span<double> range, std::span<double> rms) const;
     MomentMetrics tipping() const;            ///< of M_up
     MomentMetrics shaft(double alpha) const;  ///< of M_s

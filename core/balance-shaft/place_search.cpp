@@ -354,15 +354,16 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
                   rounding);
     planes.add({-x, 0.0, 0.0}, -1.0);
     planes.add({0.0, -y, 0.0}, -1.0);
-    constexpr double exact = 1e-11;
+    constexpr double exact = 5e-14;
     constexpr int most_rounds = 500;
+    Place at(0.0, 0.0);
     for (int round = 0; round < most_rounds; ++round) {
         const Planes::Vector vertex = planes.solve();
         best.gap = std::max(0.0, best.value - vertex.z());
-        if (best.gap <= exact * best.value) {
+        if (best.gap <= exact * best.value || (round > 0 && at == vertex.head<2>())) {
             break;
         }
-        const Place at = vertex.head<2>();
+        at = vertex.head<2>();
         const PlaceValue here = question.criterion(at * reach);
         ++best.evaluations;
         if (here.value < best.value) {
@@ -373,6 +374,17 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
         planes.add(plane.a, plane.b);
     }
     return best;
+}
+
+PlaceFound minimise_range(const MomentPlane& plane) {
+    PlaceQuestion question;
+    question.criterion = [&](const MomentPlane::Moment& shaft) -> PlaceValue {
+        const MomentPlane::Extrema found = plane(shaft);
+        return {found.range(), found.slope()};
+    };
+    question.growth = 2.0;
+    question.at_crank = plane.range({0.0, 0.0});
+    return lowest_place(question);
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/shaft_places.h"
 
 namespace ravnoves::balance_shaft {
@@ -44,7 +45,10 @@ std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQu
 
 /// The least value of a convex criterion over the whole plane, by cutting planes: the least that
 /// all tangent planes met so far allow is a lower bound. Of the question only criterion, growth and
-/// at_crank count; the gap is 1e-11 of the value or what 500 planes leave.
+/// at_crank count; the gap is a few roundings, or what 500 planes leave.
 PlaceFound lowest_place(const PlaceQuestion& question);
+
+/// The least range over all moments of the shaft, N·m; the place is that moment.
+PlaceFound minimise_range(const MomentPlane& plane);
 
 }  // namespace ravnoves::balance_shaft

@@ -1,12 +1,13 @@
 #include "balance-shaft/position_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
-#include "balance-shaft/angle_minimum.h"
-#include "balance-shaft/best_moment.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/place_search.h"
@@ -21,17 +22,15 @@ namespace {
 constexpr double constant_torque = 1e-12;
 
 /// The moment's coefficients by cos φ and sin φ, N·m.
-using Moment = Eigen::Vector2d;
+using Moment = MomentPlane::Moment;
 
 }  // namespace
 
 struct PositionStudy::Prepared {
     Solver solver;
-    MomentPlane plane;
+    const MomentPlane& plane;
     ShaftPlaces places;
     ShaftMoment shaft;
-    Moment rms_centre;  ///< where the variance is least: opposes M_up's first order
-    double least_variance;
     double range_without;
     double rms_without;
     double size;  ///< largest |M_up|, N·m
@@ -43,13 +42,9 @@ struct PositionStudy::Prepared {
         const Eigen::Vector2d place = shaft.place(m);
         return {place.x(), place.y()};
     }
-    double range(const Moment& m) const { return plane(m.x(), m.y()).range(); }
-    double rms(const Moment& m) const {
-        return std::sqrt(least_variance + (m - rms_centre).squaredNorm() / 2.0);
-    }
     PositionCriteria criteria(const ShaftPosition& at) const {
         const Moment m = moment(at);
-        return {range(m), rms(m), places.size(at.x, at.y)};
+        return {plane.range(m), plane.rms(m), places.size(at.x, at.y)};
     }
     bool is_constant() const { return range_without <= constant_torque * size; }
     BestPosition best_range() const;
@@ -66,32 +61,25 @@ struct PositionStudy::Prepared {
 
 PositionStudy::Prepared::Prepared(const Solver& of)
     : solver(of),
-      plane(of.tipping_moment()),
+      plane(solver.plane()),
       places(of.front_view(), of.input().place_limits),
-      shaft(of.counterweight_force(), of.shaft_phase()),
-      rms_centre(-of.tipping_order_1().a, -of.tipping_order_1().b),
-      least_variance(std::max(0.0, of.tipping_variance() - rms_centre.squaredNorm() / 2.0)) {
-    const MomentPlane::Extrema found = plane(0.0, 0.0);
+      shaft(of.counterweight_force(), of.shaft_phase()) {
+    const MomentPlane::Extrema found = plane({0.0, 0.0});
     range_without = found.range();
     size = std::max(std::abs(found.max.value), std::abs(found.min.value));
-    rms_without = std::sqrt(std::max(0.0, of.tipping_variance()));
+    rms_without = plane.rms({0.0, 0.0});
 }
 
 BestPosition PositionStudy::Prepared::best_range() const {
-    const BestMoment found = minimise_range(plane, rms_centre);
-    BestPosition best;
-    best.position = position(found.moment);
-    best.criteria = {found.range, rms(found.moment), places.size(best.position.x, best.position.y)};
-    best.gap = found.gap;
-    best.evaluations = found.evaluations;
-    return best;
+    PlaceFound least = minimise_range(plane);
+    least.place = shaft.place(least.place);
+    return found(least);
 }
 
 BestPosition PositionStudy::Prepared::best_rms() const {
     BestPosition best;
-    best.position = position(rms_centre);
-    best.criteria = {range(rms_centre), std::sqrt(least_variance),
-                     places.size(best.position.x, best.position.y)};
+    best.position = position(plane.opposed());
+    best.criteria = criteria(best.position);
     best.gap = 8.0 * std::numeric_limits<double>::epsilon() * rms_without;
     return best;
 }
@@ -103,16 +91,15 @@ PlaceQuestion PositionStudy::Prepared::question(double weight) const {
         PlaceValue answer;
         Moment gradient(0.0, 0.0);
         if (weight > 0.0) {
-            const MomentPlane::Extrema extrema = plane(m.x(), m.y());
+            const MomentPlane::Extrema extrema = plane(m);
             answer.value = weight * extrema.range();
-            gradient = weight *
-                       Moment(extrema.max.cos - extrema.min.cos, extrema.max.sin - extrema.min.sin);
+            gradient = weight * extrema.slope();
         }
         if (weight < 1.0) {
-            const double here = rms(m);
+            const double here = plane.rms(m);
             answer.value += (1.0 - weight) * here;
             if (here > 0.0) {
-                gradient += (1.0 - weight) / (2.0 * here) * (m - rms_centre);
+                gradient += (1.0 - weight) / (2.0 * here) * (m - plane.opposed());
             }
         }
         answer.gradient = shaft.by_place(gradient);
@@ -164,8 +151,8 @@ BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
     double angle = 0.0;
     if (weight > 0.0) {
         const PlaceQuestion sum = question(weight);
-        const auto found = minimise_over_angle<double>(
-            [&](double alpha) -> Cut<double> {
+        const AngleMinimum found = minimise_over_angle(
+            [&](double alpha) -> Cut {
                 const ShaftPosition at = ShaftPosition::at(distance, alpha);
                 const PlaceValue here = sum.criterion({at.x, at.y});
                 const double p = distance * here.gradient.y();
@@ -179,8 +166,8 @@ BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
         best.gap = found.gap;
         best.evaluations = found.evaluations;
     } else {
-        const bool any = shaft.force() == 0.0 || rms_centre.norm() <= constant_torque * size;
-        const ShaftPosition opposed = any ? ShaftPosition{} : position(rms_centre);
+        const bool any = shaft.force() == 0.0 || plane.opposed().norm() <= constant_torque * size;
+        const ShaftPosition opposed = any ? ShaftPosition{} : position(plane.opposed());
         angle = nearest_angle(within, opposed.shaft_angle());
     }
     best.position = ShaftPosition::at(distance, angle);
@@ -273,7 +260,7 @@ Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {
 }
 
 Message PositionStudy::obstacle_reason(const ShaftPosition& position) const {
-    return prepared_->places.reason(obstacle(position), position.x, position.y);
+    return prepared_->places.reason(obstacle(position), position.centre_distance());
 }
 
 BestPositions PositionStudy::best_buildable() const {
@@ -488,18 +475,26 @@ PositionMap PositionStudy::map(double left, double right, double bottom, double 
     const Moment origin = prepared_->moment({left, bottom});
     const Moment along = prepared_->moment({step(left, right, columns), 0.0});
     const Moment across = prepared_->moment({0.0, step(bottom, top, rows)});
-    map.range = prepared_->plane.ranges({{origin.x(), origin.y()},
-                                         {along.x(), along.y()},
-                                         {across.x(), across.y()},
-                                         columns,
-                                         rows});
-    map.rms.reserve(columns * rows);
-    const Moment start = origin - prepared_->rms_centre;
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            const Moment m =
-                start + static_cast<double>(column) * along + static_cast<double>(row) * across;
-            map.rms.push_back(std::sqrt(prepared_->least_variance + m.squaredNorm() / 2.0));
+    map.range.resize(columns * rows);
+    map.rms.resize(columns * rows);
+    constexpr std::size_t side = 8;  // of a tile, whose places are near each other
+    std::vector<Moment> shafts;
+    std::array<double, side * side> range;
+    for (std::size_t row = 0; row < rows; row += side) {
+        for (std::size_t column = 0; column < columns; column += side) {
+            const std::size_t wide = std::min(side, columns - column);
+            const std::size_t high = std::min(side, rows - row);
+            shafts.clear();
+            for (std::size_t i = 0; i < wide * high; ++i) {
+                shafts.push_back(origin + static_cast<double>(column + i % wide) * along +
+                                 static_cast<double>(row + i / wide) * across);
+            }
+            prepared_->plane.ranges(shafts, std::span(range).first(shafts.size()));
+            for (std::size_t i = 0; i < shafts.size(); ++i) {
+                const std::size_t element = (row + i / wide) * columns + column + i % wide;
+                map.range[element] = range[i];
+                map.rms[element] = prepared_->plane.rms(shafts[i]);
+            }
         }
     }
     return map;

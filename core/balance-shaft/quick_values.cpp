@@ -179,10 +179,7 @@ class QuickResponse final : public Response {
                                      [](const std::string& pointer) {
                                          return pointer.starts_with("/torque") ||
                                                 pointer == "/offset_mm";
-                                     })),
-          needs_orders_(std::any_of(values_.begin(), values_.end(), [](const QuickValue* value) {
-              return value->pointer.find("/rms") != std::string_view::npos;
-          })) {}
+                                     })) {}
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
@@ -195,7 +192,7 @@ class QuickResponse final : public Response {
         try {
             if (!moves_shaft_alone(x) &&
                 (!moments_ || !keeps_torque_ || !moments_->follow(input))) {
-                moments_.emplace(input, needs_orders_);
+                moments_.emplace(input);
             }
             last_.assign(x.begin(), x.end());
         } catch (const InputError& error) {
@@ -233,7 +230,6 @@ class QuickResponse final : public Response {
     VariedInput input_;
     std::vector<const QuickValue*> values_;
     bool keeps_torque_;
-    bool needs_orders_;
     std::optional<Moments> moments_;
     std::vector<double> last_;
 };

@@ -270,18 +270,6 @@ Json write_relieved_shaft(const RelievedShaft& shaft) {
     put("centre_of_mass_radius_mm", shaft.centre_of_mass_radius, units::mm);
     put("critical_radius_mm", shaft.critical_radius, units::mm);
     put("critical_length_mm", shaft.critical_length, units::mm);
-    put("sag_mm", shaft.sag, units::mm);
-    put("bending_stress_MPa", shaft.bending_stress, units::MPa);
-    put("bearing_span_mm", shaft.bearing_span, units::mm);
-    put("weight_N", shaft.weight, units::newton);
-    put("whirling_speed_rpm", shaft.bending.critical_speed, units::rpm);
-    put("weight_sag_mm", shaft.bending.weight_sag, units::mm);
-    put("deflection_mm", shaft.bending.deflection, units::mm);
-    put("permitted_sag_mm", shaft.permitted_sag, units::mm);
-    put("journal_slope_rad", shaft.bending.journal_slope, units::radian);
-    put("bearing_load_N", shaft.bending.bearing_load, units::newton);
-    put("shaft_bending_stress_MPa", shaft.bending.bending_stress, units::MPa);
-    put("combined_stress_MPa", shaft.bending.combined_stress, units::MPa);
     if (!shaft.note.empty()) {
         json["note"] = shaft.note.english();
     }
@@ -500,9 +488,7 @@ bool needs_moments_alone(const Wanted& wanted) {
 
 Json write_moments(const Input& input, const Wanted& wanted) {
     Result result;
-    const bool orders = wanted.wants("/metrics/M_ups/rms_Nm") || wanted.wants("/optimum/rms") ||
-                        wanted.wants("/change_without_shaft");
-    Moments(input, orders).fill(input, wanted.wants("/optimum"), result);
+    Moments(input).fill(input, wanted.wants("/optimum"), result);
     WantedObject object("", wanted);
     put_moments(result, wanted, object);
     object.put("optimum", [&] { return write_optima(result.best_range, result.best_rms); });

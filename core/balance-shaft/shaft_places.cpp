@@ -83,24 +83,43 @@ Message ShaftPlaces::reason_for_none() {
                      "and lets the gears mesh.");
 }
 
-Obstacle ShaftPlaces::obstacle(double x, double y) const {
-    const double l = std::hypot(x, y);
+Obstacle ShaftPlaces::obstacle_at_distance(double l) const {
     if (l < needed_crank_ - rounding_) {
         return Obstacle::crank;
-    }
-    if (distance_from_cylinder(view_, x, y) < needed_ - rounding_) {
-        return Obstacle::cylinder;
     }
     if (l < gears_min_ - rounding_ || l > gears_max_ + rounding_) {
         return Obstacle::gears;
     }
-    if (!is_within(limits_, x, y, rounding_)) {
+    return l < limits_.centre_distance_min.value_or(l) - rounding_ ||
+                   l > limits_.centre_distance_max.value_or(l) + rounding_
+               ? Obstacle::limits
+               : Obstacle::none;
+}
+
+Obstacle ShaftPlaces::obstacle(double x, double y) const {
+    const Obstacle met = obstacle_at_distance(std::hypot(x, y));
+    if (met == Obstacle::crank) {
+        return met;
+    }
+    if (distance_from_cylinder(view_, x, y) < needed_ - rounding_) {
+        return Obstacle::cylinder;
+    }
+    if (met != Obstacle::none) {
+        return met;
+    }
+    if (margin_within(limits_, x, y) < -rounding_) {
         return Obstacle::limits;
     }
     return rods_.is_clear(x, y, needed_rod_ - rounding_) ? Obstacle::none : Obstacle::rod;
 }
 
-Message ShaftPlaces::reason(Obstacle obstacle, double x, double y) const {
+double ShaftPlaces::spare(double x, double y) const {
+    const double clear = std::min(distance_from_cylinder(view_, x, y) - needed_,
+                                  rods_.distance(x, y) - needed_rod_);
+    return std::min(clear + rounding_, margin_within(limits_, x, y));
+}
+
+Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
     const auto millimetres = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
     const Number swing = millimetres(view_.shaft_swing_radius);
     const Number gap = millimetres(view_.clearance);
@@ -112,7 +131,7 @@ Message ShaftPlaces::reason(Obstacle obstacle, double x, double y) const {
                 CORE_TEXT("balance-shaft",
                           "The shaft's swing circle (radius %1, gap %2) meets that of the crank: "
                           "the centre distance must be at least %3, and it is %4."),
-                swing, gap, millimetres(needed_crank_), millimetres(std::hypot(x, y))};
+                swing, gap, millimetres(needed_crank_), millimetres(l)};
         case Obstacle::cylinder:
             return {CORE_TEXT("balance-shaft",
                               "The shaft's swing circle (radius %1, gap %2) meets the cylinder."),
@@ -127,8 +146,20 @@ Message ShaftPlaces::reason(Obstacle obstacle, double x, double y) const {
                               "The gears do not mesh: with their tip radius %1 the centre distance "
                               "must be from %2 to %3, and it is %4."),
                     millimetres(view_.gear_tip_radius), millimetres(gears_min_),
-                    millimetres(gears_max_), millimetres(std::hypot(x, y))};
+                    millimetres(gears_max_), millimetres(l)};
         case Obstacle::limits:
+            if (l < limits_.centre_distance_min.value_or(l)) {
+                return {CORE_TEXT("balance-shaft",
+                                  "The limits on the shaft's axis ask for a centre distance of at "
+                                  "least %1, and it is %2."),
+                        millimetres(*limits_.centre_distance_min), millimetres(l)};
+            }
+            if (l > limits_.centre_distance_max.value_or(l)) {
+                return {CORE_TEXT("balance-shaft",
+                                  "The limits on the shaft's axis ask for a centre distance of at "
+                                  "most %1, and it is %2."),
+                        millimetres(*limits_.centre_distance_max), millimetres(l)};
+            }
             return CORE_TEXT("balance-shaft", "The place is outside the limits given.");
     }
     return {};
@@ -300,7 +331,7 @@ bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
                 place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
                 const double from = limits_.shaft_angle_from.value_or(0.0);
                 const double to = limits_.shaft_angle_to.value_or(two_pi);
-                if (!is_within(limits_, place.x(), place.y(), rounding_) && to - from < two_pi) {
+                if (margin_within(limits_, place.x(), place.y()) < -rounding_ && to - from < two_pi) {
                     const Eigen::Vector2d first(std::sin(from), std::cos(from));
                     const Eigen::Vector2d last(std::sin(to), std::cos(to));
                     const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;

@@ -61,7 +61,11 @@ class ShaftPlaces {
 
     /// @param x, y  m
     Obstacle obstacle(double x, double y) const;
-    Message reason(Obstacle obstacle, double x, double y) const;  ///< a sentence; empty: none
+    /// Of those that depend on the centre distance l alone, m.
+    Obstacle obstacle_at_distance(double l) const;
+    /// By how much a place clears cylinder and rod, up to rounding, and is within the limits, m.
+    double spare(double x, double y) const;
+    Message reason(Obstacle obstacle, double l) const;  ///< a sentence; empty: none
     static Message reason_for_none();  ///< why there is no place at all, as a sentence
     /// Width × height of the front view's box with the shaft there, m².
     double size(double x, double y) const;

@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "balance-shaft/best_range.h"
-#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/trace_check.h"
@@ -45,18 +44,14 @@ double printed_mean_of_shaft_moment(double amplitude, double alpha, int strokes)
 /// The mean of M_up over the rows of the table, both ends, as the paper takes it; of a computed
 /// torque over every 0.5°.
 double printed_mean_of_rows(const Input& input, const PeriodicPiecewise& moment) {
+    const std::vector<double> nodes = input.torque.is_computed()
+                                          ? grid(input.cycle_deg(), 0.5)
+                                          : input.torque.table.crank_angle_deg;
     double sum = 0.0;
-    if (!input.torque.is_computed()) {
-        for (const double torque : input.torque.table.torque) {
-            sum -= torque;
-        }
-        return sum / static_cast<double>(input.torque.table.size());
+    for (const double angle : nodes) {
+        sum += moment(angle);
     }
-    const int steps = static_cast<int>(2.0 * input.cycle_deg());
-    for (int i = 0; i <= steps; ++i) {
-        sum += moment(0.5 * i);
-    }
-    return sum / (steps + 1);
+    return sum / static_cast<double>(nodes.size());
 }
 
 OrderLine order_line(double order, const FourierPair& pair) {
@@ -108,8 +103,6 @@ struct Solver::Prepared : Moments {
 
     Prepared(const Input& checked, const Prepared* before);
 
-    Extrema extrema_at(double alpha) const { return extrema(alpha + phase); }
-
     void prepare_spectrum();
     void prepare_curves();
     void prepare_buildable();
@@ -143,9 +136,12 @@ Solver::Prepared::Prepared(const Input& checked, const Prepared* before)
 }
 
 void Solver::Prepared::prepare_spectrum() {
+    const auto turns = static_cast<std::size_t>(strokes / 2);
+    const auto of_turns = static_cast<double>(turns);
+    const auto series = moment.fourier_series(degree / of_turns, turns * spectrum_orders);
     for (std::size_t k = 0; k < series.size(); ++k) {
         base.spectrum_M_up.push_back(
-            order_line(static_cast<double>(k + 1) / static_cast<double>(turns()), series[k]));
+            order_line(static_cast<double>(k + 1) / of_turns, series[k]));
     }
     base.spectrum_M_ups = base.spectrum_M_up;
 }
@@ -199,16 +195,16 @@ void Solver::Prepared::prepare_buildable() {
             stretch.from += phase;
             stretch.to += phase;
         }
-        const BestRange best = minimise_range(extrema, within);
-        range = {wrap_turn(best.shaft_angle - phase), best.range, {}};
+        const AngleMinimum best = minimise_range(plane, forces.moment_amplitude, within);
+        range = {wrap_turn(best.alpha - phase), best.value, {}};
     }
     if (!is_built(rms)) {
         // A sinusoid of α rises on both sides of its minimum: the nearest end is best.
         rms.value = std::numeric_limits<double>::infinity();
         for (const AngleStretch& stretch : buildable.stretches) {
             for (const double end : {stretch.from, stretch.to}) {
-                if (rms_at(end) < rms.value) {
-                    rms = {wrap_turn(end), rms_at(end), {}};
+                if (const double value = plane.rms(shaft_moment(end)); value < rms.value) {
+                    rms = {wrap_turn(end), value, {}};
                 }
             }
         }
@@ -254,6 +250,13 @@ void Solver::Prepared::prepare_notes() {
     }
     if (Message changed = input.torque.changed_note(); !changed.empty()) {
         base.notes.push_back(std::move(changed));
+    }
+    if (input.relieved_shaft && input.relieved_shaft->had_bending) {
+        base.notes.emplace_back(
+            CORE_TEXT("balance-shaft",
+                      "Bending of the relieved shaft is no longer computed. These sizes of the "
+                      "case are not used: elastic modulus, bearing span, allowable stress, "
+                      "permitted sag, speed margin, bearing load."));
     }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
         base.notes.push_back(base.inertia_check.text);
@@ -353,14 +356,14 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     result.envelope = balance_shaft::envelope(prepared.view, alpha);
     result.is_buildable = prepared.buildable.contains(alpha);
 
-    const double x = amplitude * std::sin(turned);
-    const double y = amplitude * std::cos(turned);
-    result.spectrum_M_ups[prepared.first_order()] =
-        order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
+    const MomentPlane::Moment shaft = shaft_at(amplitude, turned);
+    const MomentPlane::Moment order_1 = shaft - prepared.plane.opposed();
+    result.spectrum_M_ups[prepared.strokes == 2 ? 0 : 1] =
+        order_line(1.0, {order_1.x(), order_1.y()});
 
     const CurveColumns at{prepared.cos_curve.data(), prepared.sin_curve.data(),
                           prepared.base.curves.M_up.data(), prepared.cos_curve.size()};
-    run_kernel<ShaftCurves>(at, x, y, result.curves.M_s.data(), result.curves.M_ups.data());
+    run_kernel<ShaftCurves>(at, shaft.x(), shaft.y(), result.curves.M_s.data(), result.curves.M_ups.data());
 }
 
 double Solver::M_up(double crank_angle) const {
@@ -385,11 +388,11 @@ const BuildableAngles& Solver::buildable() const {
 }
 
 double Solver::range(double shaft_angle) const {
-    return prepared_->extrema.range(shaft_angle + prepared_->phase);
+    return prepared_->plane.range(prepared_->shaft_moment(shaft_angle));
 }
 
 double Solver::rms(double shaft_angle) const {
-    return prepared_->rms_at(shaft_angle);
+    return prepared_->plane.rms(prepared_->shaft_moment(shaft_angle));
 }
 
 void Solver::sweep(std::span<const double> shaft_angle, std::span<double> range,
@@ -397,20 +400,8 @@ void Solver::sweep(std::span<const double> shaft_angle, std::span<double> range,
     prepared_->sweep(shaft_angle, range, rms);
 }
 
-const CycleExtrema& Solver::extrema() const {
-    return prepared_->extrema;
-}
-
-const PeriodicPiecewise& Solver::tipping_moment() const {
-    return prepared_->moment;
-}
-
-double Solver::tipping_variance() const {
-    return prepared_->variance;
-}
-
-const FourierPair& Solver::tipping_order_1() const {
-    return prepared_->order_1;
+const MomentPlane& Solver::plane() const {
+    return prepared_->plane;
 }
 
 double Solver::counterweight_force() const {
@@ -431,9 +422,20 @@ Result solve(const Input& input) {
 
 RelievedShaft relieved_shaft(const Solver& solver) {
     const Input& input = solver.input();
-    const double speed2 = input.angular_speed * input.angular_speed;
-    return design_relieved_shaft(input.relieved_shaft.value_or(RelievedShaftSizes{}),
-                                 solver.counterweight_force() / speed2, input.angular_speed);
+    RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
+    const double swing = solver.front_view().shaft_swing_radius;
+    constexpr double rounding = 1e-12;
+    if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
+        const auto in_mm = [](double metres) {
+            return Number{metres / units::mm, units::mm, 4};
+        };
+        shaft.feasible = false;
+        shaft.reason = {CORE_TEXT("balance-shaft",
+                                  "The bar does not fit in the swing circle given: its radius is "
+                                  "%1, the swing radius %2."),
+                        in_mm(shaft.diameter / 2.0), in_mm(swing)};
+    }
+    return shaft;
 }
 
 }  // namespace ravnoves::balance_shaft

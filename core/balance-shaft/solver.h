@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/offset_cylinder.h"
@@ -46,12 +46,8 @@ class Solver {
     /// ranges and RMS as angles.
     void sweep(std::span<const double> shaft_angle, std::span<double> range,
                std::span<double> rms) const;
-    /// Of M_up + M_s, for what asks about many angles.
-    const CycleExtrema& extrema() const;
-    /// M_up over φ in degrees, its variance, (N·m)², and its first order a cos φ + b sin φ, N·m.
-    const PeriodicPiecewise& tipping_moment() const;
-    double tipping_variance() const;
-    const FourierPair& tipping_order_1() const;
+    /// Range and RMS of M_up with any moment of the shaft.
+    const MomentPlane& plane() const;
     double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;
@@ -66,7 +62,8 @@ class Solver {
 /// @throws InputError as check_input()
 Result solve(const Input& input);
 
-/// The relieved shaft for the solver's m₁ ρ₁ and speed, with the input's sizes or the default ones.
+/// The relieved shaft for the solver's m₁ ρ₁ by relieved_shaft_sizes(); feasible where it fits in
+/// the swing circle too.
 RelievedShaft relieved_shaft(const Solver& solver);
 
 }  // namespace ravnoves::balance_shaft

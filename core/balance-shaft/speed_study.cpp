@@ -5,14 +5,12 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
-#include "balance-shaft/best_range.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/offset_cylinder.h"
-#include "balance-shaft/position_study.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
@@ -30,19 +28,6 @@ double rms_of(double variance) {
 
 double squared(double x) {
     return x * x;
-}
-
-/// The speeds of a band that a search for its worst begins with. In N·m the criterion is convex in
-/// ω²: the worst speed is an end of the band. Of the ratio a few are enough to begin with, each
-/// round adds the worst of the whole band.
-std::vector<std::size_t> first_speeds(std::size_t count, SpeedStudy::Measure measure) {
-    const std::size_t intervals =
-        std::min<std::size_t>(count - 1, measure == SpeedStudy::Measure::absolute ? 1 : 12);
-    std::vector<std::size_t> speeds{0};
-    for (std::size_t k = 1; k <= intervals; ++k) {
-        speeds.push_back(k * (count - 1) / intervals);
-    }
-    return speeds;
 }
 
 }  // namespace
@@ -82,15 +67,10 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     turn(within);
     gas_ = with_offset_term(parts->gas.negated(), crank, 0.0);
     inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
-    gas_order_ = gas_.fourier(degree);
-    inertia_order_ = inertia_.fourier(degree);
-    const double unit_force =
-        input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
-                                          (2.0 * input.counterweight_radius)) *
-        input.counterweight_radius;
-    unit_amplitude_ = unit_force * input.centre_distance;
-    unit_ = ShaftMoment(unit_force, phase_);
-    places_.emplace(front_view(input), input.place_limits);
+    inertia_variance_ = inertia_.variance();
+    twice_covariance_ = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() -
+                        gas_.variance() - inertia_variance_;
+    unit_amplitude_ = input.unbalance() * input.centre_distance;
     points_.reserve(static_cast<std::size_t>(band.speeds));
     speeds_.reserve(static_cast<std::size_t>(band.speeds));
     for (int k = 0; k < band.speeds; ++k) {
@@ -104,21 +84,20 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         speeds_.push_back(speed_at(point.angular_speed));
         const Speed& speed = speeds_.back();
         point.moment_amplitude = speed.amplitude;
-        point.range_without = speed.without.max.value - speed.without.min.value;
-        point.rms_without = rms_of(speed.variance);
-        const BestRange best = minimise_range(speed.extrema);
-        point.best_range_angle = wrap_turn(best.shaft_angle - phase_);
-        point.best_range = best.range;
-        // M_s opposes the first order.
-        const double opposed = std::atan2(-speed.order_1.a, -speed.order_1.b);
+        point.range_without = speed.without.range();
+        point.rms_without = speed.plane.rms({0.0, 0.0});
+        const AngleMinimum best = minimise_range(speed.plane, speed.amplitude);
+        point.best_range_angle = wrap_turn(best.alpha - phase_);
+        point.best_range = best.value;
+        const double opposed = std::atan2(speed.plane.opposed().x(), speed.plane.opposed().y());
         point.best_rms_angle = wrap_turn(opposed - phase_);
-        const double first = std::hypot(speed.order_1.a, speed.order_1.b);
-        point.best_rms = rms_of(speed.variance + speed.amplitude * (speed.amplitude / 2.0 - first));
+        point.best_rms = speed.plane.rms(shaft_at(speed.amplitude, opposed));
         if (!within.empty()) {
             point.buildable_range_angle =
                 buildable_.contains(point.best_range_angle)
                     ? point.best_range_angle
-                    : wrap_turn(minimise_range(speed.extrema, within).shaft_angle - phase_);
+                    : wrap_turn(minimise_range(speed.plane, speed.amplitude, within).alpha -
+                                phase_);
             point.buildable_rms_angle = wrap_turn(nearest_angle(within, opposed) - phase_);
         }
         points_.push_back(point);
@@ -141,19 +120,15 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
         turned.push_back(angle * degree + phase_);
     }
     map.range.resize(speeds_.size() * angles);
-    map.rms.reserve(speeds_.size() * angles);
+    map.rms.resize(speeds_.size() * angles);
     for (std::size_t k = 0; k < speeds_.size(); ++k) {
         if (progress && !progress(static_cast<double>(k) / static_cast<double>(speeds_.size()))) {
             return std::nullopt;
         }
         const Speed& speed = speeds_[k];
-        const double amplitude = points_[k].moment_amplitude;
-        speed.extrema.ranges(turned, std::span(map.range).subspan(k * angles, angles));
-        for (const double alpha : turned) {
-            map.rms.push_back(rms_of(
-                speed.variance + amplitude * (amplitude / 2.0 + std::sin(alpha) * speed.order_1.a +
-                                              std::cos(alpha) * speed.order_1.b)));
-        }
+        sweep(speed.plane, speed.amplitude, turned,
+              std::span(map.range).subspan(k * angles, angles),
+              std::span(map.rms).subspan(k * angles, angles));
     }
     if (progress) {
         progress(1.0);
@@ -163,14 +138,9 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
 
 SpeedStudy::Speed SpeedStudy::speed_at(double angular_speed) const {
     const double square = angular_speed * angular_speed;
-    const auto moment = PeriodicPiecewise::sum(gas_, inertia_, square);
-    const double amplitude = unit_amplitude_ * square;
-    return {angular_speed,
-            amplitude,
-            CycleExtrema(moment, amplitude),
-            CycleExtrema(moment, 0.0)(0.0),
-            moment.variance(),
-            {gas_order_.a + square * inertia_order_.a, gas_order_.b + square * inertia_order_.b}};
+    MomentPlane plane(PeriodicPiecewise::sum(gas_, inertia_, square));
+    const MomentPlane::Extrema without = plane({0.0, 0.0});
+    return {angular_speed, unit_amplitude_ * square, std::move(plane), without};
 }
 
 namespace {
@@ -183,29 +153,25 @@ double divisor_of(double without, bool is_relative) {
 }  // namespace
 
 double SpeedStudy::divisor(const Speed& speed, Criterion criterion, Measure measure) {
-    return divisor_of(criterion == Criterion::range
-                          ? speed.without.max.value - speed.without.min.value
-                          : speed.variance,
-                      measure == Measure::relative);
+    return divisor_of(speed.without_shaft(criterion), measure == Measure::relative);
 }
 
 /// The criterion (of the RMS its square) over its divisor, with a sinusoid of α that bounds it.
-Cut<double> SpeedStudy::cut(const Speed& speed, Criterion criterion, Measure measure,
-                            double alpha) {
+Cut SpeedStudy::cut(const Speed& speed, Criterion criterion, Measure measure, double alpha) {
     const double over = divisor(speed, criterion, measure);
-    Cut<double> cut;
+    Cut cut;
     if (criterion == Criterion::range) {
-        cut = range_cut(speed.extrema, alpha);
-        cut.value /= over;
-        cut.bound = {cut.bound.constant / over, cut.bound.p / over, cut.bound.q / over};
+        cut = range_cut(speed.plane, speed.amplitude, alpha);
     } else {
-        cut.bound = {(speed.variance + speed.amplitude * speed.amplitude / 2.0) / over,
-                     speed.amplitude * speed.order_1.b / over,
-                     speed.amplitude * speed.order_1.a / over};
-        cut.value = cut.bound(alpha);
+        const MomentPlane::Moment& opposed = speed.plane.opposed();
+        cut = {alpha,
+               speed.with_shaft(criterion, alpha),
+               {speed.without_shaft(criterion) + squared(speed.amplitude) / 2.0,
+                -speed.amplitude * opposed.y(), -speed.amplitude * opposed.x()}};
     }
-    cut.alpha = alpha;
-    return cut;
+    return {alpha,
+            cut.value / over,
+            {cut.bound.constant / over, cut.bound.p / over, cut.bound.q / over}};
 }
 
 /// At every α the largest of these speeds.
@@ -217,7 +183,7 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
     double size = 0.0;
     for (const Speed* speed : speeds) {
         const double over = divisor(*speed, criterion, measure);
-        const double first = std::hypot(speed->order_1.a, speed->order_1.b);
+        const double first = speed->plane.opposed().norm();
         steepest = std::max(steepest, (by_range ? 2.0 : first) * speed->amplitude / over);
         size =
             std::max(size, (by_range ? 1.0 : speed->amplitude + first) * speed->amplitude / over);
@@ -226,9 +192,8 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
     const auto evaluate = [&](double alpha) {
         double highest = -1.0;
         for (std::size_t k = 0; k < speeds.size(); ++k) {
-            const double value =
-                by_range ? speeds[k]->extrema.range(alpha) / divisor(*speeds[k], criterion, measure)
-                         : cut(*speeds[k], criterion, measure, alpha).value;
+            const double value = speeds[k]->with_shaft(criterion, alpha) /
+                                 divisor(*speeds[k], criterion, measure);
             if (value > highest) {
                 highest = value;
                 worst = k;
@@ -236,52 +201,17 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
         }
         return cut(*speeds[worst], criterion, measure, alpha);
     };
-    const auto best = minimise_over_angle<double>(evaluate, steepest, size, within);
+    const AngleMinimum best = minimise_over_angle(evaluate, steepest, size, within);
     evaluate(best.alpha);
     return {best.alpha, best.value, best.gap, speeds[worst]->angular_speed};
 }
 
-/// The speed of the band at which the RMS over that without a shaft is largest: a quotient of
-/// squares, both quadratic in ω².
-double SpeedStudy::worst_rms_speed(double a_cos, double b_sin) const {
-    const double gas = gas_.variance();
-    const double inertia = inertia_.variance();
-    const double both = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() - gas - inertia;
-    const auto first = [&](const FourierPair& order) { return a_cos * order.a + b_sin * order.b; };
-    const std::array<double, 3> with{
-        gas, both + first(gas_order_),
-        inertia + (a_cos * a_cos + b_sin * b_sin) / 2.0 + first(inertia_order_)};
-    const std::array<double, 3> without{gas, both, inertia};
-    const auto ratio = [&](double q) {
-        return (with[0] + q * (with[1] + q * with[2])) /
-               (without[0] + q * (without[1] + q * without[2]));
-    };
-    // The derivative's numerator, a + 2 b q + c q².
-    const double a = with[1] * without[0] - with[0] * without[1];
-    const double b = with[2] * without[0] - with[0] * without[2];
-    const double c = with[2] * without[1] - with[1] * without[2];
-    const double low = squared(speeds_.front().angular_speed);
-    const double high = squared(speeds_.back().angular_speed);
-    double worst = ratio(low) > ratio(high) ? low : high;
-    const double root = b * b - a * c;
-    if (root >= 0.0) {
-        const double sum = -(b + std::copysign(std::sqrt(root), b));
-        for (const double q : {sum / c, a / sum}) {
-            if (q > low && q < high && ratio(q) > ratio(worst)) {
-                worst = q;
-            }
-        }
-    }
-    return std::sqrt(worst);
-}
-
-/// The speed of the band at which the range over that without a shaft is largest, by branch
-/// and bound over q = ω²: both ranges are convex in q (the largest of differences that are linear
-/// in it), so between two speeds the one with the shaft lies under its chord, the one without over
-/// its tangents.
-std::optional<SpeedStudy::Speed> SpeedStudy::worst_range_speed(
-    const std::vector<const Speed*>& speeds,
-    const std::function<double(const Speed&)>& range) const {
+/// The speed of the band at which the range, or the mean square, over that without a shaft is
+/// largest, by branch and bound over q = ω²: both are convex in q (the largest of differences that
+/// are linear in it; a square), so between two speeds that with the shaft lies under its chord,
+/// that without over its tangents.
+std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(
+    const std::vector<const Speed*>& speeds, Criterion criterion, double alpha) const {
     struct End {
         double q = 0.0;  ///< ω²
         double with = 0.0;
@@ -290,9 +220,12 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_range_speed(
         double ratio() const { return with / divisor_of(without, true); }
     };
     const auto end_of = [&](const Speed& speed) -> End {
-        return {squared(speed.angular_speed), range(speed),
-                speed.without.max.value - speed.without.min.value,
-                inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)};
+        const double q = squared(speed.angular_speed);
+        const double slope =
+            criterion == Criterion::range
+                ? inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)
+                : twice_covariance_ + 2.0 * q * inertia_variance_;
+        return {q, speed.with_shaft(criterion, alpha), speed.without_shaft(criterion), slope};
     };
     const auto most_between = [](const End& left, const End& right) {
         const double at_ends = std::max(left.ratio(), right.ratio());
@@ -354,9 +287,14 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     const bool by_range = criterion == Criterion::range;
     // The best angle for some speeds, the worst speed for that angle, which joins them: so the best
     // for some becomes the best for the band.
-    std::vector<const Speed*> speeds;
-    for (const std::size_t k : first_speeds(speeds_.size(), measure)) {
-        speeds.push_back(&speeds_[k]);
+    // In N·m the criterion is convex in ω²: the worst speed is an end of the band. Of the ratio a
+    // few are enough to begin with.
+    const std::size_t last = speeds_.size() - 1;
+    const std::size_t intervals =
+        std::min<std::size_t>(last, measure == Measure::absolute ? 1 : 12);
+    std::vector<const Speed*> speeds{&speeds_.front()};
+    for (std::size_t k = 1; k <= intervals; ++k) {
+        speeds.push_back(&speeds_[k * last / intervals]);
     }
     std::deque<Speed> added;
     AtSpeeds best;
@@ -367,16 +305,10 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
         best = least_bad_of(speeds, criterion, measure, within);
         worst = best.value;
         worst_speed = best.worst_speed;
-        // In N·m the criterion is convex in ω²: the worst speed is an end of the band.
         if (measure == Measure::absolute) {
             break;
         }
-        std::optional<Speed> other =
-            by_range
-                ? worst_range_speed(
-                      speeds, [&](const Speed& speed) { return speed.extrema.range(best.alpha); })
-                : speed_at(worst_rms_speed(unit_amplitude_ * std::sin(best.alpha),
-                                           unit_amplitude_ * std::cos(best.alpha)));
+        std::optional<Speed> other = worst_speed_of(speeds, criterion, best.alpha);
         if (!other) {
             break;
         }
@@ -397,159 +329,6 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     answer.gap = answer.value - (by_range ? bound : rms_of(bound));
     answer.worst_speed = worst_speed;
     return answer;
-}
-
-SpeedStudy::SpeedPlane SpeedStudy::speed_plane(double angular_speed, Criterion criterion,
-                                               Measure measure) const {
-    const double square = squared(angular_speed);
-    const auto moment = PeriodicPiecewise::sum(gas_, inertia_, square);
-    SpeedPlane speed{
-        square,
-        1.0,
-        0.0,
-        MomentPlane(moment),
-        moment.variance(),
-        {gas_order_.a + square * inertia_order_.a, gas_order_.b + square * inertia_order_.b}};
-    speed.without =
-        criterion == Criterion::range ? speed.plane(0.0, 0.0).range() : rms_of(speed.variance);
-    speed.over = divisor_of(speed.without, measure == Measure::relative);
-    return speed;
-}
-
-SpeedStudy::Worst SpeedStudy::worst_of(const std::vector<SpeedPlane>& planes, Criterion criterion,
-                                       const Eigen::Vector2d& unit) {
-    Worst worst;
-    worst.value = -1.0;
-    for (const SpeedPlane& speed : planes) {
-        const Eigen::Vector2d m = speed.square * unit;
-        if (criterion == Criterion::range) {
-            const MomentPlane::Extrema found = speed.plane(m.x(), m.y());
-            if (found.range() / speed.over > worst.value) {
-                worst = {found.range() / speed.over,
-                         speed.square / speed.over *
-                             Eigen::Vector2d(found.max.cos - found.min.cos,
-                                             found.max.sin - found.min.sin),
-                         speed.square};
-            }
-            continue;
-        }
-        const Eigen::Vector2d order(speed.order_1.a, speed.order_1.b);
-        const double rms =
-            rms_of(speed.variance - order.squaredNorm() / 2.0 + (m + order).squaredNorm() / 2.0);
-        if (rms / speed.over > worst.value) {
-            worst = {rms / speed.over,
-                     rms > 0.0
-                         ? Eigen::Vector2d(speed.square / (2.0 * rms * speed.over) * (m + order))
-                         : Eigen::Vector2d(0.0, 0.0),
-                     speed.square};
-        }
-    }
-    return worst;
-}
-
-/// The best place for some speeds, the worst speed there, which joins them, as least_bad_angle().
-std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
-    Criterion criterion, Measure measure, const PlaceOfPlanes& find) const {
-    if (speeds_.empty() || unit_.force() == 0.0) {
-        return std::nullopt;
-    }
-    std::vector<SpeedPlane> planes;
-    std::vector<const Speed*> speeds;
-    for (const std::size_t k : first_speeds(speeds_.size(), measure)) {
-        planes.push_back(speed_plane(speeds_[k].angular_speed, criterion, measure));
-        speeds.push_back(&speeds_[k]);
-    }
-    std::deque<Speed> added;
-    LeastBadPlace answer;
-    constexpr int most_rounds = 20;
-    for (int round = 0; round < most_rounds; ++round) {
-        const std::optional<PlaceFound> best = find(planes);
-        if (!best) {
-            return std::nullopt;
-        }
-        const Eigen::Vector2d unit = unit_.at(best->place);
-        Worst worst = worst_of(planes, criterion, unit);
-        answer = {best->place.x(), best->place.y(), worst.value, std::sqrt(worst.square),
-                  worst.value - (best->value - best->gap)};
-        if (measure == Measure::absolute) {
-            break;
-        }
-        // On the crank's axis the shaft changes nothing at any speed.
-        if (unit.isZero()) {
-            break;
-        }
-        std::optional<Speed> other;
-        if (criterion == Criterion::range) {
-            other = worst_range_speed(speeds, [&](const Speed& speed) {
-                const auto known = std::find(speeds.begin(), speeds.end(), &speed);
-                if (known != speeds.end()) {
-                    const SpeedPlane& there =
-                        planes[static_cast<std::size_t>(known - speeds.begin())];
-                    return there.plane(there.square * unit.x(), there.square * unit.y()).range();
-                }
-                const double square = squared(speed.angular_speed);
-                const MomentPlane plane(PeriodicPiecewise::sum(gas_, inertia_, square));
-                return plane(square * unit.x(), square * unit.y()).range();
-            });
-        } else {
-            other = speed_at(worst_rms_speed(unit.x(), unit.y()));
-        }
-        if (!other) {
-            break;
-        }
-        planes.push_back(speed_plane(other->angular_speed, criterion, measure));
-        worst = worst_of({planes.back()}, criterion, unit);
-        speeds.push_back(&added.emplace_back(*std::move(other)));
-        if (worst.value > answer.value) {
-            answer.gap += worst.value - answer.value;
-            answer.value = worst.value;
-            answer.worst_speed = std::sqrt(worst.square);
-        }
-        if (worst.value <= best->value * (1.0 + exact)) {
-            break;
-        }
-    }
-    return answer;
-}
-
-/// The question of the worst of some speeds, whose planes must live as long.
-PlaceQuestion SpeedStudy::question_of(const std::vector<SpeedPlane>& planes,
-                                      Criterion criterion) const {
-    PlaceQuestion question;
-    question.criterion = [this, &planes, criterion](const Eigen::Vector2d& at) -> PlaceValue {
-        const Worst here = worst_of(planes, criterion, unit_.at(at));
-        return {here.value, unit_.by_place(here.gradient)};
-    };
-    const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
-    const SpeedPlane& speed = planes.back();
-    question.growth = growth * unit_.force() * speed.square / speed.over;
-    question.at_crank = speed.without / speed.over;
-    question.tolerance = 1e-11 * (question.at_crank + question.growth * places_->extent());
-    return question;
-}
-
-std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(Criterion criterion,
-                                                                     Measure measure) const {
-    return least_bad_place(criterion, measure, [&](const std::vector<SpeedPlane>& planes) {
-        return std::optional(lowest_place(question_of(planes, criterion)));
-    });
-}
-
-std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place_buildable(
-    Criterion criterion, Measure measure, const std::optional<LeastBadPlace>& free) const {
-    if (!free || places_->obstacle(free->x, free->y) == Obstacle::none) {
-        return free;
-    }
-    std::optional<Eigen::Vector2d> start;
-    return least_bad_place(criterion, measure, [&](const std::vector<SpeedPlane>& planes) {
-        PlaceQuestion question = question_of(planes, criterion);
-        question.start = start;
-        auto found = search_places(*places_, question);
-        if (found) {
-            start = found->place;
-        }
-        return found;
-    });
 }
 
 Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map) {
@@ -591,37 +370,6 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
     json["least_bad_buildable"] = buildable.stretches.empty()
                                       ? Json{{"reason", buildable.reason.english()}}
                                       : least_bad(buildable.stretches);
-    Json free_places = Json::object();
-    Json places = Json::object();
-    const auto put_places = [&](const char* name, Criterion criterion, Measure measure,
-                                const char* key) {
-        const auto write = [&](const std::optional<SpeedStudy::LeastBadPlace>& found) -> Json {
-            if (!found) {
-                return nullptr;
-            }
-            const ShaftPosition at{found->x, found->y};
-            return {{"centre_distance_mm", at.centre_distance() / units::mm},
-                    {"shaft_angle_deg", at.shaft_angle() / degree},
-                    {key, found->value},
-                    {"worst_speed_rpm", found->worst_speed / units::rpm},
-                    {"gap", found->gap}};
-        };
-        const auto free = study.least_bad_place(criterion, measure);
-        free_places[name] = write(free);
-        places[name] = write(study.least_bad_place_buildable(criterion, measure, free));
-    };
-    put_places("range", Criterion::range, Measure::absolute, "range_Nm");
-    put_places("range_relative", Criterion::range, Measure::relative, "ratio");
-    put_places("rms", Criterion::rms, Measure::absolute, "rms_Nm");
-    put_places("rms_relative", Criterion::rms, Measure::relative, "ratio");
-    for (Json* const each : {&free_places, &places}) {
-        if (each->at("range").is_null()) {
-            (*each)["reason"] =
-                (study.makes_moment() ? ShaftPlaces::reason_for_none() : no_moment()).english();
-        }
-    }
-    json["least_bad_place"] = std::move(free_places);
-    json["least_bad_place_buildable"] = std::move(places);
     if (map) {
         const std::size_t angles = map->shaft_angle_deg.size();
         Json ranges = Json::array();

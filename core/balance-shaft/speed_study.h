@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "balance-shaft/clearance.h"
-#include "balance-shaft/cycle_extrema.h"
-#include "balance-shaft/input.h"
 #include "balance-shaft/moment_plane.h"
-#include "balance-shaft/place_search.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/result.h"
-#include "balance-shaft/shaft_moment.h"
 #include "case-file/json_fwd.h"
 #include "numerics/periodic_piecewise.h"
 
@@ -65,15 +62,6 @@ class SpeedStudy {
         double gap = 0.0;          ///< no angle is better by more than this
     };
 
-    /// The same of all places of the shaft's axis, at whatever distance from the crank's.
-    struct LeastBadPlace {
-        double x = 0.0;            ///< of the axis in the front view, m
-        double y = 0.0;            ///< m
-        double value = 0.0;        ///< the measure at the worst speed
-        double worst_speed = 0.0;  ///< rad/s
-        double gap = 0.0;          ///< no place is better by more than this
-    };
-
     /// Solves every speed of the band; may be cancelled, then is_complete() is false.
     /// @throws InputError as check_input() and where the band cannot be
     SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress = {});
@@ -97,28 +85,22 @@ class SpeedStudy {
     LeastBad least_bad_angle(Criterion criterion, Measure measure,
                              std::vector<AngleStretch> within) const;
     const BuildableAngles& buildable() const { return buildable_; }
-    bool makes_moment() const { return unit_.force() != 0.0; }  ///< P₁ is not 0
-
-    /// Minimax over the band and over all places, which is convex in the place: cutting planes.
-    /// Empty where the shaft makes no moment.
-    std::optional<LeastBadPlace> least_bad_place(Criterion criterion, Measure measure) const;
-    /// Among the places that can be built, by branch and bound; empty where none can.
-    std::optional<LeastBadPlace> least_bad_place_buildable(Criterion criterion,
-                                                           Measure measure) const {
-        return least_bad_place_buildable(criterion, measure, least_bad_place(criterion, measure));
-    }
-    /// @param free  least_bad_place() of the same
-    std::optional<LeastBadPlace> least_bad_place_buildable(
-        Criterion criterion, Measure measure, const std::optional<LeastBadPlace>& free) const;
 
   private:
     struct Speed {
-        double angular_speed;  ///< rad/s
-        double amplitude;      ///< of the shaft, N·m
-        CycleExtrema extrema;  ///< with the shaft
-        Extrema without;       ///< without it
-        double variance;       ///< without it, (N·m)²
-        FourierPair order_1;
+        double angular_speed;          ///< rad/s
+        double amplitude;              ///< of the shaft, N·m
+        MomentPlane plane;             ///< of M_up
+        MomentPlane::Extrema without;  ///< a shaft
+
+        /// The range, or the mean square about the mean, at α + phase_ and without a shaft.
+        double with_shaft(Criterion criterion, double alpha) const {
+            const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
+            return criterion == Criterion::range ? plane.range(shaft) : plane.variance(shaft);
+        }
+        double without_shaft(Criterion criterion) const {
+            return criterion == Criterion::range ? without.range() : plane.variance({0.0, 0.0});
+        }
     };
     /// The least bad angle for some speeds; of the RMS the square.
     struct AtSpeeds {
@@ -130,38 +112,11 @@ class SpeedStudy {
 
     Speed speed_at(double angular_speed) const;
     static double divisor(const Speed& speed, Criterion criterion, Measure measure);
-    static Cut<double> cut(const Speed& speed, Criterion criterion, Measure measure, double alpha);
+    static Cut cut(const Speed& speed, Criterion criterion, Measure measure, double alpha);
     static AtSpeeds least_bad_of(const std::vector<const Speed*>& speeds, Criterion criterion,
                                  Measure measure, const std::vector<AngleStretch>& within);
-    /// @param a, b  the shaft's moment over ω²: a cos φ + b sin φ, N·m s²
-    double worst_rms_speed(double a, double b) const;
-    /// @param range  with the shaft
-    std::optional<Speed> worst_range_speed(const std::vector<const Speed*>& speeds,
-                                           const std::function<double(const Speed&)>& range) const;
-
-    /// One speed's criterion over the plane of places.
-    struct SpeedPlane {
-        double square;  ///< ω²
-        double over;    ///< divisor
-        double without;
-        MomentPlane plane;
-        double variance;
-        FourierPair order_1;
-    };
-    SpeedPlane speed_plane(double angular_speed, Criterion criterion, Measure measure) const;
-    /// The largest of some speeds at a place, and which.
-    struct Worst {
-        double value = 0.0;
-        Eigen::Vector2d gradient{0.0, 0.0};
-        double square = 0.0;
-    };
-    /// @param unit  the shaft's moment over ω², N·m s²; the gradient is by it
-    static Worst worst_of(const std::vector<SpeedPlane>& planes, Criterion criterion,
-                          const Eigen::Vector2d& unit);
-    using PlaceOfPlanes = std::function<std::optional<PlaceFound>(const std::vector<SpeedPlane>&)>;
-    std::optional<LeastBadPlace> least_bad_place(Criterion criterion, Measure measure,
-                                                 const PlaceOfPlanes& find) const;
-    PlaceQuestion question_of(const std::vector<SpeedPlane>& planes, Criterion criterion) const;
+    std::optional<Speed> worst_speed_of(const std::vector<const Speed*>& speeds,
+                                        Criterion criterion, double alpha) const;
 
     /// From α to α + phase_, which the moments go by.
     void turn(std::vector<AngleStretch>& stretches) const;
@@ -172,11 +127,9 @@ class SpeedStudy {
     bool complete_ = false;
     PeriodicPiecewise gas_;      ///< parts of M_up = gas + ω² inertia, N·m
     PeriodicPiecewise inertia_;  ///< N·m s²
-    FourierPair gas_order_;      ///< their first orders
-    FourierPair inertia_order_;
-    ShaftMoment unit_;             ///< for ω = 1: P₁ in N s²
+    double inertia_variance_ = 0.0;
+    double twice_covariance_ = 0.0;  ///< of the two
     double unit_amplitude_ = 0.0;  ///< P₁ l for ω = 1, N·m s²
-    std::optional<ShaftPlaces> places_;
     std::vector<Point> points_;
     std::vector<Speed> speeds_;
 };

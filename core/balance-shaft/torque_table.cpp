@@ -343,7 +343,9 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     if (angle.size() > largest_torque_table) {
         throw InputError(
             angles,
-            {CORE_TEXT("balance-shaft", "must hold at most %1 numbers"), largest_torque_table},
+            {CORE_TEXT("balance-shaft",
+                       "must hold at most %1 numbers: average the cycles, or take larger steps"),
+             largest_torque_table},
             count(angle));
     }
     constexpr Range angle_range = Range::between(-largest_angle_deg, largest_angle_deg);

@@ -23,8 +23,8 @@ struct TorqueTable {
     bool operator==(const TorqueTable&) const = default;
 };
 
-inline constexpr std::size_t largest_torque_table = 1'000'000;  ///< rows
-inline constexpr double largest_torque = 1e12;                  ///< N·m
+inline constexpr std::size_t largest_torque_table = 20'000;  ///< rows; 0.1° takes 7201
+inline constexpr double largest_torque = 1e12;               ///< N·m
 
 inline constexpr double largest_pressure = 1e10;  ///< Pa
 

@@ -230,7 +230,10 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
         if (rows.first.size() >= rule.most_rows) {
             throw InputError(
                 line_place(number),
-                {CORE_TEXT("core", "the table must have at most %1 rows"), rule.most_rows});
+                {CORE_TEXT("core",
+                           "the table must have at most %1 rows: average the cycles, or take "
+                           "larger steps"),
+                 rule.most_rows});
         }
         rows.first.push_back(values[0]);
         rows.second.push_back(values[1]);

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "balance-shaft/best_moment.h"
 #include "balance-shaft/method_choices.h"
+#include "balance-shaft/place_search.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
 #include "methods/torque_reference.h"
@@ -33,7 +33,7 @@ using Search = Place (*)(const MomentPlane& plane, const Setting& setting, int& 
 
 /// The best place is no farther than this.
 double reach_of(const MomentPlane& plane) {
-    return plane(0.0, 0.0).range();
+    return plane.range({0.0, 0.0});
 }
 
 Place grid(const MomentPlane& plane, const Setting& setting, int& asked) {
@@ -45,7 +45,7 @@ Place grid(const MomentPlane& plane, const Setting& setting, int& asked) {
         for (int k = 0; k < steps; ++k) {
             const Place at(reach * (2.0 * i / (steps - 1) - 1.0),
                            reach * (2.0 * k / (steps - 1) - 1.0));
-            const double range = plane(at.x(), at.y()).range();
+            const double range = plane.range(at);
             if (range < least) {
                 least = range;
                 best = at;
@@ -64,7 +64,7 @@ Place nelder_mead(const MomentPlane& plane, const Setting& setting, int& asked) 
     };
     const auto corner = [&](const Place& at) {
         ++asked;
-        return Corner{at, plane(at.x(), at.y()).range()};
+        return Corner{at, plane.range(at)};
     };
     const double size = reach_of(plane) / 4.0;
     std::array<Corner, 3> simplex{corner({0.0, 0.0}), corner({size, 0.0}), corner({0.0, size})};
@@ -105,13 +105,13 @@ Place subgradient(const MomentPlane& plane, const Setting& setting, int& asked) 
     Place best = at;
     double least = reach;
     for (int i = 0; i < static_cast<int>(setting.value); ++i) {
-        const MomentPlane::Extrema found = plane(at.x(), at.y());
+        const MomentPlane::Extrema found = plane(at);
         ++asked;
         if (found.range() < least) {
             least = found.range();
             best = at;
         }
-        const Place slope(found.max.cos - found.min.cos, found.max.sin - found.min.sin);
+        const Place slope = found.slope();
         const double steep = slope.norm();
         if (!(steep > 0.0)) {
             break;
@@ -122,9 +122,9 @@ Place subgradient(const MomentPlane& plane, const Setting& setting, int& asked) 
 }
 
 Place cutting_planes(const MomentPlane& plane, const Setting&, int& asked) {
-    const auto best = balance_shaft::minimise_range(plane, {0.0, 0.0});
+    const auto best = balance_shaft::minimise_range(plane);
     asked += best.evaluations;
-    return best.moment;
+    return best.place;
 }
 
 Method<PlaceCase> method_of(MethodInfo info, Search search) {
@@ -182,9 +182,9 @@ double measure(const PlaceCase& cycle, std::span<const double> out,
 
 /// The bounds of the method in use, in double: the least range lies between them.
 std::optional<double> check(const PlaceCase& cycle, const std::vector<Expected>& reference) {
-    const auto best = balance_shaft::minimise_range(cycle.plane(), {0.0, 0.0});
+    const auto best = balance_shaft::minimise_range(cycle.plane());
     const double least = static_cast<double>(reference[0].value);
-    return std::max({best.range - best.gap - least, least - best.range, 0.0}) / reference[0].scale;
+    return std::max({best.value - best.gap - least, least - best.value, 0.0}) / reference[0].scale;
 }
 
 }  // namespace
@@ -202,7 +202,7 @@ Kernel best_position_kernel() {
     kernel.check_text = CORE_TEXT(
         "methods",
         "the extrema that hold each other at rest, against the bounds of the method in use");
-    kernel.check_tolerance = 1e-13;
+    kernel.check_tolerance = 1e-11;
     kernel.choice = balance_shaft::best_position_choice;
     definition.methods = {
         first_order(),

@@ -2433,10 +2433,6 @@
         <translation>Ст&amp;енка и зазор</translation>
     </message>
     <message>
-        <source>Added around every circle.</source>
-        <translation>Добавляются вокруг каждой окружности.</translation>
-    </message>
-    <message>
         <source>Teeth of each of the two equal gears.</source>
         <translation>Зубья каждой из двух одинаковых шестерён.</translation>
     </message>
@@ -2575,14 +2571,6 @@
     <message>
         <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
         <translation>Прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
-    </message>
-    <message>
-        <source>&amp;Elastic modulus</source>
-        <translation>&amp;Модуль упругости</translation>
-    </message>
-    <message>
-        <source>For the sag under the shaft&apos;s own centrifugal load. Steel 210, cast iron 170, tungsten alloy 360.</source>
-        <translation>Для прогиба под собственной центробежной нагрузкой. Сталь 210, чугун 170, вольфрамовый сплав 360.</translation>
     </message>
     <message>
         <source>The torque on the gas-exchange strokes does not look like the inertia torque of a slider-crank, so it cannot be compared with the masses and the speed entered.</source>
@@ -2781,20 +2769,8 @@
         <translation>должно быть хотя бы 3 числа</translation>
     </message>
     <message>
-        <source>must hold at most %1 numbers</source>
-        <translation>должно быть не больше %1 чисел</translation>
-    </message>
-    <message>
         <source>must be at least %1 more than the angle of the row before, %2</source>
         <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
-    </message>
-    <message>
-        <source>The gears do not mesh: at the centre distance %1 their tip radius must be from %2 to %3, and it is %4.</source>
-        <translation>Шестерни не в зацеплении: при межосевом расстоянии %1 радиус вершин должен быть от %2 до %3, а он равен %4.</translation>
-    </message>
-    <message>
-        <source>The swing circles of crank (radius %1) and shaft (%2) with a gap of %3 need a centre distance of %4, and it is %5.</source>
-        <translation>Окружностям кривошипа (радиус %1) и вала (%2) с зазором %3 нужно межосевое расстояние %4, а оно равно %5.</translation>
     </message>
     <message>
         <source>At every angle the shaft&apos;s swing circle (radius %1, gap %2) meets the cylinder or what the rod sweeps.</source>
@@ -3217,42 +3193,6 @@
         <translation>%1 в %2, как принято, если единица не названа в заголовке; напишите единицу над столбцом, например Па</translation>
     </message>
     <message>
-        <source>Bearin&amp;g span L</source>
-        <translation>&amp;Пролёт L</translation>
-    </message>
-    <message>
-        <source>b + D</source>
-        <translation>b + D</translation>
-    </message>
-    <message>
-        <source>Allo&amp;wable stress</source>
-        <translation>Допускаемое &amp;напряжение</translation>
-    </message>
-    <message>
-        <source>For bending and shear together. The notches at the ends of the relief are to be counted in here. 150 MPa is half the yield strength of normalised C45 steel from 16 to 100 mm (EN 10083-2: 305 MPa).</source>
-        <translation>Для изгиба и сдвига вместе. Концентрацию у концов снятого участка учтите здесь. 150 МПа — половина предела текучести нормализованной стали C45 от 16 до 100 мм (EN 10083-2: 305 МПа).</translation>
-    </message>
-    <message>
-        <source>&amp;Permitted sag</source>
-        <translation>Допускаемый про&amp;гиб</translation>
-    </message>
-    <message>
-        <source>L / 1200</source>
-        <translation>L / 1200</translation>
-    </message>
-    <message>
-        <source>W&amp;hirling over speed</source>
-        <translation>&amp;Критическая к рабочей</translation>
-    </message>
-    <message>
-        <source>So many times the speed the whirling speed must be at least. Shigley, section 7-6: designers seek twice the operating speed.</source>
-        <translation>Во сколько раз критическая частота должна превышать рабочую. Shigley, разд. 7-6: конструкторы добиваются двукратного превышения.</translation>
-    </message>
-    <message>
-        <source>Bearing load &amp;up to</source>
-        <translation>Нагрузка подшипника &amp;до</translation>
-    </message>
-    <message>
         <source>Torque of the engine</source>
         <translation>Крутящий момент двигателя</translation>
     </message>
@@ -3409,44 +3349,8 @@
         <translation>должно быть больше %1; через 0° пишите %2</translation>
     </message>
     <message>
-        <source>The relieved length, %1, does not fit between the bearings, %2 apart.</source>
-        <translation>Снятый участок длиной %1 не помещается между подшипниками с пролётом %2.</translation>
-    </message>
-    <message>
-        <source>The relieved length, %1, is less than a thousandth of the span between the bearings, %2.</source>
-        <translation>Снятый участок длиной %1 меньше тысячной доли пролёта между подшипниками, %2.</translation>
-    </message>
-    <message>
-        <source>The shaft whirls at %1: that must be at least %2, %3 times the speed.</source>
-        <translation>Критическая частота вала %1, а нужно не меньше %2, в %3 раза выше рабочей.</translation>
-    </message>
-    <message>
-        <source>The stress, %1, is above the allowable %2.</source>
-        <translation>Напряжение %1 выше допускаемого %2.</translation>
-    </message>
-    <message>
-        <source>The shaft sags by %1; %2 is permitted.</source>
-        <translation>Вал прогибается на %1; допускается %2.</translation>
-    </message>
-    <message>
-        <source>A bearing carries %1; %2 is its limit.</source>
-        <translation>Подшипник несёт %1; его предел %2.</translation>
-    </message>
-    <message>
         <source>of the exact s″: −r₁ cos(θ − δ) is its first order; ω angular speed, θ − φ the same at every angle</source>
         <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
-    </message>
-    <message>
-        <source>Bending of the shaft at speed</source>
-        <translation>Изгиб вала при вращении</translation>
-    </message>
-    <message>
-        <source>w deflection and e eccentricity of the section, on two simple supports; it whirls where w has no bound; the bending by its weight is added</source>
-        <translation>w — прогиб, e — эксцентриситет сечения, на двух шарнирных опорах; критическая скорость — где w неограничен; изгиб от собственного веса прибавлен</translation>
-    </message>
-    <message>
-        <source>Of the relieved shaft: notches, loads of its gear, and the resonance between half and 0.71 of the whirling speed that its own weight excites, because it bends more easily one way.</source>
-        <translation>Для вала с лыской: концентраторы, силы в его зацеплении и резонанс между половиной и 0,71 критической скорости, который вызывает собственный вес, потому что в одну сторону вал гнётся легче.</translation>
     </message>
     <message>
         <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles found are those of no real engine until they agree.</source>
@@ -3545,10 +3449,6 @@
         <translation>Окружность, описываемая балансирным валом.</translation>
     </message>
     <message>
-        <source>the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁</source>
-        <translation>стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁</translation>
-    </message>
-    <message>
         <source>Tip circle of each of the two gears.</source>
         <translation>Окружность вершин каждой из двух шестерён.</translation>
     </message>
@@ -3571,30 +3471,6 @@
     <message>
         <source>360° where the other end is given</source>
         <translation>360°, если задан другой конец</translation>
-    </message>
-    <message>
-        <source>Between the middles of the two bearings, the relief in the middle.</source>
-        <translation>Между серединами двух подшипников, снятый участок посередине.</translation>
-    </message>
-    <message>
-        <source>b + D, half a diameter of whole bar on both sides</source>
-        <translation>b + D, по половине диаметра целого прутка с обеих сторон</translation>
-    </message>
-    <message>
-        <source>Largest deflection at speed, with that of the weight.</source>
-        <translation>Наибольший прогиб на ходу вместе с прогибом от веса.</translation>
-    </message>
-    <message>
-        <source>L / 1200, which tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 (Shigley, Table 7-2)</source>
-        <translation>L / 1200, при этом шейки наклоняются примерно на 0,0027 рад; шариковые подшипники допускают от 0,001 до 0,003 (Shigley, табл. 7-2)</translation>
-    </message>
-    <message>
-        <source>What one bearing can bear at this speed, by its maker&apos;s catalogue.</source>
-        <translation>Что выдержит один подшипник при этой частоте по каталогу.</translation>
-    </message>
-    <message>
-        <source>the load is computed but not judged</source>
-        <translation>нагрузка вычисляется, но не оценивается</translation>
     </message>
     <message>
         <source>that of the computed cycle, else the stroke, 2 r</source>
@@ -3631,6 +3507,30 @@
     <message>
         <source>Added to the crank angles of the pressure trace; 360° of one that counts from the firing top dead centre.</source>
         <translation>Прибавляется к углам поворота кривошипа в диаграмме давления; 360° — если она отсчитана от ВМТ вспышки.</translation>
+    </message>
+    <message>
+        <source>the bar of the relieved shaft, else the half disc of steel, as long as the bore, with the unbalance m₁ ρ₁</source>
+        <translation>пруток вала с лыской, иначе стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁</translation>
+    </message>
+    <message>
+        <source>Added around every circle, and above and beside the cylinder.</source>
+        <translation>Добавляются вокруг каждой окружности, а также над цилиндром и по бокам от него.</translation>
+    </message>
+    <message>
+        <source>Of the relieved shaft: bending, stress and bearing loads.</source>
+        <translation>У вала с лыской: изгиб, напряжения и нагрузки подшипников.</translation>
+    </message>
+    <message>
+        <source>Bending of the relieved shaft is no longer computed. These sizes of the case are not used: elastic modulus, bearing span, allowable stress, permitted sag, speed margin, bearing load.</source>
+        <translation>Изгиб вала с лыской больше не вычисляется. Эти величины файла не используются: модуль упругости, пролёт, допускаемое напряжение, допускаемый прогиб, запас по критической частоте, нагрузка подшипника.</translation>
+    </message>
+    <message>
+        <source>The bar does not fit in the swing circle given: its radius is %1, the swing radius %2.</source>
+        <translation>Пруток не умещается в заданной окружности вала: его радиус %1, радиус оборота %2.</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 numbers: average the cycles, or take larger steps</source>
+        <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
     </message>
 </context>
 <context>
@@ -4599,10 +4499,6 @@
         <translation>столбцов: %1</translation>
     </message>
     <message>
-        <source>the table must have at most %1 rows</source>
-        <translation>в таблице должно быть не больше %1 строк</translation>
-    </message>
-    <message>
         <source>m</source>
         <translation>м</translation>
     </message>
@@ -4863,10 +4759,6 @@
         <translation>Ни у одного двигателя нет шатуна длиной %1: верна ли длина?</translation>
     </message>
     <message>
-        <source>mrad</source>
-        <translation>мрад</translation>
-    </message>
-    <message>
         <source>lb/ft³</source>
         <translation>фунт/фут³</translation>
     </message>
@@ -4989,6 +4881,10 @@
     <message>
         <source>No engine has a mass of %1 at a crank radius of %2: was one of them typed in another unit, as grams for kilograms?</source>
         <translation>Не бывает двигателя с массой %1 при радиусе кривошипа %2: не введено ли одно из них в другой единице, например в граммах вместо килограммов?</translation>
+    </message>
+    <message>
+        <source>the table must have at most %1 rows: average the cycles, or take larger steps</source>
+        <translation>в таблице должно быть не больше %1 строк: усредните циклы или возьмите больший шаг</translation>
     </message>
     <message>
         <source>takes too long to read</source>
@@ -13458,8 +13354,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Вала таких размеров нет</translation>
     </message>
     <message>
-        <source>Bar of %1, its middle cut %2 deep over %3; bearings %4 apart.</source>
-        <translation>Пруток %1, середина срезана на глубину %2 по длине %3; между опорами %4.</translation>
+        <source>Bar of %1, its middle cut %2 deep over %3.</source>
+        <translation>Пруток %1, середина снята на глубину %2 по длине %3.</translation>
     </message>
 </context>
 <context>
@@ -13501,48 +13397,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>мин. длина</translation>
     </message>
     <message>
-        <source>sag at speed</source>
-        <translation>прогиб</translation>
-    </message>
-    <message>
-        <source>bending stress</source>
-        <translation>напр. изгиба</translation>
-    </message>
-    <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
-    </message>
-    <message>
-        <source>bearing span L</source>
-        <translation>пролёт L</translation>
-    </message>
-    <message>
-        <source>whirling speed</source>
-        <translation>критическая частота</translation>
-    </message>
-    <message>
-        <source>over the speed</source>
-        <translation>к рабочей частоте</translation>
-    </message>
-    <message>
-        <source>load of a bearing</source>
-        <translation>нагрузка подшипника</translation>
-    </message>
-    <message>
-        <source>permitted sag</source>
-        <translation>допускаемый прогиб</translation>
-    </message>
-    <message>
-        <source>sag at rest</source>
-        <translation>прогиб от веса</translation>
-    </message>
-    <message>
-        <source>tilt of the journals</source>
-        <translation>наклон шеек</translation>
-    </message>
-    <message>
-        <source>stress with shear</source>
-        <translation>напряжение с учётом сдвига</translation>
     </message>
     <message>
         <source>What both counterweights have by equation (1)</source>
@@ -13575,46 +13431,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The shortest relief that can have the unbalance with this bar: with half of it milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.</source>
         <translation>Наименьшая длина снятого участка, которая даёт дисбаланс при этом прутке: со снятой половиной, 3 U / (2 ρ R³). С колебаниями не связана.</translation>
-    </message>
-    <message>
-        <source>As entered, or b + D; the relief stands in the middle</source>
-        <translation>Заданный или b + D; снятый участок посередине</translation>
-    </message>
-    <message>
-        <source>First bending critical speed between two simple supports, towards the flat; finite elements of the beam with its steps</source>
-        <translation>Первая критическая частота изгиба на двух шарнирных опорах в сторону лыски; конечные элементы ступенчатой балки</translation>
-    </message>
-    <message>
-        <source>Whirling speed over the speed entered; must reach the margin asked for</source>
-        <translation>Критическая частота к заданной рабочей; должна достигать требуемого запаса</translation>
-    </message>
-    <message>
-        <source>Half of the centrifugal load U ω², grown by the deflection, and of the weight</source>
-        <translation>Половина центробежной нагрузки U ω², выросшей от прогиба, и веса</translation>
-    </message>
-    <message>
-        <source>Largest deflection under the centrifugal load, which grows with it, and the weight</source>
-        <translation>Наибольший прогиб от центробежной нагрузки, которая с ним растёт, и веса</translation>
-    </message>
-    <message>
-        <source>As entered, or L / 1200</source>
-        <translation>Заданный или L / 1200</translation>
-    </message>
-    <message>
-        <source>Largest deflection under the weight alone, flat up</source>
-        <translation>Наибольший прогиб от одного веса, лыской вверх</translation>
-    </message>
-    <message>
-        <source>Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.</source>
-        <translation>Наклон в подшипниках на ходу. Шариковые допускают от 1 до 3 мрад, подшипники скольжения меньше.</translation>
-    </message>
-    <message>
-        <source>Largest bending moment over the section modulus, σ = M / W</source>
-        <translation>Наибольший изгибающий момент к моменту сопротивления, σ = M / W</translation>
-    </message>
-    <message>
-        <source>Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress</source>
-        <translation>Наибольшее √(σ² + 3 τ²), τ = 4/3 V / A; не должно превышать допускаемого напряжения</translation>
     </message>
 </context>
 <context>
@@ -13678,10 +13494,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Export drawing</source>
         <translation>Запись чертежа</translation>
-    </message>
-    <message>
-        <source>What it must bear</source>
-        <translation>Что он должен выдержать</translation>
     </message>
     <message>
         <source>Not of what stands in the form, but of the values before it; refused entries: %1</source>
@@ -15186,10 +14998,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ShaftMapModel</name>
     <message>
-        <source>least bad over the speeds</source>
-        <translation>наименее плохо по частотам</translation>
-    </message>
-    <message>
         <source>least range</source>
         <translation>мин. размах</translation>
     </message>
@@ -15232,10 +15040,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Best place by the %1: %2 at %3.</source>
         <translation>Лучшее место (%1): %2 при %3.</translation>
-    </message>
-    <message>
-        <source>Least bad over the band of speeds: %1 at the worst one. Here: %2</source>
-        <translation>Наименее плохо по диапазону частот: %1 при худшей из них. Здесь: %2</translation>
     </message>
     <message>
         <source>Move shaft</source>

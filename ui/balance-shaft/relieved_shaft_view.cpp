@@ -33,8 +33,9 @@ namespace field = balance_shaft::field;
 
 namespace {
 
+/// Of the whole bar drawn on each side of the relief.
 double stubOf(const RelievedShaft& shaft) {
-    return std::max((shaft.bearing_span - shaft.length) / 2.0, shaft.diameter / 2.0);
+    return shaft.diameter / 2.0;
 }
 
 double flatOf(const RelievedShaft& shaft) {
@@ -88,9 +89,8 @@ void RelievedShaftDrawing::setShaft(const RelievedShaft& shaft) {
     shaft_ = shaft;
     const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
     setAccessibleDescription(
-        shaft.half_width > 0.0 ? tr("Bar of %1, its middle cut %2 deep over %3; bearings %4 apart.")
-                                     .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length),
-                                          mm(shaft.bearing_span))
+        shaft.half_width > 0.0 ? tr("Bar of %1, its middle cut %2 deep over %3.")
+                                     .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
                                : tr("No shaft of these sizes"));
     update();
     Q_EMIT pictureChanged();
@@ -169,14 +169,6 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(theme.accent());
     painter.drawEllipse(at(section, 0.0, -shaft_.centre_of_mass_radius), 3.5, 3.5);
 
-    // Bearings: a triangle under the bar, its tip at the middle of the journal.
-    painter.setPen(outline);
-    painter.setBrush(theme.panel());
-    for (const double end : {-1.0, 1.0}) {
-        const QPointF tip = at(side, end * shaft_.bearing_span / 2.0, -own);
-        painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6, 10), tip + QPointF(6, 10)});
-    }
-
     // The reference, about the same middles.
     if (shown.size() > 1) {
         painter.setPen(QPen(theme.mutedText(), 1.2, Qt::DashLine));
@@ -199,8 +191,6 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                          QStringLiteral("h ") + mm(shaft_.depth));
     drawing::drawCentred(painter, at(side, 0.0, radius) + above,
                          QStringLiteral("b ") + mm(shaft_.length));
-    drawing::drawCentred(painter, at(side, 0.0, -radius) + below,
-                         QStringLiteral("L ") + mm(shaft_.bearing_span));
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
@@ -217,7 +207,6 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     answerColumn->addWidget(verdict_);
     table_ = new ResultTable(tr("Sizes and masses of the shaft"), answerPanel);
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
-    table_->setShownRows(9);
     answerColumn->addWidget(table_, 1);
     upper->add(answerPanel, 1);
 
@@ -245,9 +234,8 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     const auto addSize = [&](const Field& field, RelievedShaftModel::Size size) {
         NumberField* number = form->number(
             field, [this, size] { return model_->sizeOf(size); },
-            [model, &field](std::optional<double> value) {
-                model->editField("/relieved_shaft/" + std::string(field.key),
-                                 from_si(field, *value), fieldName(field));
+            [this, &field, size](std::optional<double> value) {
+                model_->setSize(field, size, *value);
             });
         form->follow([this, number, size] { number->setEnabled(model_->isGiven(size)); });
         number->setDigits(6);  // a size that was found has more than fit
@@ -255,14 +243,9 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     addSize(field::bar_diameter, &RelievedShaftSizes::diameter);
     addSize(field::relief_depth, &RelievedShaftSizes::depth);
     addSize(field::relief_length, &RelievedShaftSizes::length);
-    for (const char* steel : {"density_kg_m3", "elastic_modulus_GPa"}) {
-        form->number((std::string("/relieved_shaft/") + steel).c_str());
-    }
-    form->section(tr("What it must bear"));
-    for (const char* limit : {"bearing_span_mm", "allowable_stress_MPa", "permitted_sag_mm",
-                              "speed_margin", "bearing_load_limit_N"}) {
-        form->number((std::string("/relieved_shaft/") + limit).c_str());
-    }
+    form->number(
+        field::density, [this] { return model_->sizes().density; },
+        [this](std::optional<double> value) { model_->setDensity(*value); });
     form->column()->addStretch();
     column->addWidget(form, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);

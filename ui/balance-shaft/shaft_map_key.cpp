@@ -64,8 +64,7 @@ std::vector<ShaftMapKey::Entry> ShaftMapKey::entries() const {
     };
     const ShaftMapModel::Marker* hollow = nullptr;
     for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
-        if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion ||
-            marker->worst) {
+        if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion) {
             addSign(marker->name, *marker);
         } else if (hollow == nullptr) {
             hollow = &*marker;
@@ -103,10 +102,9 @@ QString ShaftMapKey::signsInWords() const {
     QStringList signs;
     for (const ShaftMapModel::Marker& marker : map_.markers()) {
         const QString name =
-            (marker.worst                                          ? QStringLiteral("■ ")
-             : marker.criterion == ShaftMapModel::Criterion::Range ? QStringLiteral("◆ ")
-             : marker.criterion == ShaftMapModel::Criterion::Rms   ? QStringLiteral("● ")
-                                                                   : QStringLiteral("▲ ")) +
+            (marker.criterion == ShaftMapModel::Criterion::Range ? QStringLiteral("◆ ")
+             : marker.criterion == ShaftMapModel::Criterion::Rms ? QStringLiteral("● ")
+                                                                 : QStringLiteral("▲ ")) +
             marker.name;
         if (marker.isBuildable && !signs.contains(name)) {
             signs << name;

@@ -38,7 +38,7 @@ void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const std::vector<QPoi
     const QFontMetricsF metrics(Theme::font(Theme::smallSize, true));
     for (std::size_t i = 0; i < signs.size(); ++i) {
         const ShaftMapModel::Marker& marker = map.markers()[i];
-        const auto change = marker.worst ? marker.worst : map.change(marker.criteria);
+        const auto change = map.change(marker.criteria);
         if (!change || marker.criterion != map.criterion()) {
             continue;
         }
@@ -67,7 +67,7 @@ void ShaftMapLabels::addContours(const ShaftMapModel& map, const std::vector<QPo
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const ShaftMapModel::Marker* best = nullptr;
     for (const ShaftMapModel::Marker& marker : map.markers()) {
-        if (marker.criterion == map.criterion() && !marker.worst) {
+        if (marker.criterion == map.criterion()) {
             best = &marker;  // the last is the one of all places
         }
     }

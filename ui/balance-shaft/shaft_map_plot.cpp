@@ -132,10 +132,6 @@ QString ShaftMapPlot::placeWords(const ShaftMapModel::Position& position, int de
            (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
 }
 
-QString ShaftMapPlot::markerWords(const ShaftMapModel::Marker& marker) const {
-    return marker.worst ? shaft_map_text::marker(*map_, marker) : placeWords(marker.position);
-}
-
 QString ShaftMapPlot::bestWords() const {
     const ShaftMapModel* other = referenceMap();
     const QString against = other != nullptr

@@ -72,7 +72,6 @@ class ShaftMapPlot : public PlotView {
     /// The reference's map is by the criterion of this one.
     void leadReference();
     void followReference();
-    QString markerWords(const ShaftMapModel::Marker& marker) const;
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;

@@ -77,7 +77,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
     Q_EMIT hovered(!inside             ? QString()
-                   : marker != nullptr ? markerWords(*marker)
+                   : marker != nullptr ? placeWords(marker->position)
                                        : placeWords(placeAt(event->position()), 1));
 }
 
@@ -124,7 +124,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
         const std::size_t count = map_->markers().size();
         if (count > 0) {
             chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
-            Q_EMIT hovered(markerWords(map_->markers()[*chosen_]));
+            Q_EMIT hovered(placeWords(map_->markers()[*chosen_].position));
             update();
         }
     };

@@ -88,9 +88,7 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 
 QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker, double r) {
     QPainterPath shape;
-    if (marker.worst) {
-        shape.addRect(QRectF(at - QPointF(0.9 * r, 0.9 * r), QSizeF(1.8 * r, 1.8 * r)));
-    } else if (marker.criterion == ShaftMapModel::Criterion::Range) {
+    if (marker.criterion == ShaftMapModel::Criterion::Range) {
         shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
                                    at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
                                    at + QPointF(0, -1.25 * r)});

@@ -23,7 +23,7 @@ std::vector<QRgb> bandColours(const std::vector<double>& levels);
 QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
                   const std::vector<double>& levels);
 /// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
-/// triangle, over a band of speeds a square; hollow where it cannot be built.
+/// triangle; hollow where it cannot be built.
 QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
                    double radius = glyphRadius());
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "balance-shaft/best_range.h"
-#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
@@ -40,16 +39,6 @@ Input engine(int rows, Interpolation interpolation = Interpolation::linear) {
 
 Interpolation interpolation_of(const benchmark::State& state) {
     return state.range(1) == 0 ? Interpolation::linear : Interpolation::periodic_cubic;
-}
-
-CycleExtrema extrema_of(const Input& input) {
-    const TorqueTable& table = input.torque.table;
-    std::vector<double> moment = table.torque;
-    std::transform(moment.begin(), moment.end(), moment.begin(), [](double m) { return -m; });
-    return {input.interpolation == Interpolation::linear
-                ? PeriodicPiecewise::linear(table.crank_angle_deg, moment)
-                : PeriodicPiecewise::cubic(table.crank_angle_deg, moment),
-            solve(input).moment_amplitude};
 }
 
 /// Curves of 721 points and all metrics at a new α.
@@ -112,13 +101,13 @@ BENCHMARK(angle_by_angle)
 
 /// The global minimum of the range over α.
 void best_angle(benchmark::State& state) {
-    const CycleExtrema extrema =
-        extrema_of(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    const double amplitude = solver.result().moment_amplitude;
     int evaluations = 0;
     for (auto _ : state) {
-        const BestRange best = minimise_range(extrema);
+        const AngleMinimum best = minimise_range(solver.plane(), amplitude);
         evaluations = best.evaluations;
-        benchmark::DoNotOptimize(best.shaft_angle);
+        benchmark::DoNotOptimize(best.alpha);
     }
     state.counters["evaluations"] = evaluations;
 }

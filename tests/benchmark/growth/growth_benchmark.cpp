@@ -150,8 +150,8 @@ std::vector<Growth> all_growths() {
     };
     return {
         // Knots are sorted, each is looked up.
-        {"rows, straight lines", {1000, 10'000, 100'000}, 1.1, rows(Interpolation::linear)},
-        {"rows, spline", {1000, 10'000, 100'000}, 1.1, rows(Interpolation::periodic_cubic)},
+        {"rows, straight lines", {500, 3000, 20'000}, 1.1, rows(Interpolation::linear)},
+        {"rows, spline", {500, 3000, 20'000}, 1.1, rows(Interpolation::periodic_cubic)},
         {"cylinders",
          {8, 16, 32, 64},
          1.0,

@@ -14,6 +14,30 @@
 namespace ravnoves::balance_shaft {
 namespace {
 
+// As fields say them, and the help from these.
+TEST(FrontView, SizesThatAreNotGivenAreThoseThatTheFieldsName) {
+    Input input = test::diesel();
+    input.envelope.cylinder_bore.reset();
+    input.torque.cylinder.bore = 0.080;
+    FrontView view = front_view(input);
+    EXPECT_EQ(view.cylinder_bore, 0.080);
+    EXPECT_NEAR(view.cylinder_top, 0.046 + 0.150 + 0.040, 1e-15);
+    EXPECT_NEAR(view.cylinder_bottom, 0.150 - 0.046 - 0.3 * 0.080, 1e-15);
+    EXPECT_NEAR(view.cylinder_wall, 0.06 * 0.080, 1e-15);
+    EXPECT_EQ(view.rod_width, 0.023);
+    const double half_disc = std::cbrt(1.5 * 0.658 * 0.046 / (7850.0 * 0.080));
+    EXPECT_NEAR(view.shaft_swing_radius, half_disc, 1e-12);
+    EXPECT_NEAR(view.crank_swing_radius, 0.046 + 0.0115, 1e-15);
+    EXPECT_EQ(view.gear_tip_radius, input.centre_distance / 2.0);
+    EXPECT_EQ(view.clearance, 0.002);
+    EXPECT_EQ(view.wall, 0.0);
+    input.counterweight_mass = 5.0;
+    view = front_view(input);
+    EXPECT_EQ(view.crank_swing_radius, view.shaft_swing_radius);
+    input.torque.kind = TorqueSource::Kind::table;
+    EXPECT_EQ(front_view(input).cylinder_bore, 0.092);
+}
+
 using test::diesel;
 
 /// The same by brute force: the rod at many places, points along its middle line.
@@ -215,11 +239,11 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
     };
     EXPECT_TRUE(reason([](Input& i) {
                     i.centre_distance = 0.09;
-                }).starts_with("The swing circles of crank (radius 57.5 mm) and shaft (39.2"))
+                }).starts_with("The shaft's swing circle (radius 39.2"))
         << reason([](Input& i) { i.centre_distance = 0.09; });
     EXPECT_TRUE(reason([](Input& i) {
                     i.envelope.gear_tip_radius = 0.06;
-                }).starts_with("The gears do not mesh: at the centre distance 100.2 mm"));
+                }).starts_with("The gears do not mesh: with their tip radius 60 mm"));
     EXPECT_TRUE(
         reason([](Input& i) { i.envelope.gear_tip_radius = 0.05; }).starts_with("The gears"));
     EXPECT_TRUE(reason([](Input& i) {

@@ -36,6 +36,26 @@ double acceleration(const SliderCrank<double>& crank, double theta) {
     return (-s(2) + 16.0 * s(1) - 30.0 * s(0) + 16.0 * s(-1) - s(-2)) / (12.0 * h * h);
 }
 
+// Of a table it was that of the torque alone: 31.59 for 22.17 N·m.
+TEST(OffsetCylinder, TheMeanOfTheRowsIsThatOfTheTippingMoment) {
+    Input input = preset_tmz_650d();
+    input.rod_length = 0.150;
+    for (const double offset : {0.0, 8e-3, -25e-3}) {
+        input.torque.cylinder.offset = offset;
+        const SliderCrank<double> crank = slider_crank(input);
+        const double factor =
+            input.reciprocating_mass() * input.angular_speed * input.angular_speed * offset;
+        const TorqueTable& table = input.torque.table;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            const double theta = table.crank_angle_deg[i] * degree + crank.top_dead_centre();
+            sum += factor * acceleration(crank, theta) - table.torque[i];
+        }
+        EXPECT_NEAR(solve(input).printed_mean_M_up, sum / static_cast<double>(table.size()), 1e-6)
+            << offset;
+    }
+}
+
 /// Clockwise moment about the crank axis.
 double moment(const Vector2& at, const Vector2& force) {
     return at.y * force.x - at.x * force.y;

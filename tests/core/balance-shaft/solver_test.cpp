@@ -2,8 +2,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "balance-shaft/best_range.h"
-#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
@@ -226,9 +225,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BestRange, ProvesItsGap) {
     const Solver solver(preset_tmz_650d());
     const TorqueTable& table = solver.input().torque.table;
-    const CycleExtrema extrema(PeriodicPiecewise::linear(table.crank_angle_deg, table.torque),
-                               430.0);
-    const BestRange best = minimise_range(extrema);
+    const MomentPlane plane(PeriodicPiecewise::linear(table.crank_angle_deg, table.torque));
+    const AngleMinimum best = minimise_range(plane, 430.0);
     EXPECT_EQ(best.gap, 0.0);
     EXPECT_LT(best.evaluations, 100);
 }
@@ -483,7 +481,7 @@ TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
     EXPECT_GT(solved, 10);
 }
 
-TEST(BalanceShaft, AMillionRowsAreSolved) {
+TEST(BalanceShaft, AsManyRowsAsATableMayHaveAreSolved) {
     Input input = preset_tmz_650d();
     input.step_deg = 90.0;
     input.torque.table = random_table(5, largest_torque_table);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "balance-shaft/angle_minimum.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/json.h"
@@ -95,70 +95,6 @@ TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
     }
 }
 
-TEST(SpeedStudy, NoPlaceOfAGridIsLessBadOverTheBandThanTheLeastBadOne) {
-    Input input = diesel();
-    const SpeedBand speeds = band(1500, 4200, 12);
-    const SpeedStudy study(input, speeds);
-    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        for (const Measure measure : {Measure::absolute, Measure::relative}) {
-            const bool by_range = criterion == Criterion::range;
-            const auto measured = [&](const PositionStudy& at_speed, double x, double y) {
-                const PositionCriteria here = at_speed.at({x, y});
-                const double over = by_range ? at_speed.range_without() : at_speed.rms_without();
-                return (by_range ? here.range : here.rms) /
-                       (measure == Measure::relative ? over : 1.0);
-            };
-            std::vector<PositionStudy> at_speeds;
-            for (const auto& point : study.points()) {
-                Input there = input;
-                there.angular_speed = point.angular_speed;
-                at_speeds.emplace_back(Solver(there));
-            }
-            const auto worst = [&](double x, double y) {
-                double value = 0.0;
-                for (const PositionStudy& at_speed : at_speeds) {
-                    value = std::max(value, measured(at_speed, x, y));
-                }
-                return value;
-            };
-            const auto free = study.least_bad_place(criterion, measure);
-            const auto built = study.least_bad_place_buildable(criterion, measure);
-            ASSERT_TRUE(free && built);
-            EXPECT_LE(free->gap, 1e-9 * free->value);
-            EXPECT_LE(built->gap, 1e-8 * built->value);
-            EXPECT_GE(built->value, free->value * (1.0 - 1e-10));
-            // No angle at the input's distance is less bad.
-            EXPECT_LE(free->value, study.least_bad_angle(criterion, measure).value * (1.0 + 1e-9));
-            for (const auto& found : {*free, *built}) {
-                // The points' worst, or a speed between them that is worse.
-                EXPECT_LE(worst(found.x, found.y), found.value * (1.0 + 1e-9));
-                Input there = input;
-                there.angular_speed = found.worst_speed;
-                EXPECT_NEAR(measured(PositionStudy(Solver(there)), found.x, found.y), found.value,
-                            1e-9 * found.value);
-            }
-            for (const double half : {0.3, 0.01, 1e-4}) {
-                for (int i = 0; i <= 20; ++i) {
-                    for (int k = 0; k <= 20; ++k) {
-                        const double dx = half * (i - 10) / 10.0;
-                        const double dy = half * (k - 10) / 10.0;
-                        // Between the points a place may be worse, not better.
-                        const double slack = measure == Measure::relative ? 1e-3 : 1e-9;
-                        EXPECT_GE(worst(free->x + dx, free->y + dy), free->value * (1.0 - slack));
-                        if (at_speeds[0].obstacle({built->x + dx, built->y + dy}) ==
-                            Obstacle::none) {
-                            EXPECT_GE(worst(built->x + dx, built->y + dy),
-                                      built->value * (1.0 - slack));
-                        }
-                    }
-                }
-            }
-        }
-    }
-    input.counterweight_mass = 0.0;
-    EXPECT_FALSE(SpeedStudy(input, speeds).least_bad_place(Criterion::rms, Measure::absolute));
-}
-
 TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
     const Input input = diesel();
     // Few points: the worst speed of the relative measures may lie between them.
@@ -221,11 +157,11 @@ TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
 
 TEST(AngleMinimum, OfEndsThatMirrorEachOtherTheFirstIsChosenWhateverRoundingSays) {
     const auto evaluate = [](double alpha) {
-        return Cut<double>{alpha, std::cos(alpha), {0.0, 1.0, 0.0}};
+        return Cut{alpha, std::cos(alpha), {0.0, 1.0, 0.0}};
     };
     for (int i = 1; i < 200; ++i) {
         const double end = 0.3 + 0.01 * i;
-        const auto best = minimise_over_angle<double>(evaluate, 1.0, 1.0,
+        const auto best = minimise_over_angle(evaluate, 1.0, 1.0,
                                                       {{0.1, end}, {two_pi - end, two_pi - 0.1}});
         EXPECT_NEAR(best.alpha, end, 1e-12);
     }
@@ -277,8 +213,6 @@ TEST(SpeedStudy, IsPrintedByACase) {
     EXPECT_EQ(result.at("map").at("range_Nm").size(), 4U);
     EXPECT_EQ(result.at("map").at("range_Nm").at(0).size(), 360U);
     EXPECT_TRUE(result.at("least_bad").at("range").contains("worst_speed_rpm"));
-    EXPECT_TRUE(result.at("least_bad_place").at("range").contains("centre_distance_mm"));
-    EXPECT_TRUE(result.at("least_bad_place_buildable").at("rms_relative").contains("ratio"));
     const auto refusal = [&](const std::string& patch) {
         Json changed = json;
         changed["speed_band"].merge_patch(parse_json(patch));
@@ -293,17 +227,6 @@ TEST(SpeedStudy, IsPrintedByACase) {
               "/input/speed_band/speeds: must be a whole number from 2 to 1000, got 1");
     EXPECT_EQ(refusal(R"({"to_rpm": 1e300})").rfind("/input/speed_band/to_rpm: must be at most", 0),
               0U);
-}
-
-TEST(SpeedStudy, SaysWhyThereIsNoPlaceThatCanBeBuilt) {
-    Json json = write_input(diesel());
-    json["speed_band"] = {{"from_rpm", 2000}, {"to_rpm", 3600}, {"speeds", 3}};
-    json["place_limits"] = {{"centre_distance_max_mm", 1}};
-    const Json result = solve_case({"balance-shaft", "", json}, {}).at("result").at("speed_band");
-    EXPECT_FALSE(result.at("least_bad_place").contains("reason"));
-    const Json& built = result.at("least_bad_place_buildable");
-    EXPECT_TRUE(built.at("range").is_null());
-    EXPECT_EQ(built.at("reason"), ShaftPlaces::reason_for_none().english());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "balance-shaft/moment_plane.h"
+#include "balance-shaft/angle_search.h"
 #include "balance-shaft/rod_sweep.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -60,67 +60,32 @@ TEST(BalanceShaftSweep, ManyAnglesAtOnceHaveTheDigitsOfEach) {
     }
 }
 
-TEST(BalanceShaftSweep, ExtremaAreThoseOfThePlaneAndStandAtTheirAngles) {
+TEST(BalanceShaftSweep, ExtremaStandAtTheirAnglesAndNoSampleIsBeyondThem) {
     for (const Input& input : engines()) {
         const Solver solver(input);
-        const PeriodicPiecewise& moment = solver.tipping_moment();
-        const MomentPlane plane(moment);
-        for (const double amplitude : {0.0, 1.0, 50.0, 430.0, 3000.0}) {
-            const CycleExtrema extrema(moment, amplitude);
-            for (const double alpha : some_angles(40, 0.0, two_pi)) {
-                const double x = amplitude * std::sin(alpha);
-                const double y = amplitude * std::cos(alpha);
-                const auto found = extrema(alpha);
-                const auto other = plane(x, y);
-                const double rounding = 4e-14 * (1000.0 + amplitude);
-                EXPECT_NEAR(found.max.value, other.max.value, rounding) << amplitude;
-                EXPECT_NEAR(found.min.value, other.min.value, rounding) << amplitude;
-                for (const Extremum& at : {found.max, found.min}) {
-                    EXPECT_NEAR(
-                        moment(at.angle_deg) + amplitude * std::sin(at.angle_deg * degree + alpha),
-                        at.value, 10.0 * rounding);
-                }
-            }
+        const auto moment = [&](double angle_deg) { return solver.M_up(angle_deg * degree); };
+        std::vector<double> angles = input.torque.table.crank_angle_deg;
+        for (int i = 0; i < 2 * input.cycle_deg(); ++i) {
+            angles.push_back(0.5 * i);
         }
-    }
-}
-
-/// Where stretches of knots are passed over, none that holds an extremum is.
-TEST(BalanceShaftSweep, ThousandsOfRowsHaveTheExtremaOfAllTheirKnots) {
-    TorqueTable even;
-    constexpr int rows = 9000;
-    for (int i = 0; i <= rows; ++i) {
-        even.crank_angle_deg.push_back(720.0 * i / rows);
-        even.torque.push_back(300.0 * std::cos(2.0 * two_pi * i / rows) + i % 7);
-    }
-    even.torque.back() = even.torque.front();
-    TorqueTable uneven = test::random_table(3, 5000);
-    for (std::size_t i = 1; i + 1 < uneven.size(); ++i) {
-        // Nearly all of them within one turn, so that one stretch is wide.
-        uneven.crank_angle_deg[i] = 0.01 * uneven.crank_angle_deg[i] + (i > 4900 ? 400.0 : 0.0);
-    }
-    for (const TorqueTable& table : {even, uneven}) {
-        const auto moment = PeriodicPiecewise::linear(table.crank_angle_deg, table.torque);
-        const MomentPlane plane(moment);
-        for (const double amplitude : {0.0, 1.0, 300.0, 3000.0}) {
-            const CycleExtrema extrema(moment, amplitude);
-            for (const double alpha : some_angles(12, 0.0, two_pi)) {
-                double highest = -1e9;
-                double lowest = 1e9;
-                for (std::size_t i = 0; i < table.size(); ++i) {
-                    const double value =
-                        table.torque[i] +
-                        amplitude * std::sin(table.crank_angle_deg[i] * degree + alpha);
-                    highest = std::max(highest, value);
-                    lowest = std::min(lowest, value);
-                }
-                const Extrema found = extrema(alpha);
-                const auto other = plane(amplitude * std::sin(alpha), amplitude * std::cos(alpha));
+        for (const double amplitude : {0.0, 1.0, 50.0, 430.0, 3000.0}) {
+            for (const double alpha : some_angles(10, 0.0, two_pi)) {
+                const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
+                const MomentPlane::Extrema found = solver.plane()(shaft);
                 const double rounding = 4e-14 * (1000.0 + amplitude);
-                EXPECT_GE(found.max.value, highest - rounding);
-                EXPECT_LE(found.min.value, lowest + rounding);
-                EXPECT_NEAR(found.max.value, other.max.value, rounding);
-                EXPECT_NEAR(found.min.value, other.min.value, rounding);
+                const auto value = [&](double angle) {
+                    return moment(angle) + amplitude * std::sin(angle * degree + alpha);
+                };
+                for (const MomentPlane::Place& at : {found.max, found.min}) {
+                    EXPECT_NEAR(value(at.angle_deg), at.value, 10.0 * rounding);
+                    EXPECT_NEAR(moment(at.angle_deg), at.moment, 10.0 * rounding);
+                    EXPECT_NEAR(std::cos(at.angle_deg * degree), at.cos, 1e-12);
+                    EXPECT_NEAR(std::sin(at.angle_deg * degree), at.sin, 1e-12);
+                }
+                for (const double angle : angles) {
+                    EXPECT_LE(value(angle), found.max.value + 10.0 * rounding) << amplitude;
+                    EXPECT_GE(value(angle), found.min.value - 10.0 * rounding) << amplitude;
+                }
             }
         }
     }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "balance-shaft/best_range.h"
+#include "balance-shaft/angle_search.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -183,21 +183,24 @@ TEST(RangeStability, APeakNarrowerThanTheNodesIsNotSeen) {
 TEST(AngleStability, FindsOneOfTwoEqualMinimaOnTheirKinks) {
     for (const double share : {0.0, 1e-12, 1e-6, 1e-2}) {
         const TorqueCycle cycle = two_minima_cycle(share);
-        const balance_shaft::CycleExtrema extrema(cycle.interpolant<double>(), cycle.amplitude);
-        const auto best = balance_shaft::minimise_range(extrema);
+        const balance_shaft::MomentPlane plane(cycle.interpolant<double>());
+        const auto best = balance_shaft::minimise_range(plane, cycle.amplitude);
         // The other minimum lies half a turn on and is higher by no more than the share.
-        const double other = extrema.range(best.shaft_angle + pi);
-        EXPECT_GE(other, best.range - 1e-12 * cycle.size());
-        EXPECT_LE(other, best.range + 4.0 * share * 600.0 + 1e-9);
+        const double other = plane.range(balance_shaft::shaft_at(cycle.amplitude, best.alpha + pi));
+        EXPECT_GE(other, best.value - 1e-12 * cycle.size());
+        EXPECT_LE(other, best.value + 4.0 * share * 600.0 + 1e-9);
         EXPECT_LT(best.gap, 1e-9);
     }
     // A kink: the slopes on both sides do not go to zero.
     const TorqueCycle paper = paper_cycle();
-    const balance_shaft::CycleExtrema extrema(paper.interpolant<double>(), paper.amplitude);
-    const auto best = balance_shaft::minimise_range(extrema);
+    const balance_shaft::MomentPlane plane(paper.interpolant<double>());
+    const auto best = balance_shaft::minimise_range(plane, paper.amplitude);
     const double step = 1e-4;
-    const double left = (best.range - extrema.range(best.shaft_angle - step)) / step;
-    const double right = (extrema.range(best.shaft_angle + step) - best.range) / step;
+    const auto range = [&](double alpha) {
+        return plane.range(balance_shaft::shaft_at(paper.amplitude, alpha));
+    };
+    const double left = (best.value - range(best.alpha - step)) / step;
+    const double right = (range(best.alpha + step) - best.value) / step;
     EXPECT_LT(left, -10.0);
     EXPECT_GT(right, 10.0);
     EXPECT_GT(error_of("best-angle", "amplitude", paper.amplitude, "brent", "one start"), 1e-2);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "balance-shaft/best_range.h"
-#include "balance-shaft/cycle_extrema.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves {
@@ -42,20 +40,6 @@ TEST(Real50, IntegralsOfThePiecesAreThoseOfDouble) {
         const auto order = exact.fourier(frequency);
         EXPECT_LT(gap(order.a, f.fourier(M_PI / 180.0).a), 1e-14);
         EXPECT_LT(gap(order.b, f.fourier(M_PI / 180.0).b), 1e-14);
-    }
-}
-
-TEST(Real50, RangeAndBestAngleAreThoseOfDouble) {
-    using namespace balance_shaft;
-    for (const bool cubic : {false, true}) {
-        const CycleExtrema f(table<double>(cubic), 0.7);
-        const BasicCycleExtrema<Real50> exact(table<Real50>(cubic), Real50(0.7));
-        for (const double alpha : {0.0, 0.3, 2.0, 4.5}) {
-            EXPECT_LT(gap(exact.range(Real50(alpha)), f.range(alpha)), 1e-14) << alpha;
-        }
-        const auto best = minimise_range(exact);
-        EXPECT_LT(gap(best.range, minimise_range(f).range), 1e-13);
-        EXPECT_LT(best.gap, Real50(1e-40));
     }
 }
 

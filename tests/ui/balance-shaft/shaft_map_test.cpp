@@ -500,42 +500,6 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     EXPECT_FALSE(model->input().place_limits.left);
 }
 
-TEST_F(ShaftMapTest, MarksWhatIsLeastBadOverABandOfSpeeds) {
-    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    wait();
-    const auto band = [&] {
-        const auto& markers = map->markers();
-        const auto found = std::find_if(markers.begin(), markers.end(),
-                                        [](const auto& each) { return each.worst.has_value(); });
-        return found == markers.end() ? nullptr : &*found;
-    };
-    EXPECT_EQ(band(), nullptr);
-    model->edit(QStringLiteral("Band"), [](balance_shaft::Input& input) {
-        input.speed_band = balance_shaft::SpeedBand{.from = 150.0, .to = 380.0, .speeds = 20};
-    });
-    wait();
-    QTRY_VERIFY_WITH_TIMEOUT(!map->bandJob()->isRunning(), 30000);
-    using balance_shaft::SpeedStudy;
-    const SpeedStudy study(model->input(), *model->input().speed_band);
-    for (const Criterion criterion : {Criterion::Range, Criterion::Rms}) {
-        map->setCriterion(criterion);
-        ASSERT_NE(band(), nullptr);
-        const auto expected = study.least_bad_place_buildable(criterion == Criterion::Range
-                                                                  ? SpeedStudy::Criterion::range
-                                                                  : SpeedStudy::Criterion::rms,
-                                                              SpeedStudy::Measure::relative);
-        ASSERT_TRUE(expected);
-        EXPECT_NEAR(*band()->worst, expected->value - 1.0, 1e-9);
-        EXPECT_TRUE(band()->isBuildable);
-        // Over the band it is not the best place of the present speed.
-        EXPECT_NE(map->best(), band());
-        move(plot->pixelOf(band()->position), Qt::NoButton);
-        EXPECT_TRUE(view->words()->text().contains(QStringLiteral("N·m")));
-    }
-    map->setCriterion(Criterion::Both);
-    EXPECT_EQ(band(), nullptr);
-}
-
 /// Whole hundredths of a unit.
 bool isShort(double value) {
     return std::abs(100.0 * value - std::round(100.0 * value)) < 1e-6;

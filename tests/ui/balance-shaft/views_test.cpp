@@ -89,7 +89,7 @@ TEST_F(BalanceShaftViewsTest, TheReliefIsNotOfWhatIsRefused) {
     const QString refused = QStringLiteral("refused entries");
     EXPECT_FALSE(says(refused));
     EXPECT_TRUE(drawing->isEnabled());
-    auto* span = test::named<NumberField>(*view, "bearing_span_mm");
+    auto* span = test::named<NumberField>(*view, "density_kg_m3");
     span->setFocus();
     span->selectAll();
     QTest::keyClicks(span, QStringLiteral("abc"));

@@ -293,18 +293,6 @@ const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
     return study ? *study : study.emplace(balance_shaft::envelope_study(solver()));
 }
 
-const balance_shaft::RelievedShaft& BalanceShaftModel::relievedShaft() const {
-    // The place of the axis changes nothing of it: it is kept while that is dragged.
-    const RelievedFor wanted{input().relieved_shaft, solver().counterweight_force(),
-                             input().angular_speed};
-    if (relievedFor_ != wanted) {
-        clear_vector_state();
-        relieved_ = balance_shaft::relieved_shaft(solver());
-        relievedFor_ = wanted;
-    }
-    return relieved_;
-}
-
 double BalanceShaftModel::mass(const std::string& name) const {
     for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
         if (part.name == name) {

@@ -117,7 +117,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     // What views show beside the result; found when first asked for.
     const balance_shaft::EnvelopeStudy& envelopeStudy() const;
-    const balance_shaft::RelievedShaft& relievedShaft() const;
+    balance_shaft::RelievedShaft relievedShaft() const {
+        return balance_shaft::relieved_shaft(solver());
+    }
 
     /// The mass of a named part, kg; 0 where there is none.
     double mass(const std::string& name) const;
@@ -141,7 +143,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// What looks like a slip in the input.
     QString doubtsText() const;
     std::vector<std::string> usualObjects() const override {
-        return {"/envelope", "/relieved_shaft"};
+        return {"/envelope"};
     }
 
   Q_SIGNALS:
@@ -153,20 +155,10 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void taken() override;
     void applyShaftAngle(double radians);
 
-    /// What the relieved shaft follows.
-    struct RelievedFor {
-        std::optional<balance_shaft::RelievedShaftSizes> sizes;
-        double force;  // of the counterweight, N
-        double speed;  // rad/s
-        bool operator==(const RelievedFor&) const = default;
-    };
-
     CrankAngle crank_{60.0, input().cycle_deg()};
     Means means_ = Means::Both;
     PlaceCriterion placeCriterion_;
     balance_shaft::SpeedStudy::Criterion speedCriterion_ = {};
-    mutable std::optional<RelievedFor> relievedFor_;
-    mutable balance_shaft::RelievedShaft relieved_;
 };
 
 extern template class CaseModel<BalanceShaftScene>;

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include "balance-shaft/fields.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -17,7 +18,7 @@ RelievedShaftModel::RelievedShaftModel(BalanceShaftModel* model, QObject* parent
     : QObject(parent), model_(model) {}
 
 RelievedShaftSizes RelievedShaftModel::sizes() const {
-    return model_->input().relieved_shaft.value_or(RelievedShaftSizes{});
+    return balance_shaft::relieved_shaft_sizes(model_->input());
 }
 
 RelievedShaftModel::Sized RelievedShaftModel::sized() const {
@@ -29,7 +30,7 @@ RelievedShaftModel::Sized RelievedShaftModel::sized() const {
 }
 
 std::optional<double> RelievedShaftModel::sizeOf(Size size) const {
-    const RelievedShaft& found = shaft();
+    const RelievedShaft found = shaft();
     const double metres = (sizes().*size)
                               .value_or(size == &RelievedShaftSizes::diameter ? found.diameter
                                         : size == &RelievedShaftSizes::depth  ? found.depth
@@ -38,7 +39,7 @@ std::optional<double> RelievedShaftModel::sizeOf(Size size) const {
 }
 
 void RelievedShaftModel::choose(Sized sized) {
-    const RelievedShaft& found = shaft();
+    const RelievedShaft found = shaft();
     RelievedShaftSizes next = sizes();
     const auto keep = [](std::optional<double>& size, double metres) {
         if (!size && metres > 0.0) {
@@ -58,9 +59,22 @@ void RelievedShaftModel::choose(Sized sized) {
     model_->edit(tr("Size to find"), [&](Input& input) { input.relieved_shaft = next; });
 }
 
+void RelievedShaftModel::setSize(const Field& field, Size size, double metres) {
+    model_->edit(fieldName(field), [&](Input& input) {
+        input.relieved_shaft = balance_shaft::relieved_shaft_sizes(input);
+        (*input.relieved_shaft).*size = metres;
+    });
+}
+
+void RelievedShaftModel::setDensity(double density) {
+    model_->edit(fieldName(balance_shaft::field::density), [&](Input& input) {
+        input.relieved_shaft = balance_shaft::relieved_shaft_sizes(input);
+        input.relieved_shaft->density = density;
+    });
+}
+
 ResultRows RelievedShaftModel::rows() const {
-    const RelievedShaft& found = shaft();
-    const balance_shaft::ShaftBending& bending = found.bending;
+    const RelievedShaft found = shaft();
     const auto row = [](const QString& name, double si, int decimals, const Unit& unit,
                         const QString& tip) {
         ResultRow made = shownRow(name, si, unit, decimals, tip);
@@ -88,29 +102,6 @@ ResultRows RelievedShaftModel::rows() const {
         row(tr("critical length"), found.critical_length, 1, mm,
             tr("The shortest relief that can have the unbalance with this bar: with half of it "
                "milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.")),
-        row(tr("bearing span L"), found.bearing_span, 1, mm,
-            tr("As entered, or b + D; the relief stands in the middle")),
-        row(tr("whirling speed"), bending.critical_speed, 0, units::rpm,
-            tr("First bending critical speed between two simple supports, towards the flat; "
-               "finite elements of the beam with its steps")),
-        row(tr("over the speed"), bending.critical_speed / model_->input().angular_speed, 2,
-            {"×", 1.0},
-            tr("Whirling speed over the speed entered; must reach the margin asked for")),
-        row(tr("load of a bearing"), bending.bearing_load, 0, units::newton,
-            tr("Half of the centrifugal load U ω², grown by the deflection, and of the weight")),
-        row(tr("sag at speed"), bending.deflection, 3, mm,
-            tr("Largest deflection under the centrifugal load, which grows with it, and the "
-               "weight")),
-        row(tr("permitted sag"), found.permitted_sag, 3, mm, tr("As entered, or L / 1200")),
-        row(tr("sag at rest"), bending.weight_sag, 4, mm,
-            tr("Largest deflection under the weight alone, flat up")),
-        row(tr("tilt of the journals"), bending.journal_slope, 2,
-            {QT_TRANSLATE_NOOP("core", "mrad"), 1e-3},
-            tr("Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.")),
-        row(tr("bending stress"), bending.bending_stress, 1, units::MPa,
-            tr("Largest bending moment over the section modulus, σ = M / W")),
-        row(tr("stress with shear"), bending.combined_stress, 1, units::MPa,
-            tr("Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress")),
     };
 }
 

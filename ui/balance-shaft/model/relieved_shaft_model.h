@@ -8,7 +8,7 @@
 
 namespace ravnoves {
 
-/// A balance shaft made of a round bar with a segment milled away (the paper's Fig. 5) for the
+/// The balance shaft as a round bar with a segment milled away (the paper's Fig. 5) for the
 /// unbalance m₁ ρ₁ of the page: which of its sizes are given, which one is found, and its drawing.
 class RelievedShaftModel : public QObject {
     Q_OBJECT
@@ -21,7 +21,7 @@ class RelievedShaftModel : public QObject {
 
     explicit RelievedShaftModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
-    const balance_shaft::RelievedShaft& shaft() const { return model_->relievedShaft(); }
+    balance_shaft::RelievedShaft shaft() const { return model_->relievedShaft(); }
     balance_shaft::RelievedShaftSizes sizes() const;
     Sized sized() const;
     /// What was found becomes what is given.
@@ -29,6 +29,8 @@ class RelievedShaftModel : public QObject {
     /// A size in m, given or found; empty where there is none.
     std::optional<double> sizeOf(Size size) const;
     bool isGiven(Size size) const { return (sizes().*size).has_value(); }
+    void setSize(const Field& field, Size size, double metres);
+    void setDensity(double density);
 
     ResultRows rows() const;
     QString verdict() const;

@@ -15,7 +15,6 @@ namespace ravnoves {
 using balance_shaft::BestPosition;
 using balance_shaft::Input;
 using balance_shaft::Obstacle;
-using balance_shaft::SpeedStudy;
 
 namespace {
 
@@ -32,7 +31,6 @@ ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
     : QObject(parent),
       model_(model),
       job_(new BackgroundJob(this)),
-      bandJob_(new BackgroundJob(this)),
       criterion_(model->placeCriterion()) {
     job_->setPatience(500, 30);
     connect(model_, &SceneModel::changed, this, [this] { follow(); });
@@ -78,7 +76,6 @@ void ShaftMapModel::follow(bool mayShrink) {
 }
 
 void ShaftMapModel::start() {
-    bandJob_->cancel();
     job_->start([this, solver = model_->solver(), present = model_->input().centre_distance](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const auto map = makeShaftMap(solver, present, progress);
@@ -87,51 +84,10 @@ void ShaftMapModel::start() {
         }
         return [this, map] {
             map_ = map;
-            bandRange_.reset();
-            bandRms_.reset();
             trouble_.clear();
             showMap();
-            startBand();
         };
     });
-}
-
-void ShaftMapModel::startBand() {
-    if (!model_->input().speed_band) {
-        return;
-    }
-    bandJob_->start([this, input = model_->input()](
-                        const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const SpeedStudy study(input, *input.speed_band, progress);
-        if (!study.reason().empty() || !study.is_complete()) {
-            return {};
-        }
-        const auto leastBad = [&](SpeedStudy::Criterion criterion) -> std::optional<BandPlace> {
-            constexpr auto relative = SpeedStudy::Measure::relative;
-            if (const auto built = study.least_bad_place_buildable(criterion, relative)) {
-                return BandPlace{*built, true};
-            }
-            const auto any = study.least_bad_place(criterion, relative);
-            return any ? std::optional(BandPlace{*any, false}) : std::nullopt;
-        };
-        return [this, range = leastBad(SpeedStudy::Criterion::range),
-                rms = leastBad(SpeedStudy::Criterion::rms)] {
-            bandRange_ = range;
-            bandRms_ = rms;
-            showCriterion();
-        };
-    });
-}
-
-void ShaftMapModel::addBandMarker() {
-    const auto& band = criterion_.kind == Criterion::Range ? bandRange_ : bandRms_;
-    if (!band || criterion_.kind == Criterion::Both) {
-        return;
-    }
-    const Position position{band->place.x, band->place.y};
-    const Position place = shortened(position, criterion_.kind);
-    markers_.push_back({criterion_.kind, band->isBuildable, place, map_->study.at(place),
-                        tr("least bad over the speeds"), band->place.value - 1.0});
 }
 
 void ShaftMapModel::showMap() {
@@ -204,9 +160,7 @@ void ShaftMapModel::setWeight(double weight) {
 }
 
 void ShaftMapModel::showCriterion() {
-    std::erase_if(markers_, [](const Marker& each) {
-        return each.criterion == Criterion::Both || each.worst.has_value();
-    });
+    std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
     contours_ = {};
     if (change({})) {
         if (criterion_.kind == Criterion::Both) {
@@ -214,7 +168,6 @@ void ShaftMapModel::showCriterion() {
             addMarker(Criterion::Both, true, map_->study.best_sum_buildable(rangeWeight));
             addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
         }
-        addBandMarker();
         contours_ = changeContours(*map_, criterion_);
     }
     Q_EMIT mapChanged();
@@ -223,8 +176,7 @@ void ShaftMapModel::showCriterion() {
 const ShaftMapModel::Marker* ShaftMapModel::best() const {
     const Marker* found = nullptr;
     for (const Marker& marker : markers_) {
-        if (marker.criterion == criterion_.kind && !marker.worst &&
-            (found == nullptr || marker.isBuildable)) {
+        if (marker.criterion == criterion_.kind && (found == nullptr || marker.isBuildable)) {
             found = &marker;
         }
     }

@@ -10,7 +10,6 @@
 #include "balance-shaft/model/change_contours.h"
 #include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/model/shaft_map.h"
-#include "balance-shaft/speed_study.h"
 
 namespace ravnoves {
 
@@ -37,15 +36,11 @@ class ShaftMapModel : public QObject {
         Position position;
         Criteria criteria;
         QString name;  ///< for the legend
-        /// The change at the worst speed, of the place that is least bad over the band of speeds.
-        std::optional<double> worst = {};
     };
 
     explicit ShaftMapModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
-    /// Looks for the place that is least bad over the case's band of speeds, after the map.
-    BackgroundJob* bandJob() const { return bandJob_; }
     /// Makes the map anew where it is not that of the input and someone looks.
     void setWatched(bool watched);
     /// What the map shows stays as wide as it is while the shaft is dragged over it.
@@ -105,8 +100,6 @@ class ShaftMapModel : public QObject {
     /// A shaft outside of what is shown needs a larger map.
     void follow(bool mayShrink = false);
     void start();
-    void startBand();
-    void addBandMarker();
     void showMap();
     void showCriterion();
     void placeShaft(double centreDistance, double shaftAngle);
@@ -115,18 +108,10 @@ class ShaftMapModel : public QObject {
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
-    BackgroundJob* bandJob_;
     bool watched_ = false;
     bool held_ = false;
     std::shared_ptr<const ShaftMap> map_;
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
-    /// Least bad over the band, by range and by RMS.
-    struct BandPlace {
-        balance_shaft::SpeedStudy::LeastBadPlace place;
-        bool isBuildable;
-    };
-    std::optional<BandPlace> bandRange_;
-    std::optional<BandPlace> bandRms_;
     QString trouble_;
     PlaceCriterion& criterion_;  ///< the model's, which outlives the page
     ChangeContours contours_;

@@ -91,7 +91,7 @@ QString best(const ShaftMapModel& map) {
         return text;
     }
     for (const Marker& other : map.markers()) {
-        if (other.criterion == map.criterion() && !other.isBuildable && !other.worst) {
+        if (other.criterion == map.criterion() && !other.isBuildable) {
             text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 – cannot be built.")
                                            .arg(value(other.criteria), whereText(other.position));
         }
@@ -164,13 +164,6 @@ QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const
 QString reason(const ShaftMapModel& map, const Position& position) {
     return map.map() != nullptr ? messageText(map.map()->study.obstacle_reason(position))
                                 : QString();
-}
-
-QString marker(const ShaftMapModel& map, const Marker& marker) {
-    return marker.worst ? ShaftMapModel::tr(
-                              "Least bad over the band of speeds: %1 at the worst one. Here: %2")
-                              .arg(signedPercentText(*marker.worst), place(map, marker.position))
-                        : place(map, marker.position);
 }
 
 QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {

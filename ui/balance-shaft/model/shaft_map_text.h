@@ -26,7 +26,6 @@ QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const
                      const ShaftMapModel::Position& position);
 /// Why the shaft cannot be built there; empty where it can.
 QString reason(const ShaftMapModel& map, const ShaftMapModel::Position& position);
-QString marker(const ShaftMapModel& map, const ShaftMapModel::Marker& marker);
 
 /// Range, RMS and whether it can be built over a grid of places.
 QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format);
