@@ -33,7 +33,6 @@ class Search {
         : places_(places), question_(question) {
         if (question.start) {
             offer(*question.start);
-            descend();
         }
     }
 
@@ -170,39 +169,6 @@ class Search {
                         below.size() > 0 ? one(lowest(below, one)) : infinite);
     }
 
-    /// From the best place so far to where lines and tangent plane about it say that the lowest is,
-    /// step by step: what is not better than a good place need not be searched.
-    void descend() {
-        ShaftPlaces::Cuts cuts;
-        double r = places_.extent() / 16.0;
-        constexpr int steps = 8;
-        for (int i = 0; i < steps && best_.value < infinite; ++i) {
-            const Place from = best_.place;
-            const double before = best_.value;
-            const PlaceRectangle about{from, {r, r}};
-            places_.find_cuts(about, cuts);
-            if (cuts.is_empty || !cut_by_size(from, about.half.norm(), cuts)) {
-                return;
-            }
-            PlacePolygon polygon(about);
-            for (const HalfPlane& line : cuts.inner) {
-                polygon.cut(line);
-            }
-            if (polygon.size() == 0) {
-                return;
-            }
-            offer(lowest_allowed(polygon, {from, ask(from)}));
-            if (before - best_.value <= question_.tolerance) {
-                return;
-            }
-            // The lines' error is of the second order.
-            const double moved = (best_.place - from).cwiseAbs().maxCoeff();
-            if (moved < 0.9 * r) {
-                r = std::min(r / 8.0, std::max(moved, r / 64.0));
-            }
-        }
-    }
-
     void search(double distance) {
         best_.gap = 0.0;
         const std::array<double, 4> region = places_.region(distance);
@@ -289,9 +255,6 @@ class Search {
             }
             if (cuts.outer.empty() && here.at.value < best_.value) {
                 offer(box.middle, &here.at);
-            }
-            if (before == infinite) {
-                descend();
             }
             if (here.at.bend == 0.0) {
                 // The larger of the two tangent planes, as it is on both sides of a kink.

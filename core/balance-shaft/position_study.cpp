@@ -277,55 +277,6 @@ BestPositions PositionStudy::best_buildable() const {
     return answer;
 }
 
-namespace {
-
-constexpr std::size_t front_weights = 5;
-/// The outer ones first: often one place is the best of both, and so of those between them.
-constexpr std::array<std::size_t, front_weights> front_order{0, 4, 3, 1, 2};
-
-/// What searches have shown: that no place up to a size has a lesser weighted sum. The sum of a
-/// weight between two others is a mean of theirs, so that it has no less than the mean of what
-/// theirs have; and a smaller size leaves fewer places.
-class LeastSums {
-  public:
-    explicit LeastSums(const std::array<double, front_weights>& weight) : weight_(weight) {}
-
-    /// @param size  infinite for all places
-    void add(std::size_t weight, double size, double least) {
-        shown_.push_back({weight, size, least});
-    }
-
-    /// Below any place's of a weight up to a size; negatively infinite where nothing is known.
-    double least(std::size_t weight, double size) const {
-        std::array<double, front_weights> known;
-        known.fill(-std::numeric_limits<double>::infinity());
-        for (const Shown& one : shown_) {
-            if (one.size >= size) {
-                known[one.weight] = std::max(known[one.weight], one.least);
-            }
-        }
-        double least = known[weight];
-        for (std::size_t a = 0; a < weight; ++a) {
-            for (std::size_t b = weight + 1; b < front_weights; ++b) {
-                const double part = (weight_[weight] - weight_[a]) / (weight_[b] - weight_[a]);
-                least = std::max(least, (1.0 - part) * known[a] + part * known[b]);
-            }
-        }
-        return least;
-    }
-
-  private:
-    struct Shown {
-        std::size_t weight;
-        double size;
-        double least;
-    };
-    std::array<double, front_weights> weight_;
-    std::vector<Shown> shown_;
-};
-
-}  // namespace
-
 std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const {
     std::vector<FrontPosition> front;
     if (!best.range || !best.rms) {
@@ -350,53 +301,19 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     constexpr int sizes = 10;
     constexpr double same = 1e-6;
     constexpr double narrowest = 0.02;
-    constexpr double any_size = std::numeric_limits<double>::infinity();
-    std::array<double, front_weights> weight_of{};
-    for (std::size_t i = 0; i < front_weights; ++i) {
-        const double part = static_cast<double>(i) / (front_weights - 1.0);
-        weight_of[i] = part * by_range / (part * by_range + (1.0 - part) * by_rms);
-    }
-    LeastSums shown(weight_of);
-    for (const std::size_t i : front_order) {
-        const double weight = weight_of[i];
+    constexpr int weights = 5;
+    for (int i = 0; i < weights; ++i) {
+        const double part = i / (weights - 1.0);
+        const double weight = part * by_range / (part * by_range + (1.0 - part) * by_rms);
         PlaceQuestion question = prepared.question(weight);
         question.tolerance *= 5e3;
-        // The best place that is known to be small enough, of whichever weight, where it is better.
-        const auto start_from = [&](double size, double least) {
-            for (const FrontPosition& one : front) {
-                const double value =
-                    weight * one.criteria.range + (1.0 - weight) * one.criteria.rms;
-                if (one.criteria.size <= size && value < least) {
-                    least = value;
-                    question.start = Eigen::Vector2d(one.position.x, one.position.y);
-                }
-            }
-            return least;
-        };
-        // From the start, whose sum is `least`; it need not be searched where that is known to be
-        // the least.
-        const auto search = [&](double least) {
-            const double size = question.largest_size.value_or(any_size);
-            const double bound = shown.least(i, size);
-            std::optional<PlaceFound> found;
-            if (least < any_size && least - bound <= front_gap * least) {
-                found = PlaceFound{*question.start, least, least - bound, 0};
-            } else {
-                found = search_places(prepared.places, question);
-            }
-            if (found) {
-                shown.add(i, size, found->value - found->gap);
-            }
-            return found;
-        };
         std::optional<PlaceFound> largest;
-        if (i == 0 || i == front_weights - 1) {
-            const BestPosition& end = i == 0 ? *best.rms : *best.range;
-            largest = PlaceFound{{end.position.x, end.position.y}, 0.0, end.gap, 0};
-            largest->value = question.criterion(largest->place).value;
-            shown.add(i, any_size, largest->value - largest->gap);
+        if (i == 0 || i == weights - 1) {
+            const ShaftPosition& end = i == 0 ? best.rms->position : best.range->position;
+            const Eigen::Vector2d place(end.x, end.y);
+            largest = PlaceFound{place, question.criterion(place).value};
         } else {
-            largest = search(start_from(any_size, any_size));
+            largest = search_places(prepared.places, question);
         }
         if (!largest) {
             continue;
@@ -432,7 +349,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             question.largest_size = k == 0 ? smallest->value * (1.0 + same)
                                            : (levels[widest].size + levels[widest + 1].size) / 2.0;
             question.start = levels[widest].place;
-            const auto found = search(start_from(*question.largest_size, levels[widest].value));
+            const auto found = search_places(prepared.places, question);
             if (!found) {
                 break;
             }

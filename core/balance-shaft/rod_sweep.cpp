@@ -2,70 +2,17 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "numerics/short_trigonometry.h"
-#include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
-
-namespace {
-
-/// Segments from (x, y), as far as (along_x, along_y); `count` is a multiple of
-/// lanes_of<WideLanes>.
-struct Segments {
-    const double* x;
-    const double* y;
-    const double* along_x;
-    const double* along_y;
-    std::size_t count;
-    double per_length2;
-};
-
-/// Squares of the distances from a place; returns the least.
-struct SquaresFrom {
-    template <typename Lanes>
-    RAVNOVES_KERNEL static double run(const Segments& of, double place_x, double place_y,
-                                      double* out) {
-        Lanes least_of_all;
-        Lanes zero;
-        Lanes one;
-        set_all(least_of_all, std::numeric_limits<double>::infinity());
-        set_all(zero, 0.0);
-        set_all(one, 1.0);
-        for (std::size_t i = 0; i < of.count; i += lanes_of<Lanes>) {
-            Lanes x;
-            Lanes y;
-            Lanes along_x;
-            Lanes along_y;
-            load(x, of.x + i);
-            load(y, of.y + i);
-            load(along_x, of.along_x + i);
-            load(along_y, of.along_y + i);
-            const Lanes to_x = place_x - x;
-            const Lanes to_y = place_y - y;
-            Lanes t = (to_x * along_x + to_y * along_y) * of.per_length2;
-            t = t < zero ? zero : t;
-            t = one < t ? one : t;
-            const Lanes dx = to_x - t * along_x;
-            const Lanes dy = to_y - t * along_y;
-            const Lanes square = dx * dx + dy * dy;
-            store(out + i, square);
-            lower(least_of_all, square);
-        }
-        return least(least_of_all);
-    }
-};
-
-}  // namespace
 
 RodSweep::RodSweep(const FrontView& view) : crank_(view.crank()) {
     const double length2 = crank_.rod_length * crank_.rod_length;
     per_length2_ = length2 > 0.0 ? 1.0 / length2 : 0.0;
-    for (std::size_t i = 0; i < samples; ++i) {
+    for (Eigen::Index i = 0; i < samples; ++i) {
         const double theta = step * static_cast<double>(i);
         const Rod rod = rod_at(theta);
         sin_[i] = std::sin(theta);
@@ -81,16 +28,6 @@ RodSweep::RodSweep(const FrontView& view) : crank_(view.crank()) {
     const double tangent =
         upright2 > 0.0 ? across / std::sqrt(upright2) : std::numeric_limits<double>::infinity();
     motion_ = crank_.crank_radius * std::hypot(1.0, tangent) * step;
-    left_ = bottom_ = std::numeric_limits<double>::infinity();
-    right_ = top_ = -left_;
-    for (std::size_t i = 0; i < samples; ++i) {
-        for (const double t : {0.0, 1.0}) {
-            left_ = std::min(left_, x_[i] + t * along_x_[i]);
-            right_ = std::max(right_, x_[i] + t * along_x_[i]);
-            bottom_ = std::min(bottom_, y_[i] + t * along_y_[i]);
-            top_ = std::max(top_, y_[i] + t * along_y_[i]);
-        }
-    }
 }
 
 RodSweep::Rod RodSweep::rod_at(double theta) const {
@@ -110,15 +47,16 @@ double RodSweep::square(const Rod& rod, double x, double y) const {
 }
 
 double RodSweep::squares(double x, double y, Column& out) const {
-    static_assert(samples % lanes_of<WideLanes> == 0);
-    const Segments all{x_.data(),       y_.data(), along_x_.data(),
-                       along_y_.data(), samples,   per_length2_};
-    return run_kernel<SquaresFrom>(all, x, y, out.data());
+    const Column to_x = x - x_;
+    const Column to_y = y - y_;
+    const Column t = ((to_x * along_x_ + to_y * along_y_) * per_length2_).max(0.0).min(1.0);
+    out = (to_x - t * along_x_).square() + (to_y - t * along_y_).square();
+    return out.minCoeff();
 }
 
 /// Where the square of the distance is least within a step of a sample that lies lower than its
 /// neighbours: its slope changes sign there once.
-RodSweep::Rod RodSweep::flat_beside(std::size_t sample, double x, double y, double bend) const {
+RodSweep::Rod RodSweep::flat_beside(Eigen::Index sample, double x, double y, double bend) const {
     // The rod at an angle from the sample's, and half the slope of the square there.
     const auto at = [&](double beside) {
         const auto [c, s] = short_cos_sin(beside);
@@ -155,20 +93,10 @@ RodSweep::Rod RodSweep::flat_beside(std::size_t sample, double x, double y, doub
         rod = rod_there;
         slope = slope_there;
     }
-    const double slope_low = at(-step).second;
-    const double slope_high = at(step).second;
-    if (!(slope_low < 0.0 && slope_high > 0.0)) {
-        return at(boost::math::tools::brent_find_minima(
-                      [&](double beside) { return square(at(beside).first, x, y); }, -step, step,
-                      26)
-                      .first)
-            .first;
-    }
-    std::uintmax_t tries = 40;
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        [&](double beside) { return at(beside).second; }, -step, step, slope_low, slope_high,
-        [](double low, double high) { return high - low <= enough; }, tries);
-    return at(left + (right - left) / 2.0).first;
+    return at(boost::math::tools::brent_find_minima(
+                  [&](double beside) { return square(at(beside).first, x, y); }, -step, step, 26)
+                  .first)
+        .first;
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
@@ -184,7 +112,10 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
     const double candidate = reach * reach * (1.0 + 1e-12);
     Rod rod{};
     double best = std::numeric_limits<double>::infinity();
-    const auto look_at = [&](std::size_t i) {
+    for (Eigen::Index i = 0; i < samples; ++i) {
+        if (square_at[i] > candidate) {
+            continue;
+        }
         const double before = square_at[i == 0 ? samples - 1 : i - 1];
         const double after = square_at[i + 1 == samples ? 0 : i + 1];
         if (square_at[i] <= before && square_at[i] <= after) {
@@ -201,36 +132,13 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
             best = square_at[i];
             rod = {x_[i], y_[i], along_x_[i], along_y_[i]};
         }
-    };
-    constexpr std::size_t block = 8;  // of which most hold none, which is seen at once
-    static_assert(samples % block == 0);
-    for (std::size_t first = 0; first < samples; first += block) {
-        bool any = false;
-        for (std::size_t i = first; i < first + block; ++i) {
-            any |= square_at[i] <= candidate;
-        }
-        for (std::size_t i = first; any && i < first + block; ++i) {
-            if (square_at[i] <= candidate) {
-                look_at(i);
-            }
-        }
     }
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;
     const double t = std::clamp(along * per_length2_, 0.0, 1.0);
     return {std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y, rod};
 }
 
-/// The box about all rods is that far away.
-bool RodSweep::is_far(double x, double y, double needed) const {
-    const double beside = std::max({left_ - x, x - right_, 0.0});
-    const double above = std::max({bottom_ - y, y - top_, 0.0});
-    return std::hypot(beside, above) - motion_ / 2.0 >= needed;
-}
-
 std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, double needed) const {
-    if (is_far(x, y, needed)) {
-        return std::nullopt;
-    }
     Column square_at;
     const double least = squares(x, y, square_at);
     if (std::sqrt(least) - motion_ / 2.0 >= needed) {
@@ -241,9 +149,6 @@ std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, doubl
 }
 
 bool RodSweep::is_clear(double x, double y, double needed) const {
-    if (is_far(x, y, needed)) {
-        return true;
-    }
     Column square_at;
     const double least = squares(x, y, square_at);
     const double distance = std::sqrt(least);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <Eigen/Core>
 #include <optional>
 
 #include "balance-shaft/envelope.h"
@@ -36,14 +35,13 @@ class RodSweep {
     double square(const Rod& rod, double x, double y) const;
 
   private:
-    static constexpr std::size_t samples = 96;
+    static constexpr Eigen::Index samples = 96;
     static constexpr double step = two_pi / samples;
-    using Column = std::array<double, samples>;
+    using Column = Eigen::Array<double, samples, 1>;
 
     Rod rod_at(double theta) const;
-    bool is_far(double x, double y, double needed) const;
     /// @param bend  about the second derivative of half the square, m²
-    Rod flat_beside(std::size_t sample, double x, double y, double bend) const;
+    Rod flat_beside(Eigen::Index sample, double x, double y, double bend) const;
     Nearest nearest(double x, double y, const Column& square_at, double least) const;
     /// Squares of the distances of all samples; returns the least.
     double squares(double x, double y, Column& out) const;
@@ -51,9 +49,8 @@ class RodSweep {
     SliderCrank<double> crank_;
     double per_length2_ = 0.0;  ///< 1/L², 0 for no rod
     double motion_ = 0.0;       ///< most that a place of the rod moves in one step, m
-    Column sin_{}, cos_{};      ///< of the crank angle
-    Column x_{}, y_{}, along_x_{}, along_y_{};
-    double left_ = 0.0, right_ = 0.0, bottom_ = 0.0, top_ = 0.0;  ///< of all samples, m
+    Column sin_, cos_;          ///< of the crank angle
+    Column x_, y_, along_x_, along_y_;
 };
 
 }  // namespace ravnoves::balance_shaft

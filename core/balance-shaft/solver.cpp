@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "balance-shaft/angle_search.h"
@@ -101,7 +100,7 @@ struct Solver::Prepared : Moments {
     std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
     std::vector<double> sin_curve;
 
-    Prepared(const Input& checked, const Prepared* before);
+    explicit Prepared(const Input& checked);
 
     void prepare_spectrum();
     void prepare_curves();
@@ -111,14 +110,11 @@ struct Solver::Prepared : Moments {
     void prepare_notes_on_building();
 };
 
-Solver::Prepared::Prepared(const Input& checked, const Prepared* before)
+Solver::Prepared::Prepared(const Input& checked)
     : Moments(checked),
       input(checked),
       view(balance_shaft::front_view(checked)),
-      buildable(before != nullptr && before->view == view &&
-                        before->input.place_limits == checked.place_limits
-                    ? before->buildable
-                    : buildable_angles(view, checked.place_limits)) {
+      buildable(buildable_angles(view, checked.place_limits)) {
     fill(input, true, base);
     base.printed_mean_M_up = printed_mean_of_rows(input, moment);
     if (gas) {
@@ -200,14 +196,8 @@ void Solver::Prepared::prepare_buildable() {
     }
     if (!is_built(rms)) {
         // A sinusoid of α rises on both sides of its minimum: the nearest end is best.
-        rms.value = std::numeric_limits<double>::infinity();
-        for (const AngleStretch& stretch : buildable.stretches) {
-            for (const double end : {stretch.from, stretch.to}) {
-                if (const double value = plane.rms(shaft_moment(end)); value < rms.value) {
-                    rms = {wrap_turn(end), value, {}};
-                }
-            }
-        }
+        const double end = nearest_angle(buildable.stretches, *rms.shaft_angle);
+        rms = {wrap_turn(end), plane.rms(shaft_moment(end)), {}};
     }
 }
 
@@ -328,10 +318,9 @@ void Solver::Prepared::prepare_notes_on_building() {
     base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }
 
-Solver::Solver(const Input& input, const Solver* before) {
+Solver::Solver(const Input& input) {
     check_input(input);
-    prepared_ = std::make_shared<const Prepared>(
-        input, before != nullptr ? before->prepared_.get() : nullptr);
+    prepared_ = std::make_shared<const Prepared>(input);
 }
 
 const Input& Solver::input() const {

@@ -18,10 +18,8 @@ namespace ravnoves::balance_shaft {
 /// may run in several threads.
 class Solver {
   public:
-    /// @param before  a solver of another input, of which the angles that can be built are taken
-    ///                over where both have the same front view; the results are the same
     /// @throws InputError as check_input()
-    explicit Solver(const Input& input, const Solver* before = nullptr);
+    explicit Solver(const Input& input);
 
     const Input& input() const;
     /// The whole result at the input's α.

@@ -34,15 +34,14 @@ bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold) {
     return true;
 }
 
-void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const std::vector<QPointF>& signs) {
+void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scale) {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize, true));
-    for (std::size_t i = 0; i < signs.size(); ++i) {
-        const ShaftMapModel::Marker& marker = map.markers()[i];
+    for (const ShaftMapModel::Marker& marker : map.markers()) {
         const auto change = map.change(marker.criteria);
         if (!change || marker.criterion != map.criterion()) {
             continue;
         }
-        const QPointF at = signs[i];
+        const QPointF at = scale.at(marker.position);
         const QString text = signedPercentText(*change);
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
         const double away = 2.0 * glyphRadius();

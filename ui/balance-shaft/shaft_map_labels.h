@@ -28,8 +28,7 @@ class ShaftMapLabels {
     /// No number in this square.
     void keepFree(const QPointF& middle, double half);
     /// The change at each marker of the criterion.
-    /// @param signs  where the markers are drawn
-    void addMarkers(const ShaftMapModel& map, const std::vector<QPointF>& signs);
+    void addMarkers(const ShaftMapModel& map, const PlaceScale& scale);
     /// Each line's number where the line is nearest to a ray from the best place, so that the
     /// numbers stand in a row; the ray turns on where that has no room.
     /// @param lines  the longest of each contour, pixels

@@ -94,29 +94,12 @@ std::vector<QPolygonF> drawContours(QPainter& painter,
     return longest;
 }
 
-void drawMarkers(QPainter& painter, const ShaftMapModel& map, const std::vector<QPointF>& signs,
-                 const PlaceScale& scale) {
-    const Theme& theme = Theme::instance();
-    const auto& markers = map.markers();
-    // A sign that stands beside its place has a line to it.
-    constexpr double beside = 3.0;
-    for (std::size_t i = 0; i < markers.size(); ++i) {
-        const QPointF at = scale.at(markers[i].position);
-        if (const QPointF away = signs[i] - at; std::hypot(away.x(), away.y()) > beside) {
-            painter.setPen(QPen(theme.panel(), 3.2 * strokeScale()));
-            painter.drawLine(at, signs[i]);
-            painter.setPen(QPen(theme.text(), 1.2 * strokeScale()));
-            painter.drawLine(at, signs[i]);
-            painter.setPen(QPen(theme.panel(), 1.0));
-            painter.setBrush(theme.text());
-            painter.drawEllipse(at, 2.6 * strokeScale(), 2.6 * strokeScale());
-        }
-    }
+void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale) {
     // Those of the criterion shown lie on top.
     for (const bool shown : {false, true}) {
-        for (std::size_t i = 0; i < markers.size(); ++i) {
-            if ((markers[i].criterion == map.criterion()) == shown) {
-                drawGlyph(painter, signs[i], markers[i]);
+        for (const ShaftMapModel::Marker& marker : map.markers()) {
+            if ((marker.criterion == map.criterion()) == shown) {
+                drawGlyph(painter, scale.at(marker.position), marker);
             }
         }
     }

@@ -24,8 +24,6 @@ void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion
 std::vector<QPolygonF> drawContours(QPainter& painter,
                                     const std::vector<ShaftMapModel::Contour>& contours,
                                     const PlaceScale& scale);
-/// @param signs  where the signs stand; one that is not at its place has a line to it
-void drawMarkers(QPainter& painter, const ShaftMapModel& map, const std::vector<QPointF>& signs,
-                 const PlaceScale& scale);
+void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale);
 
 }  // namespace ravnoves

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "balance-shaft/model/shaft_map_text.h"
-#include "balance-shaft/model/spread_places.h"
 #include "balance-shaft/place_scale.h"
 #include "balance-shaft/shaft_map_engine.h"
 #include "balance-shaft/shaft_map_key.h"
@@ -155,37 +154,26 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
         return;
     }
     const PlaceScale scale(*this);
-    const std::vector<QPointF> signs = signPlaces();
     painter.save();
     painter.setClipRect(plotArea());
     drawBlocked(painter, map_->map()->blocked, scale, plotArea());
     if (const ShaftMapModel* other = referenceMap()) {
         drawReference(painter, *other, map_->criterion(), scale);
     }
-    labelMarkers(signs);  // first: the contours' numbers give way to theirs
+    labelMarkers();  // first: the contours' numbers give way to theirs
     labels_.addContours(*map_, drawContours(painter, map_->contours(), scale), scale);
-    drawMarkers(painter, *map_, signs, scale);
+    drawMarkers(painter, *map_, scale);
     painter.restore();
 }
 
-std::vector<QPointF> ShaftMapPlot::signPlaces() const {
-    std::vector<QPointF> places;
-    places.reserve(map_->markers().size());
+void ShaftMapPlot::labelMarkers() {
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        places.push_back(pixelOf(marker.position));
-    }
-    const double apart = 2.7 * glyphRadius();
-    return spreadApart(std::move(places), apart, plotArea().adjusted(apart, apart, -apart, -apart));
-}
-
-void ShaftMapPlot::labelMarkers(const std::vector<QPointF>& signs) {
-    for (const QPointF& sign : signs) {
-        labels_.keepFree(sign, glyphRadius() + 3.5);
+        labels_.keepFree(pixelOf(marker.position), glyphRadius() + 3.5);
     }
     // No number under the handle, as it stands now.
     freeFor_ = map_->present();
     labels_.keepFree(pixelOf(freeFor_), shaftHandleRadius + 2.0);
-    labels_.addMarkers(*map_, signs);
+    labels_.addMarkers(*map_, PlaceScale(*this));
 }
 
 void ShaftMapPlot::paintOverCurves(QPainter& painter) {
@@ -218,7 +206,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     if (chosen_ && *chosen_ < map_->markers().size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(Theme::instance().accent(), 2.0));
-        painter.drawEllipse(signPlaces()[*chosen_], 12.0 * strokeScale(), 12.0 * strokeScale());
+        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0 * strokeScale(), 12.0 * strokeScale());
     }
     painter.restore();
 }

@@ -39,8 +39,6 @@ class ShaftMapPlot : public PlotView {
     QString placeWords(const ShaftMapModel::Position& position, int decimals = 2) const;
     /// What is best, and below it what is best of the reference.
     QString bestWords() const;
-    /// Where the signs of the markers are drawn: those of places near one another stand apart.
-    std::vector<QPointF> signPlaces() const;
 
   Q_SIGNALS:
     /// What is under the pointer, in words; empty where it left.
@@ -75,7 +73,7 @@ class ShaftMapPlot : public PlotView {
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
-    void labelMarkers(const std::vector<QPointF>& signs);
+    void labelMarkers();
     /// What the place does, beside the shaft while it is dragged.
     void paintChange(QPainter& painter) const;
 

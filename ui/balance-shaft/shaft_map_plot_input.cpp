@@ -27,16 +27,11 @@ bool ShaftMapPlot::isHandle(const QPointF& pixel) const {
 const ShaftMapModel::Marker* ShaftMapPlot::markerAt(const QPointF& pixel) const {
     const ShaftMapModel::Marker* found = nullptr;
     double nearest = reach;
-    const auto& markers = map_->markers();
-    const std::vector<QPointF> signs = signPlaces();
-    for (std::size_t i = 0; i < markers.size(); ++i) {
-        // The sign is what is seen; its place counts too.
-        for (const QPointF& place : {signs[i], pixelOf(markers[i].position)}) {
-            const QPointF away = pixel - place;
-            if (const double distance = std::hypot(away.x(), away.y()); distance < nearest) {
-                nearest = distance;
-                found = &markers[i];
-            }
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        const QPointF away = pixel - pixelOf(marker.position);
+        if (const double distance = std::hypot(away.x(), away.y()); distance < nearest) {
+            nearest = distance;
+            found = &marker;
         }
     }
     return found;

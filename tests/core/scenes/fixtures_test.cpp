@@ -17,7 +17,29 @@ using test::Difference;
 
 /// Of results, "CASE/VARIANT/POINTER" (the variant of the case's own input is empty). Whoever takes
 /// a value out of a result adds it here and says why.
-const std::vector<Difference> differences_of_results{};
+const std::vector<Difference> differences_of_results{
+    {"*/relieved_shaft/sag_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/bending_stress_MPa", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/bearing_span_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/weight_N", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/whirling_speed_rpm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/weight_sag_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/deflection_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/permitted_sag_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/journal_slope_rad", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/bearing_load_N", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/shaft_bending_stress_MPa", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/combined_stress_MPa", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/feasible", "it depends on the unbalance and the swing circle alone"},
+    {"*/speed_band/least_bad_place*", "over a band there is the least bad angle alone"},
+    {"two-stroke/*/clearances/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/envelope/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/envelope_study/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/buildable/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/optimum_buildable/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/best_position_buildable/*", "the bar of the relieved shaft is what must be clear"},
+    {"two-stroke/*/speed_band/least_bad_buildable/*", "the bar of the relieved shaft is what must be clear"},
+};
 
 class FixtureCase : public testing::TestWithParam<std::string> {};
 

@@ -33,7 +33,14 @@ using test::Difference;
 
 /// "CASE/POINTER" of a case that was opened and saved again: what the window does not keep as it
 /// was. Whoever takes a key out adds it here and says why.
-const std::vector<Difference> differences_of_saved_cases{};
+const std::vector<Difference> differences_of_saved_cases{
+    {"*/relieved_shaft/elastic_modulus_GPa", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/bearing_span_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/allowable_stress_MPa", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/permitted_sag_mm", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/speed_margin", "bending of the relieved shaft is not computed"},
+    {"*/relieved_shaft/bearing_load_limit_N", "bending of the relieved shaft is not computed"},
+};
 /// "JOURNAL/jobs/ID/COLUMN", the same of what the journal lists.
 const std::vector<Difference> differences_of_journals{};
 

@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <QVector>
 #include <optional>
+#include <utility>
 
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/model/place_criterion.h"
@@ -35,10 +36,10 @@ struct BalanceShaftScene {
         return a == b;
     }
     Solved solve(const Input& input) const {
-        last = balance_shaft::Solver(input, last ? &*last : nullptr);
-        return {*last, last->result(), {}};
+        balance_shaft::Solver solver(input);
+        balance_shaft::Result result = solver.result();
+        return {std::move(solver), std::move(result), {}};
     }
-    mutable std::optional<balance_shaft::Solver> last{};  ///< spares the next what stays
 };
 
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
