@@ -72,6 +72,16 @@ Message factor_reason(const Engine& engine) {
                                   "takes up the rest. Nothing remains."),
                         degrees(bank_angle(engine)), degrees(engine.pin_split)};
             }
+            if (left > forward_share(engine)) {
+                return {CORE_TEXT("bob-weights",
+                                  "Split crankpins: banks at %1 and a split of %2 leave a part of "
+                                  "%3 of the reciprocating mass that turns against the crank. The "
+                                  "part that turns with it is smaller, %4, even at 0 %: no factor "
+                                  "makes both equal. With a balance shaft that turns against the "
+                                  "crank it is 50 %."),
+                        degrees(bank_angle(engine)), degrees(engine.pin_split), percent(left),
+                        percent(forward_share(engine))};
+            }
             return {CORE_TEXT("bob-weights",
                               "Split crankpins: banks at %1 and a split of %2 leave a part of %3 "
                               "of the reciprocating mass that turns against the crank. At %4 the "

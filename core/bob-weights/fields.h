@@ -46,8 +46,10 @@ inline constexpr Field rods_per_pin{
     .key = "rods_per_pin",
     .range = Range::between(1, 2),
     .label = CORE_TEXT("bob-weights", "&Rods on a bob weight"),
-    .hint = CORE_TEXT("bob-weights",
-                      "Two where a crankpin, or a pair of split crankpins, carries two rods."),
+    .hint =
+        CORE_TEXT("bob-weights",
+                  "Two where two rods share a crankpin. Of split crankpins each carries one rod "
+                  "and one bob weight."),
     .words = rods_words};
 inline constexpr Field pin_split{
     .key = "pin_split_deg",

@@ -222,6 +222,32 @@ std::optional<double> mass_of(const Input& input, const PartField& part) {
     return column ? workshop::statistics(*column)->mean : input.parts.*part.member;
 }
 
+std::vector<Message> not_counted(const Input& input) {
+    std::vector<Message> list;
+    for (const PartField& part : part_fields()) {
+        const auto& typed = input.parts.*part.member;
+        if (!input.weigh_in || !part.column) {
+            continue;
+        }
+        if (is_weighed(input, part)) {
+            if (typed) {
+                list.emplace_back(
+                    CORE_TEXT("bob-weights", "%1: the typed %2 is replaced by the weights."),
+                    workshop::part_word(*part.column).label,
+                    Number{*typed / units::gram, units::gram, -2});
+            }
+        } else if (const auto weighed = workshop::statistics((*input.weigh_in)[*part.column])) {
+            list.emplace_back(
+                typed ? CORE_TEXT("bob-weights",
+                                  "%1: %2 of %3 weighed; the typed mass counts until all are.")
+                      : CORE_TEXT("bob-weights",
+                                  "%1: %2 of %3 weighed; they do not count until all are."),
+                workshop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
+        }
+    }
+    return list;
+}
+
 void check_bob_weight(const Input& input) {
     check_engine(input.engine);
     const double factor = input.factor.reciprocating.value_or(theory_factor(input.engine));

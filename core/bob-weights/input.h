@@ -33,7 +33,9 @@ struct Engine {
     /// its two cylinders grows from γ to γ + δ.
     double pin_split = 0.0;
 
-    int crankpins() const { return cylinders / rods_per_pin; }
+    /// A split crankpin is two, each with a rod and a bob weight of its own.
+    int rods_on_crankpin() const { return pin_split != 0.0 ? 1 : rods_per_pin; }
+    int crankpins() const { return cylinders / rods_on_crankpin(); }
     friend bool operator==(const Engine&, const Engine&) = default;
 };
 
@@ -240,6 +242,9 @@ bool is_weighed(const Input& input, const PartField& part);
 /// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
 /// typed.
 std::optional<double> mass_of(const Input& input, const PartField& part);
+
+/// What is typed or weighed and does not count; a sentence for each.
+std::vector<Message> not_counted(const Input& input);
 
 /// Of the tolerance; nothing where it is none by grade.
 std::optional<double> service_speed(const Input& input);

@@ -35,7 +35,7 @@ workshop::Crank crank_of(const Input& input) {
         input.weigh_in ? input.weigh_in->matching : workshop::MatchingRules{};
     workshop::Crank crank;
     crank.cylinders = engine.cylinders;
-    crank.rods_per_pin = engine.rods_per_pin;
+    crank.rods_per_pin = engine.rods_on_crankpin();
     crank.numbering =
         input.weigh_in ? input.weigh_in->numbering : workshop::CylinderNumbering::bank_by_bank;
     const bool in_line = engine.type == EngineType::in_line;

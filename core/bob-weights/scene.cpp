@@ -151,6 +151,10 @@ Json write_result(const Input& input, const Result& result) {
     for (const PartField* part : result.not_given) {
         json["not_given"].push_back(part->field.key);
     }
+    json["not_counted"] = Json::array();
+    for (const Message& message : not_counted(input)) {
+        json["not_counted"].push_back(message.english());
+    }
     json["looks_like_kilograms"] = Json::array();
     for (const auto& [part, mass] : result.in_kilograms) {
         json["looks_like_kilograms"].push_back(part->field.key);

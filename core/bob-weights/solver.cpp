@@ -34,9 +34,9 @@ std::array<double, 2> shares(const std::array<double, 2>& places, double centre)
 double factor_of(const PartField& part, const Engine& engine, double factor) {
     switch (part.kind) {
         case PartKind::reciprocating:
-            return engine.rods_per_pin * factor;
+            return engine.rods_on_crankpin() * factor;
         case PartKind::rotating:
-            return engine.rods_per_pin;
+            return engine.rods_on_crankpin();
         case PartKind::crankpin:
             return 1.0;
     }
@@ -117,11 +117,11 @@ std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, doubl
                 continue;
             }
             const auto& masses = sheet[*column].mass;
-            const double each = factor_of(*line.part, engine, factor) / engine.rods_per_pin;
-            for (int rod = 0; rod < engine.rods_per_pin; ++rod) {
-                const std::size_t cylinder = engine.rods_per_pin == 1
-                                                 ? static_cast<std::size_t>(pin)
-                                                 : cylinders[static_cast<std::size_t>(rod)];
+            const int rods = engine.rods_on_crankpin();
+            const double each = factor_of(*line.part, engine, factor) / rods;
+            for (int rod = 0; rod < rods; ++rod) {
+                const std::size_t cylinder = rods == 1 ? static_cast<std::size_t>(pin)
+                                                       : cylinders[static_cast<std::size_t>(rod)];
                 sum += each * *masses.at(cylinder);
             }
         }
@@ -130,8 +130,7 @@ std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, doubl
     return crankpins;
 }
 
-void solve_weigh_in(const Input& input, double factor, const workshop::SetFinder& find,
-                    Result& result) {
+void solve_weigh_in(const Input& input, double factor, Result& result) {
     if (!input.weigh_in) {
         return;
     }
@@ -149,7 +148,7 @@ void solve_weigh_in(const Input& input, double factor, const workshop::SetFinder
     if (result.matching.empty() || input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
-    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching, find);
+    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching);
     if (result.bob_weight) {
         result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
         if (result.placing) {
@@ -709,14 +708,14 @@ std::optional<std::array<double, 2>> plane_limits(
     return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
 }
 
-Result solve(const Input& given, const workshop::SetFinder& find) {
+Result solve(const Input& given) {
     const Input input = fitted(given);
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
     solve_bob_weight(input, factor, result);
-    solve_weigh_in(input, factor, find, result);
+    solve_weigh_in(input, factor, result);
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;

@@ -6,8 +6,7 @@
 namespace ravnoves::bob_weights {
 
 /// Computes whatever the input allows, also where check_input() does not let it pass.
-/// @param find  which set goes to which cylinder
-Result solve(const Input& given, const workshop::SetFinder& find = workshop::best_placing);
+Result solve(const Input& given);
 
 /// What is to be drilled by the run that is corrected, for the record of it: nothing where its
 /// readings do not hold.

@@ -59,11 +59,9 @@ Message two_sentences(Message first, Message second) {
     return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
 }
 
-double unbalanced_mass(Process process, const MassChanges& changes, double rod_coefficient) {
-    const double manufacture = changes.piston + (2.0 + rod_coefficient) * changes.rod_big_end;
-    return process == Process::manufacture
-               ? manufacture
-               : manufacture + changes.repair_piston_and_rings + changes.repair_bearing;
+double unbalanced_mass(const MassChanges& changes, double rod_coefficient) {
+    return changes.piston + (2.0 + rod_coefficient) * changes.rod_big_end +
+           changes.repair_piston_and_rings + changes.repair_bearing;
 }
 
 Coefficients PlugSet::coefficients() const {
@@ -321,22 +319,17 @@ std::optional<double> BobWeight::product(BobWeightLine::Part part) const {
     return found != lines.end() ? std::optional(found->product()) : std::nullopt;
 }
 
-BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
-                     const MassChanges& changes, double plug_mass, double plug_radius) {
+BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, const MassChanges& changes,
+                     double plug_mass, double plug_radius) {
     using Part = BobWeightLine::Part;
-    BobWeight weight;
-    weight.lines = {{Part::reciprocating, 1.0, gear.reciprocating},
-                    {Part::rotating, 2.0, gear.rotating},
-                    {Part::plugs, 2.0 * plug_radius / plugs.crank_radius, plug_mass},
-                    {Part::oil, gear.oil_coefficient, gear.oil},
-                    {Part::piston, 1.0, changes.piston},
-                    {Part::rod_big_end, 2.0 + plugs.rod_coefficient, changes.rod_big_end}};
-    if (process == Process::repair) {
-        weight.lines.push_back(
-            {Part::repair_piston_and_rings, 1.0, changes.repair_piston_and_rings});
-        weight.lines.push_back({Part::repair_bearing, 1.0, changes.repair_bearing});
-    }
-    return weight;
+    return {{{Part::reciprocating, 1.0, gear.reciprocating},
+             {Part::rotating, 2.0, gear.rotating},
+             {Part::plugs, 2.0 * plug_radius / plugs.crank_radius, plug_mass},
+             {Part::oil, gear.oil_coefficient, gear.oil},
+             {Part::piston, 1.0, changes.piston},
+             {Part::rod_big_end, 2.0 + plugs.rod_coefficient, changes.rod_big_end},
+             {Part::repair_piston_and_rings, 1.0, changes.repair_piston_and_rings},
+             {Part::repair_bearing, 1.0, changes.repair_bearing}}};
 }
 
 std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMasses& gear,
@@ -345,15 +338,14 @@ std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMass
         if (!plugs.new_design) {
             return std::nullopt;
         }
-        return bob_weight(plugs, gear, Process::repair, {}, plugs.new_design->mass,
-                          plugs.new_design->radius);
+        return bob_weight(plugs, gear, {}, plugs.new_design->mass, plugs.new_design->radius);
     }
-    return bob_weight(plugs, gear, Process::repair, {}, plugs.steel_mass, plugs.plug_radius);
+    return bob_weight(plugs, gear, {}, plugs.steel_mass, plugs.plug_radius);
 }
 
-BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
+BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear,
                             const MassChanges& changes, const Option& option) {
-    return bob_weight(plugs, gear, process, changes, option.plug_mass_unmachined - option.reduction,
+    return bob_weight(plugs, gear, changes, option.plug_mass_unmachined - option.reduction,
                       option.plug_radius);
 }
 

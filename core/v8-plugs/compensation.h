@@ -30,9 +30,9 @@ struct MassChanges {
     friend bool operator==(const MassChanges&, const MassChanges&) = default;
 };
 
-/// Excess on each crankpin's axis, kg: Δm_yo = Δm_п + (2 + k_ш) Δm_шк in manufacture, and
-/// Δm_yd = Δm_yo + Δm_рп + Δm_шр in repair; from (3), (4), (5).
-double unbalanced_mass(Process process, const MassChanges& changes, double rod_coefficient);
+/// Excess on each crankpin's axis, kg: Δm_yd = Δm_п + (2 + k_ш) Δm_шк + Δm_рп + Δm_шр, from (3),
+/// (4), (5); Δm_yo of manufacture is the same without repair parts.
+double unbalanced_mass(const MassChanges& changes, double rod_coefficient);
 
 /// What a plug's mass counts for on the crankpin's axis, eq. (11).
 struct Coefficients {
@@ -217,10 +217,10 @@ struct BobWeight {
 std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMasses& gear,
                                             Crankshaft crankshaft);
 /// Bob weight with these parts and plugs of the given mass at the radius, eqs. (4), (5), (7), (8).
-BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
-                     const MassChanges& changes, double plug_mass, double plug_radius);
+BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, const MassChanges& changes,
+                     double plug_mass, double plug_radius);
 /// Bob weight after the option: its plugs, lightened by its reduction.
-BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
+BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear,
                             const MassChanges& changes, const Option& option);
 
 /// The shift of a machined plug's centre of mass that (2) neglects: 0.8 to 1.2 mm in the paper.

@@ -104,12 +104,69 @@ std::optional<BalancingCheck> BalancingSheet::check() const {
 }
 
 MassChanges Input::changes() const {
-    return changes_from_weigh_in && weigh_in ? mass_changes(*weigh_in, process, typed_changes)
-                                             : typed_changes;
+    MassChanges typed = typed_changes;
+    if (process == Process::manufacture) {
+        typed.repair_piston_and_rings = typed.repair_bearing = 0.0;
+    }
+    return changes_from_weigh_in && weigh_in ? mass_changes(*weigh_in, process, typed) : typed;
 }
 
 bool Input::takes_typed(double MassChanges::*change) const {
     return !changes_from_weigh_in || !weigh_in || !is_weighed(*weigh_in, process, change);
+}
+
+std::vector<Message> not_counted(const Input& input) {
+    std::vector<Message> list;
+    const bool weighs = input.changes_from_weigh_in && input.weigh_in;
+    for (const MassChangeField& each : mass_change_fields()) {
+        const double typed = input.typed_changes.*each.member;
+        if (typed == 0.0) {
+            continue;
+        }
+        const Number grams{typed / units::gram, units::gram, -2};
+        if (!input.takes_typed(each.member)) {
+            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is replaced by the weights."),
+                              each.field.label, grams);
+        } else if (each.repair_only && input.process == Process::manufacture) {
+            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 does not count in manufacture."),
+                              each.field.label, grams);
+        } else if (weighs && !input.weigh_in->is_empty()) {
+            list.emplace_back(input.changes_known()
+                                  ? CORE_TEXT("V8", "%1: the typed %2 counts beside the weights.")
+                                  : CORE_TEXT("V8",
+                                              "%1: the typed %2 does not count yet. The weights "
+                                              "are to count, and no column is complete."),
+                              each.field.label, grams);
+        }
+    }
+    if (!input.weigh_in || input.weigh_in->is_empty()) {
+        return list;
+    }
+    if (!weighs) {
+        list.emplace_back(
+            CORE_TEXT("V8", "The weights do not count: the typed mass changes are used."));
+        return list;
+    }
+    for (const Part part : all_parts) {
+        const PartColumn& column = (*input.weigh_in)[part];
+        if (column.is_complete() || column.is_empty()) {
+            continue;
+        }
+        if (!column.nominal) {
+            list.emplace_back(
+                CORE_TEXT("V8", "%1: the weights do not count without a nominal mass."),
+                part_word(part).label);
+            continue;
+        }
+        const auto change = change_of(part, input.process);
+        const bool typed =
+            input.changes_known() && input.changes().*change != 0.0 && input.takes_typed(change);
+        list.emplace_back(
+            typed ? CORE_TEXT("V8", "%1: %2 of 8 weighed; the typed change counts until all are.")
+                  : CORE_TEXT("V8", "%1: %2 of 8 weighed; nominal counts until all are."),
+            part_word(part).label, statistics(column)->count);
+    }
+    return list;
 }
 
 /// What no form lets happen, half filled or not.

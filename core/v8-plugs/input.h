@@ -98,6 +98,7 @@ struct Input {
     JobHeader job;
 
     /// Typed, or from the weigh-in sheet as far as it has been weighed; 0 where they are not known.
+    /// In manufacture repair parts that are typed do not count; weighed ones do.
     MassChanges changes() const;
     /// True where the change is the one typed, not that of weights.
     bool takes_typed(double MassChanges::*change) const;
@@ -115,6 +116,10 @@ void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
 void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
 void visit_fields(FieldVisitor& visitor, Input& input);
+
+/// What is typed or weighed and does not count, and what is typed and counts beside weights; a
+/// sentence for each.
+std::vector<Message> not_counted(const Input& input);
 
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError

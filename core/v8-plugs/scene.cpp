@@ -42,14 +42,14 @@ Json shift_json(double plug_mass, double shift, double crank_radius) {
             {"unbalance_g_mm", shift_unbalance(plug_mass, shift) / units::gram_mm}};
 }
 
-Json shift_effect_json(const ShiftEffect& effect) {
+Json shift_effect_json(const ShiftEffect& effect, double tolerance) {
     Json json{{"from", effect.planned ? "bore" : "range"},
               {"shift_mm", {effect.least_shift / units::mm, effect.greatest_shift / units::mm}},
               {"unbalance_g_mm", {effect.least / units::gram_mm, effect.greatest / units::gram_mm}},
               {"residual_unbalance_g_mm", effect.residual_unbalance / units::gram_mm},
-              {"beyond_tolerance", effect.matters},
-              {"corrected_reduction_g",
-               {effect.least_reduction / units::gram, effect.greatest_reduction / units::gram}}};
+              {"beyond_tolerance", std::abs(effect.residual_unbalance) > tolerance},
+              {"corrected_reduction_g",  // for the shifts in their order: the least asks for most
+               {effect.greatest_reduction / units::gram, effect.least_reduction / units::gram}}};
     if (effect.depth) {
         json["corrected_depth_mm"] = *effect.depth / units::mm;
     }
@@ -109,7 +109,7 @@ Json option_json(const Result& result, OptionId id, double crank_radius, double 
     json["centre_of_mass_shift"] = Json::array({shift_json(plug, smallest_shift, crank_radius),
                                                 shift_json(plug, largest_shift, crank_radius)});
     if (const auto& effect = result.shift[index(id)]) {
-        json["shift_effect"] = shift_effect_json(*effect);
+        json["shift_effect"] = shift_effect_json(*effect, tolerance);
     }
     if (const auto& boring = result.boring[index(id)]) {
         json["boring"] = boring_json(*boring, result.shift[index(id)]);
@@ -189,11 +189,13 @@ Json write_result(const Input& input, const Result& result) {
               {"slope_angle_deg", std::atan(coefficients.k_y) / units::degree}};
     Json changes = Json::object();
     for (const MassChangeField& field : mass_change_fields()) {
-        if (!field.repair_only || input.process == Process::repair) {
-            changes[std::string(field.field.key)] = result.changes.*field.member / units::gram;
-        }
+        changes[std::string(field.field.key)] = result.changes.*field.member / units::gram;
     }
     json["mass_changes_g"] = std::move(changes);
+    json["not_counted"] = Json::array();
+    for (const Message& message : not_counted(input)) {
+        json["not_counted"].push_back(message.english());
+    }
     Json options = Json::object();
     for (const OptionId id : all_options) {
         options[std::string(option_word(id).word)] =

@@ -15,27 +15,26 @@ PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
     return {weighs, typed, mass_fits(typed, weighs)};
 }
 
-void solve_weigh_in(const Input& input, const workshop::SetFinder& find, Result& result) {
+void solve_weigh_in(const Input& input, Result& result) {
     if (!input.weigh_in || !input.engine.rod_coefficient) {
         return;
     }
     const double k = *input.engine.rod_coefficient;
     if (input.weigh_in->is_counted()) {
-        result.assignment = workshop::match(matching_task(*input.weigh_in, input.process, k),
-                                            input.weigh_in->matching, find);
+        result.assignment =
+            workshop::match(matching_task(*input.weigh_in, k), input.weigh_in->matching);
     }
     if (result.assignment) {
-        result.crankpin_excess = crankpin_excess(*input.weigh_in, input.process, k);
+        result.crankpin_excess = crankpin_excess(*input.weigh_in, k);
         WeighIn weighed = *input.weigh_in;
         move_back(weighed);
-        result.weighed_excess = crankpin_excess(weighed, input.process, k);
+        result.weighed_excess = crankpin_excess(weighed, k);
         result.assigned_excess =
-            crankpin_excess(reassigned(*input.weigh_in, *result.assignment), input.process, k);
+            crankpin_excess(reassigned(*input.weigh_in, *result.assignment), k);
         if (input.changes_from_weigh_in) {
             // What is typed and not weighed is the same on every crankpin.
-            const double typed =
-                unbalanced_mass(input.process, result.changes, k) -
-                unbalanced_mass(input.process, mass_changes(*input.weigh_in, input.process), k);
+            const double typed = unbalanced_mass(result.changes, k) -
+                                 unbalanced_mass(mass_changes(*input.weigh_in, input.process), k);
             for (auto* excess :
                  {&*result.crankpin_excess, &*result.weighed_excess, &*result.assigned_excess}) {
                 for (double& mass : *excess) {
@@ -115,7 +114,7 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
     result.nominal = nominal_bob_weight(plugs, *gear, input.crankshaft);
     if (result.nominal && changes_known) {
         const bool new_plugs = input.crankshaft == Crankshaft::new_plugs;
-        result.before = bob_weight(plugs, *gear, input.process, result.changes,
+        result.before = bob_weight(plugs, *gear, result.changes,
                                    new_plugs ? plugs.new_design->mass : plugs.steel_mass,
                                    new_plugs ? plugs.new_design->radius : plugs.plug_radius);
     }
@@ -124,20 +123,19 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
         const auto nominal = nominal_bob_weight(
             plugs, *gear, needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard);
         if (option && nominal) {
-            result.bob_weights[index(id)] = OptionBobWeight{
-                option_bob_weight(plugs, *gear, input.process, result.changes, *option), *nominal};
+            result.bob_weights[index(id)] =
+                OptionBobWeight{option_bob_weight(plugs, *gear, result.changes, *option), *nominal};
         }
     }
 }
 
 }  // namespace
 
-Result solve(const Input& input, bool changes_known, const workshop::SetFinder& find) {
+Result solve(const Input& input, bool changes_known) {
     Result result;
     result.changes = input.changes();
     if (changes_known && input.engine.rod_coefficient) {
-        result.unbalanced_mass =
-            unbalanced_mass(input.process, result.changes, *input.engine.rod_coefficient);
+        result.unbalanced_mass = unbalanced_mass(result.changes, *input.engine.rod_coefficient);
     }
     result.plugs = plug_set(input.engine);
     if (result.plugs && result.unbalanced_mass) {
@@ -153,7 +151,7 @@ Result solve(const Input& input, bool changes_known, const workshop::SetFinder& 
                    [&](const Option& option) { return hindrance(input, result, option); });
     }
     solve_bob_weights(input, changes_known, result);
-    solve_weigh_in(input, find, result);
+    solve_weigh_in(input, result);
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
     if (const auto check = machine.check()) {

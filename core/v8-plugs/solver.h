@@ -8,8 +8,6 @@ namespace ravnoves::v8_plugs {
 /// Computes whatever the input allows.
 /// @param changes_known  false: nothing that rests on the mass changes; a case counts those that it
 ///                       does not give as 0
-/// @param find           which set goes to which cylinder
-Result solve(const Input& input, bool changes_known = true,
-             const workshop::SetFinder& find = workshop::best_placing);
+Result solve(const Input& input, bool changes_known = true);
 
 }  // namespace ravnoves::v8_plugs

@@ -15,7 +15,7 @@ double column_deviation(const PartColumn& column, int cylinder) {
 }
 
 /// What a part's mass adds to its crankpin's excess, times that.
-double excess_factor(Part part, Process process, double rod_coefficient) {
+double excess_factor(Part part, double rod_coefficient) {
     switch (part) {
         case Part::piston:
         case Part::pin:
@@ -26,7 +26,7 @@ double excess_factor(Part part, Process process, double rod_coefficient) {
         case Part::rod_big_end:
             return 0.5 * (2.0 + rod_coefficient);
         case Part::shells:
-            return process == Process::repair ? 1.0 : 0.0;
+            return 1.0;
     }
     return 0.0;
 }
@@ -83,7 +83,7 @@ double MassChanges::*change_of(Part part, Process process) {
         case Part::rod_big_end:
             return &MassChanges::rod_big_end;
         case Part::shells:
-            return repair ? &MassChanges::repair_bearing : nullptr;
+            return &MassChanges::repair_bearing;
     }
     return nullptr;
 }
@@ -98,28 +98,25 @@ MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChange
     MassChanges changes = typed;
     for (const Part part : all_parts) {
         const auto change = change_of(part, process);
-        if (change != nullptr && is_weighed(sheet, process, change)) {
+        if (is_weighed(sheet, process, change)) {
             changes.*change = 0.0;
         }
     }
     for (const Part part : all_parts) {
-        if (const auto change = change_of(part, process)) {
-            const double rods = part == Part::shells ? 2.0 : 1.0;  // shells count by crankpin
-            changes.*change += rods * mean_deviation(sheet[part]);
-        }
+        const double rods = part == Part::shells ? 2.0 : 1.0;  // shells count by crankpin
+        changes.*change_of(part, process) += rods * mean_deviation(sheet[part]);
     }
     return changes;
 }
 
-std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process process,
-                                                   double rod_coefficient) {
+std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient) {
     std::array<double, crankpin_count> excess{};
     const Crankpins pins = crankpins(sheet.numbering);
     for (std::size_t k = 0; k < pins.size(); ++k) {
         for (const int cylinder : pins[k]) {
             for (const Part part : all_parts) {
-                excess[k] += excess_factor(part, process, rod_coefficient) *
-                             column_deviation(sheet[part], cylinder);
+                excess[k] +=
+                    excess_factor(part, rod_coefficient) * column_deviation(sheet[part], cylinder);
             }
         }
     }
@@ -149,14 +146,12 @@ workshop::Crank crank_of(const WeighIn& sheet) {
     return crank;
 }
 
-workshop::MatchingTask matching_task(const WeighIn& sheet, Process process,
-                                     double rod_coefficient) {
+workshop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
     workshop::MatchingTask task;
     task.masses = masses_of(sheet);
     for (const Part part : all_parts) {
         if (sheet[part].is_complete()) {
-            task.factors[static_cast<std::size_t>(part)] =
-                excess_factor(part, process, rod_coefficient);
+            task.factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
         }
     }
     const workshop::Crank crank = crank_of(sheet);

@@ -46,18 +46,17 @@ std::optional<double> mass_in_kilograms(Part part, const PartColumn& column);
 ///
 /// In repair the piston with its rings is Δm_рп, pin and small end (which move with the piston) are
 /// Δm_п, the shells of both rods of a crankpin Δm_шр. In manufacture piston, pin, rings and small
-/// end are Δm_п and the shells are not counted, as the method has it. Columns that are not complete
-/// count as nominal; a change of which no column is complete stays what was typed.
+/// end are Δm_п; shells that are weighed are Δm_шр there too. Columns that are not complete count
+/// as nominal; a change of which no column is complete stays what was typed.
 MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChanges& typed = {});
-/// The change of the method that the part belongs to; null where the method does not count it.
+/// The change of the method that the part belongs to.
 double MassChanges::*change_of(Part part, Process process);
 /// True where the sheet says the change: a column of its parts is complete.
 bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change);
 
 /// Excess on each crankpin's own axis, from the parts of its two cylinders; their mean is the
 /// unbalanced_mass() of mass_changes().
-std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process process,
-                                                   double rod_coefficient);
+std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient);
 
 /// Heaviest less lightest crankpin, kg.
 double spread(const std::array<double, crankpin_count>& totals);
@@ -65,7 +64,7 @@ double spread(const std::array<double, crankpin_count>& totals);
 /// The crankshaft of a cross-plane V-8 at 90°, as far as the sheet does not say otherwise.
 workshop::Crank crank_of(const WeighIn& sheet);
 /// What is matched: columns that are not complete count as nominal.
-workshop::MatchingTask matching_task(const WeighIn& sheet, Process process, double rod_coefficient);
+workshop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
 /// The sheet with the parts moved; they keep their numbers.
 WeighIn reassigned(const WeighIn& sheet, const workshop::Matched& matched);
 

@@ -12,7 +12,7 @@ namespace {
 /// Sum of the squares of what the columns count for, by the mean of their eight weights.
 double sum_of_squares(const WeighIn& sheet, Process process, double rod_coefficient) {
     const auto excess = [&](const WeighIn& weighed) {
-        return unbalanced_mass(process, mass_changes(weighed, process), rod_coefficient);
+        return unbalanced_mass(mass_changes(weighed, process), rod_coefficient);
     };
     const double present = excess(sheet);
     double sum = 0.0;

@@ -106,14 +106,6 @@ SetSearch search_of_spread(const MatchingTask& task, const MatchingRules& rules)
             }
         }
     }
-    search.twin.assign(search.places, -1);
-    for (std::size_t i = 0; i < search.places; ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            if (task.places[k].crankpin == task.places[i].crankpin) {
-                search.twin[i] = static_cast<int>(k);
-            }
-        }
-    }
     return search;
 }
 
@@ -293,8 +285,7 @@ std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
     return from;
 }
 
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules,
-                             const SetFinder& find) {
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules) {
     const std::size_t n = task.places.size();
     const bool counts = std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
         return is_whole(task.masses[static_cast<std::size_t>(part)], n);
@@ -327,19 +318,11 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     if (has_limit) {
         search.enough = *rules.permitted_spread + rounding;
     }
-    const std::optional<SetsFound> answer = find(search);
-    if (!answer) {
-        return std::nullopt;
-    }
-    const SetsFound& found = *answer;
+    const SetsFound found = best_placing(search);
     matched.pistons = found.from[0];
     matched.rods = found.from[1];
     matched.moved = found.moved;
     matched.proven = found.proven;
-    matched.gap = found.proven ? 0.0 : std::max(0.0, found.size - found.least);
-    if (matched.goal == MatchingGoal::least_shaking) {
-        matched.gap /= std::sqrt(2.0);
-    }
     std::array<std::vector<int>, 2> as_it_is;
     for (auto& kind : as_it_is) {
         kind.resize(n);
@@ -389,9 +372,6 @@ Json matched_json(const Matched& matched, const std::optional<double>& crank_rad
               {"spread_before_g", matched.spread_before / units::gram},
               {"spread_g", matched.spread / units::gram},
               {"proven", matched.proven}};
-    if (!matched.proven) {
-        json["gap_g"] = matched.gap / units::gram;
-    }
     if (matched.shaking && matched.shaking_before) {
         json["shaking_before"] =
             amounts_json(*matched.shaking_before, matched.spacing_known, crank_radius, speed);

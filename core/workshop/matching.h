@@ -1,14 +1,12 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "case-file/json_fwd.h"
 #include "case-file/message.h"
-#include "workshop/set_search.h"
 #include "workshop/weigh_in.h"
 
 /// Weighed parts are matched: what to take off each to reach the lightest, and which set goes to
@@ -94,18 +92,13 @@ struct Matched {
     std::optional<Shaking> shaking;
     MatchingGoal goal = MatchingGoal::least_spread;  ///< that was followed
     bool proven = true;                              ///< no placing is better by the goal
-    double gap = 0.0;  ///< by so much another could be better at most, kg
-    Message remark;    ///< why it is not the goal asked for, or why that is not reached
+    Message remark;  ///< why it is not the goal asked for, or why that is not reached
     bool spacing_known = false;
 };
 
-/// Finds which set goes where, as best_placing() does; nothing while that is not known yet.
-using SetFinder = std::function<std::optional<SetsFound>(const SetSearch&)>;
-
 /// The best placing by the rules; see best_placing() for what is proven. Nothing where no column
-/// counts, or where `find` finds nothing.
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules,
-                             const SetFinder& find = best_placing);
+/// counts.
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules);
 
 /// What a placing makes of the spread and of the engine, whatever its goal.
 double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,

@@ -29,8 +29,6 @@ struct SetSearch {
     Size size = Size::spread;
     double enough = 0.0;      ///< smaller is no better
     double rounding = 1e-14;  ///< sizes that differ by less are the same
-    /// By place: the place before it where each set adds the same as here; −1 where there is none.
-    std::vector<int> twin;
 
     friend bool operator==(const SetSearch&, const SetSearch&) = default;
 };
@@ -38,7 +36,6 @@ struct SetSearch {
 struct SetsFound {
     std::array<std::vector<int>, 2> from;  ///< by place: the set that goes there
     double size = 0.0;
-    double least = 0.0;   ///< no placing is smaller than that
     bool proven = false;  ///< nothing is better
     int moved = 0;        ///< sets that change their place
 };
@@ -50,17 +47,10 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 /// The smallest size; among those that are enough, or the same but for rounding, the fewest sets
 /// moved; among these again the smallest.
 ///
-/// First exchanges of two sets or three from the present placing and from others, as long as they
-/// help; of many places after an annealing, which makes the numbers small but proves nothing.
-/// Where each kind has no more placings than 8! (eight places; five and five in two groups) a proof
-/// follows, by branch and bound over pairs of boxes: the sums of each kind are points, sorted into
-/// a tree of boxes; of two boxes the size of no sum can be smaller than that of the box of sums,
-/// and what cannot beat the best is never opened. The work is bounded: what was not opened then
-/// gives the bound `least`. A proof takes up to some tenths of a second: the thread's last search
-/// is kept, since most edits of a case change nothing of it.
+/// Exchanges of two sets from the present placing and from random ones, as long as they help. Where
+/// each kind has no more placings than 8! (eight places; five and five in two groups) all pairs of
+/// placings are compared after that, but for those of which one number alone says that they are
+/// worse. The thread's last search is kept: most edits of a case change nothing of it.
 SetsFound best_placing(const SetSearch& search);
-
-/// Whether best_placing() takes no longer than a frame has room for: each kind has few placings.
-bool is_quick(const SetSearch& search);
 
 }  // namespace ravnoves::workshop

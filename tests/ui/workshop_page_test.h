@@ -25,10 +25,6 @@ class WorkshopPageTest : public ::testing::Test {
     Widget* find(const char* name) {
         return named<Widget>(page, name);
     }
-    /// A placing that is looked for is found.
-    void settle() {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !model->isSearching(); }));
-    }
 
     /// Goes to the sheet's tab and the field, types over what is there, presses Enter.
     void type(QWidget* field, const QString& text) {

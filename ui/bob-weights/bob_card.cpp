@@ -255,7 +255,7 @@ std::vector<Block> weightBlocks(const Words& words, const Input& input) {
         blocks.push_back(std::move(block));
     }
     const QStringList pins = bob_text::cylindersOfCrankpins(input);
-    if (input.engine.rods_per_pin > 1 && !pins.isEmpty()) {
+    if (input.engine.rods_on_crankpin() > 1 && !pins.isEmpty()) {
         blocks.back().say(words.translate("BobWeights", "Cylinders that share a crankpin: %1.")
                               .arg(pins.join(QStringLiteral("; "))));
     }

@@ -35,7 +35,7 @@ JobDesk* BobWeightsPage::desk() const {
 }
 
 std::unique_ptr<JobCard> BobWeightsPage::card() {
-    return std::make_unique<BobCard>(model_->input(), model_->wholeSolution(),
+    return std::make_unique<BobCard>(model_->input(), model_->solution(),
                                      model_->desk()->cardWords());
 }
 

@@ -169,7 +169,8 @@ void PlugsCardPainter::changesTable(double x, double y, double width) {
     sheet_.heading(x, y, width, words_.translate("JobCard", "Heavier than nominal by"));
     CardTable changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, inputRow);
     for (const MassChangeField& field : mass_change_fields()) {
-        if (field.repair_only && input_.process == Process::manufacture) {
+        if (field.repair_only && input_.process == Process::manufacture &&
+            solution_.changes.*field.member == 0.0) {
             continue;
         }
         changes.add(

@@ -46,7 +46,7 @@ JobDesk* V8PlugsPage::desk() const {
 }
 
 std::unique_ptr<JobCard> V8PlugsPage::card() {
-    return std::make_unique<PlugsCard>(model_->input(), model_->wholeSolution(),
+    return std::make_unique<PlugsCard>(model_->input(), model_->solution(),
                                        model_->desk()->cardWords());
 }
 

@@ -41,12 +41,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : MatchingSheet
     addGoal(false);
     addFindings([model] { return model->notCounted(); });
     ResultTable* crankpins = addTable(tr("Excess on each crankpin, as weighed and after moving"));
-    follow([model, crankpins] {
-        crankpins->setEnabled(!model->isSearching());
-        if (!model->isSearching()) {
-            crankpins->setOrHide(model->crankpinResults());
-        }
-    });
+    follow([model, crankpins] { crankpins->setOrHide(model->crankpinResults()); });
     finish();
 }
 

@@ -276,22 +276,17 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     back->setObjectName(QStringLiteral("move_back"));
     back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
     back->setMinimumHeight(Theme::withText(cellHeight));
-    // The button goes with what it does, or rests while a placing is looked for: under the focus
-    // it would hand it on to what follows, and the sheet would scroll there.
+    // The button goes with what it does: under the focus it would hand it on to what follows, and
+    // the sheet would scroll there.
     const auto handOn = [this](QPushButton* pressed, QPushButton* other,
                                const std::function<void()>& act) {
         connect(pressed, &QPushButton::clicked, this, [other, act] {
             other->setVisible(true);
-            other->setEnabled(true);
             other->setFocus(Qt::OtherFocusReason);
             act();
         });
     };
-    handOn(button, back, [this] {
-        if (!find_().isSearching) {
-            move_();
-        }
-    });
+    handOn(button, back, move_);
     handOn(back, button, moveBack_);
     found->addWidget(back, 0, Qt::AlignTop);
     column()->addLayout(found);
@@ -301,16 +296,6 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     const auto show = [=, this, notCounted = std::move(notCounted)] {
         const Findings now = find_();
         back->setVisible(isMoved_());
-        button->setEnabled(!now.isSearching || button->hasFocus());
-        for (ResultTable* table : {effects, assignment, takeOff}) {
-            table->setEnabled(!now.isSearching);
-        }
-        if (now.isSearching) {
-            // What was found before stays, in grey, until the new comes: nothing jumps.
-            summary->setText(tr("Looking for the best placing…"));
-            colourText(summary, &Theme::mutedText);
-            return;
-        }
         const QStringList gaps = notCounted ? notCounted() : QStringList();
         QStringList said = gaps + now.summary;
         said.removeAll(QString());

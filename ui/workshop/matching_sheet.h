@@ -60,7 +60,6 @@ class MatchingSheet : public SheetForm {
         QStringList summary;
         bool isAmber = false;
         bool canMove = false;
-        bool isSearching = false;
         Results effects;
         Results assignment;
         Results takeOff;
@@ -71,7 +70,6 @@ class MatchingSheet : public SheetForm {
         return {QStringList(model.assignmentText()) + model.assignmentRemarks(),
                 shown ? !shown->matched.remark.empty() : !model.weighAgain().isEmpty(),
                 shown && shown->matched.moved > 0,
-                model.isSearching(),
                 model.effectResults(),
                 model.assignmentResults(),
                 model.takeOffResults()};

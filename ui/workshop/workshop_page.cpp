@@ -32,7 +32,6 @@
 #include "workshop/journal_banner.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
-#include "workshop/model/placing_search.h"
 #include "workshop/model/verdict.h"
 #include "workshop/sheet_form.h"
 #include "workshop/shop_dialog.h"
@@ -318,10 +317,6 @@ void WorkshopPage::goOn(QWidget* from) {
 
 void WorkshopPage::showEvent(QShowEvent* event) {
     ScenePage::showEvent(event);
-    // A page that nobody sees waits for it.
-    if (auto* placing = model()->findChild<PlacingSearch*>(); placing != nullptr && isVisible()) {
-        placing->setInBackground(true);
-    }
     // One types at once, and the page's keys work: they ask for a focus on it. Where the page
     // before is hidden, Qt looks for a place by itself, and may find a drawing or a table.
     QTimer::singleShot(0, this, [this] {

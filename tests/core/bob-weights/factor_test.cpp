@@ -28,6 +28,13 @@ TEST(Factor, OfSplitPinsLeavesALine) {
     const FirstOrder left = first_order(v(90, 30), theory_factor(v(90, 30)), 1.0);
     EXPECT_NEAR(left.upright(), 0.0, 1e-15);
     EXPECT_NEAR(left.across(), 2.0 * std::sin(15 * degree), 1e-15);
+    // Where the part against the crank is larger whatever the factor, that is said.
+    EXPECT_EQ(theory_factor(v(30, -40)), 0.0);
+    const FirstOrder bare = first_order(v(30, -40), 0.0, 1.0);
+    EXPECT_GT(bare.backward, 1.04 * bare.forward);
+    const std::string reason = factor_reason(v(30, -40)).english();
+    EXPECT_EQ(reason.find("as large"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("smaller, 94 %, even at 0 %"), std::string::npos) << reason;
     // Banks at 60° with pins split by 60°: all first-order forces of a throw go at 50 %.
     EXPECT_NEAR(theory_factor(v(60, 60)), 0.5, 1e-15);
     EXPECT_LT(first_order(v(60, 60), 0.5, 1.0).greatest(), 1e-15);

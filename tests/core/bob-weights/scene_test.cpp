@@ -52,6 +52,45 @@ TEST(Example, ShopCard) {
     EXPECT_NEAR(document.at("result").at("bobweight_g").get<double>(), 1505.2, 1e-9);
 }
 
+TEST(BobWeight, OfSplitCrankpinsHangsOnEachOfThem) {
+    Json card = shop_card();
+    card["parts_g"]["oil"] = 4;
+    card["engine"] = {{"type", "v"},
+                      {"cylinders", 6},
+                      {"bank_angle_deg", 60},
+                      {"pin_split_deg", 60},
+                      {"rods_per_pin", 2}};
+    const Json two = solved(card);
+    card["engine"]["rods_per_pin"] = 1;
+    const Json one = solved(card);
+    EXPECT_EQ(two.at("bobweights"), 6);
+    EXPECT_EQ(two.at("bobweight_g"), one.at("bobweight_g"));
+    // The oil of one crankpin, one rod, half of one piston.
+    EXPECT_NEAR(two.at("bobweight_g").get<double>(),
+                4 + 229.8 + 23.7 + 0.5 * (69.5 + 583.9 + 173.6 + 4.8 + 162.4), 1e-9);
+    // Of weighed parts each crankpin has its own cylinder.
+    card["engine"]["rods_per_pin"] = 2;
+    card["weigh_in"] = parse_json(R"({"piston": {"mass_g": [580, 581, 582, 583, 584, 585]}})");
+    const Json pins = solved(card).at("weigh_in").at("crankpins_g");
+    ASSERT_EQ(pins.size(), 6U);
+    EXPECT_NEAR(pins[5].get<double>() - pins[0].get<double>(), 2.5, 1e-9);
+}
+
+TEST(Weights, ThatDoNotCountOrReplaceWhatIsTypedAreSaid) {
+    Json card = shop_card();
+    EXPECT_TRUE(solved(card).at("not_counted").empty());
+    card["weigh_in"] =
+        parse_json(R"({"piston": {"mass_g": [580, 581, 582, 583, 584, 585, 586, 587]}})");
+    const Json said = solved(card).at("not_counted");
+    ASSERT_EQ(said.size(), 1U) << said;
+    EXPECT_EQ(said[0], "Piston: the typed 583.90 g is replaced by the weights.");
+    // Of a sheet that is half filled.
+    Input input = read_input(card);
+    input.weigh_in->columns[1].mass[2] = 0.17;
+    EXPECT_EQ(not_counted(input).at(1).english(),
+              "Pin: 1 of 8 weighed; the typed mass counts until all are.");
+}
+
 TEST(Weighing, AddsTheRoundingOfEachPartBySquares) {
     // Five parts count once (twice 50 %), two twice, and the bob weight is weighed itself.
     constexpr double d = 1e-4;

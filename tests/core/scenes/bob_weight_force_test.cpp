@@ -75,7 +75,7 @@ TEST(BobWeight, TakesUpTheRotatingPartAndTheFactorOfTheRest) {
         const double unit = engine.crank_radius * engine.angular_speed * engine.angular_speed;
 
         // The counterweights hold the bob weight, a like share of it on each rod's crankpin.
-        const double share = *result.bob_weight / made.bob.engine.rods_per_pin;
+        const double share = *result.bob_weight / made.bob.engine.rods_on_crankpin();
         const Vector direction = inertia_moments::crankpin_direction(engine);
         const Vector held = share * unit * rotating.force_factor * direction;
         const Vector forward = orders.order(1).force.forward + rotating.force() * direction - held;

@@ -24,8 +24,7 @@ TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
         const PlugSet plugs = workshop.plugs();
         const GearMasses gear = workshop.gear();
         const MassChanges changes = workshop.changes(30);
-        const Process process = workshop.process();
-        const double excess = unbalanced_mass(process, changes, plugs.rod_coefficient);
+        const double excess = unbalanced_mass(changes, plugs.rod_coefficient);
         for (const OptionId id : all_options) {
             const Option option = evaluate_option(id, plugs, excess, 0.0).value();
             const double nominal =
@@ -33,7 +32,7 @@ TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
                     plugs, gear,
                     needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard)
                     ->sum();
-            const double after = option_bob_weight(plugs, gear, process, changes, option).sum();
+            const double after = option_bob_weight(plugs, gear, changes, option).sum();
             // Whatever the limits leave, and only that, is what the bob weight is off by.
             EXPECT_NEAR(after - nominal, option.residual_mass, 1e-12 * nominal);
             if (option.residual_mass == 0.0) {
@@ -43,7 +42,7 @@ TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
         }
         // Today's plugs unchanged: the whole excess is there.
         const double before =
-            bob_weight(plugs, gear, process, changes, plugs.steel_mass, plugs.plug_radius).sum();
+            bob_weight(plugs, gear, changes, plugs.steel_mass, plugs.plug_radius).sum();
         const double nominal = nominal_bob_weight(plugs, gear, Crankshaft::standard)->sum();
         EXPECT_NEAR(before - nominal, excess, 1e-12 * nominal);
     }
@@ -209,10 +208,16 @@ TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
                      0.5 * plugs.max_steel_reduction);
 }
 
-TEST(Compensation, ManufactureDropsTheRepairParts) {
-    const MassChanges changes{1 * gram, 2 * gram, 3 * gram, 4 * gram};
-    EXPECT_DOUBLE_EQ(unbalanced_mass(Process::manufacture, changes, 0.5), 6.0 * gram);
-    EXPECT_DOUBLE_EQ(unbalanced_mass(Process::repair, changes, 0.5), 13.0 * gram);
+TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
+    Input input;
+    input.typed_changes = {1 * gram, 2 * gram, 3 * gram, 4 * gram};
+    EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 13.0 * gram);
+    EXPECT_TRUE(not_counted(input).empty());
+    input.process = Process::manufacture;
+    EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 6.0 * gram);
+    ASSERT_EQ(not_counted(input).size(), 2U);
+    EXPECT_EQ(not_counted(input)[1].english(),
+              "Repair shells Δmₛₕ: the typed 4.00 g does not count in manufacture.");
 }
 
 TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {

@@ -57,6 +57,57 @@ Json full_example() {
     return input;
 }
 
+Json solved(const Json& input);
+
+TEST(Weights, ActWhateverTheProcess) {
+    Json input = example();
+    input["mass_changes_g"] = {{"repair_bearing", 3.0}};
+    input["process"] = "manufacture";
+    EXPECT_EQ(solved(input).at("recommended"), "none-needed");
+    EXPECT_EQ(solved(input).at("not_counted")[0],
+              "Repair shells Δmₛₕ: the typed 3.00 g does not count in manufacture.");
+    input.erase("mass_changes_g");
+    input["weigh_in"]["shells"] = {{"nominal_g", 24}, {"mass_g", std::vector<double>(8, 25.1)}};
+    const Json result = solved(input);
+    EXPECT_NEAR(result.at("unbalanced_mass_g").get<double>(), 2.2, 1e-9);
+    EXPECT_NEAR(result.at("mass_changes_g").at("repair_bearing").get<double>(), 2.2, 1e-9);
+    EXPECT_EQ(result.at("recommended"), "steel-machined");
+    EXPECT_TRUE(result.at("not_counted").empty());
+    input["process"] = "repair";
+    EXPECT_EQ(solved(input).at("options"), result.at("options"));
+}
+
+TEST(ShiftEffect, IsCorrectedInTheOrderOfItsShiftsAndSaysWhatIsBeyond) {
+    Json input = example();
+    input["mass_changes_g"] = {{"repair_piston_and_rings", 4.0}};
+    input["crankshaft"] = "new-plugs";
+    for (const auto& [name, option] : solved(input).at("options").items()) {
+        if (!option.contains("shift_effect")) {
+            continue;
+        }
+        const Json& effect = option.at("shift_effect");
+        const double mass =
+            option.at("plug_mass_g").get<double>() + option.at("reduction_g").get<double>();
+        const double radius = name == "new-steel-machined" ? 49.3 : 47.2;
+        const double wanted = mass - option.at("required_reduction_g").get<double>();
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double off = effect.at("corrected_reduction_g")[i].get<double>();
+            const double shift = effect.at("shift_mm")[i].get<double>();
+            if (off < 0.99 * option.at("reduction_g").get<double>()) {  // no limit
+                EXPECT_NEAR((mass - off) * (radius - shift), wanted * radius, 1e-9) << name;
+            }
+        }
+        EXPECT_GE(effect.at("corrected_reduction_g")[0], effect.at("corrected_reduction_g")[1]);
+        EXPECT_EQ(effect.at("beyond_tolerance"),
+                  std::abs(effect.at("residual_unbalance_g_mm").get<double>()) > 5.0)
+            << name << option;
+    }
+    input["mass_changes_g"] = {{"repair_piston_and_rings", 20.0}};
+    const Json far = solved(input).at("options").at("new-steel-machined").at("shift_effect");
+    EXPECT_GT(far.at("residual_unbalance_g_mm"), 100.0);
+    EXPECT_TRUE(far.at("beyond_tolerance").get<bool>());
+}
+
 Json solved(const Json& input) {
     return solve_scene(input, {});
 }
@@ -206,10 +257,12 @@ TEST(Result, ChangesFromTheWeighInSheet) {
     EXPECT_NEAR(mean, excess, 1e-9);
     // The sheet alone is meant to be used.
     input["mass_changes_g"].erase("repair_bearing");
-    const Json weighed = solved(input);
+    Json weighed = solved(input);
     EXPECT_NEAR(weighed.at("unbalanced_mass_g").get<double>(), excess - 1.1, 1e-9);
+    EXPECT_EQ(weighed.at("not_counted").size(), 2U) << "typed, and replaced by the weights";
     input.erase("mass_changes_from");
     input.erase("mass_changes_g");
+    weighed["not_counted"] = Json::array();
     EXPECT_EQ(solved(input), weighed);
 }
 

@@ -62,7 +62,7 @@ TEST(Weighing, IsWhatRoundedReadingsScatterBy) {
                 }
             }
             const auto excess = [&](const WeighIn& sheet) {
-                return unbalanced_mass(process, mass_changes(sheet, process), k);
+                return unbalanced_mass(mass_changes(sheet, process), k);
             };
             const double bob_weight = random.between(1900, 2100) * gram;
             const double hung = d * std::round(bob_weight / d) - bob_weight;

@@ -48,7 +48,7 @@ TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
         PlugsCard::setPage(printer);
         printer.setPageSize(QPageSize(paper.size));
         printer.setPageOrientation(paper.side);
-        ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), Words()).print(printer));
+        ASSERT_TRUE(PlugsCard(model->input(), model->solution(), Words()).print(printer));
         // Words that lie beyond the paper would be left out by a crop to it.
         QProcess reader;
         reader.start(QStringLiteral(PDFTOTEXT), {u"-bbox"_s, file, u"-"_s});
@@ -103,7 +103,7 @@ TEST_F(V8PageTest, ShopStandsOnTheCard) {
     reader.start(QStringLiteral(PDFTOTEXT), {file, u"-"_s});
     ASSERT_TRUE(reader.waitForFinished());
     EXPECT_TRUE(QString::fromUtf8(reader.readAllStandardOutput()).contains(u"Smith & Sons"_s));
-    PlugsCard card(model->input(), model->wholeSolution(), Words());
+    PlugsCard card(model->input(), model->solution(), Words());
     card.setShop(Shop::kept());
     QImage paper(2100, 2970, QImage::Format_RGB32);
     QPainter painter(&paper);
@@ -136,8 +136,8 @@ TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
     printer.setOutputFormat(QPrinter::PdfFormat);
     printer.setOutputFileName(printed);
     PlugsCard::setPage(printer);
-    ASSERT_TRUE(PlugsCard(model->input(), model->wholeSolution(), model->desk()->cardWords())
-                    .print(printer));
+    ASSERT_TRUE(
+        PlugsCard(model->input(), model->solution(), model->desk()->cardWords()).print(printer));
     EXPECT_TRUE(textOf(exported).contains(u"card"_s));
     EXPECT_EQ(textOf(exported), textOf(printed));
     model->desk()->setCardLanguage(u"ru"_s);

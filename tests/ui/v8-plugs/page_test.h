@@ -22,10 +22,7 @@ namespace ravnoves {
 class V8PageTest : public test::WorkshopPageTest<V8PlugsPage> {
   protected:
     NumberField* field(const char* name) { return find<NumberField>(name); }
-    QString label(const char* name) {
-        settle();
-        return find<QLabel>(name)->text();
-    }
+    QString label(const char* name) { return find<QLabel>(name)->text(); }
 
     /// Answers the next message box with a button.
     static void answer(QMessageBox::StandardButton button) {

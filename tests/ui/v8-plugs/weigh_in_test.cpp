@@ -93,7 +93,6 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     spreads();
     move->setFocus();
     QTest::keyClick(move, Qt::Key_Space);
-    settle();
     EXPECT_EQ(spread(), wanted);
     EXPECT_EQ(spreads(), excess) << "moved, they were weighed as before";
     EXPECT_EQ(model->solution().assignment->moved, 0);
@@ -121,7 +120,6 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     for (int i = 1; i <= 8; ++i) {
         type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i % 4 * 2));
     }
-    settle();
     ASSERT_TRUE(model->solution().assignment);
     std::vector<int> wanted;
     for (const int from : model->solution().assignment->pistons) {
@@ -157,7 +155,6 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     move->setFocus();
     QTest::keyClick(move, Qt::Key_Space);
     // The weights have moved; the numbers say where the parts came from, on sheet and card.
-    settle();
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_EQ(printed(), said());
     EXPECT_FALSE(isSuggested);
@@ -199,17 +196,13 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     };
     choose("moves_pistons", Qt::Key_End);
     choose("goal", Qt::Key_End);
-    const auto placing = [&] {
-        settle();
-        return model->solution().assignment.value();
-    };
+    const auto placing = [&] { return model->solution().assignment.value(); };
     EXPECT_EQ(placing().pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"needs the cylinder spacing"_s))
         << qPrintable(label("weigh_in_summary"));
     type("cylinder_spacing_mm", u"110"_s);
-    settle();
     EXPECT_EQ(model->effectResults().rows.size(), 4);
     EXPECT_EQ(model->history()->undoText(), u"Cylinder spacing"_s);
     const Json matching = model->inputJson().at("weigh_in").at("matching");
@@ -287,7 +280,6 @@ TEST_F(V8PageTest, NothingIsToBeDoneByDoubtedWeights) {
     for (int i = 1; i <= 8; ++i) {
         type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i % 4 * 2));
     }
-    settle();
     const auto printed = [&] {
         const QString file = QDir(folder.path()).filePath(u"doubted.pdf"_s);
         EXPECT_EQ(page.writeCard(file), QString());

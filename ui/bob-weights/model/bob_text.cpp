@@ -246,12 +246,6 @@ QString headline(const Words& words, const Input& input, const Result& result) {
 
 QString hang(const Words& words, const Engine& engine) {
     const int count = engine.crankpins();
-    if (engine.pin_split != 0.0 && engine.rods_per_pin == 2) {
-        return words
-            .translate("BobWeights",
-                       "For each of the %1 pairs of crankpins split by %2, half of it on either.")
-            .arg(QString::number(count), words.plainWithUnit(engine.pin_split, units::degree, 1));
-    }
     return count == 1 ? words.translate("BobWeights", "On the crankpin.")
                       : words.translate("BobWeights", "On each of the %1 crankpins.").arg(count);
 }

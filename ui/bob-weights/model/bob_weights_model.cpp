@@ -86,11 +86,8 @@ Json BobWeightsScene::write(const Input& input) {
     return write_input(input);
 }
 
-Result BobWeightsScene::solve(const Input& input) const {
-    return placing == nullptr ? bob_weights::solve(input)
-                              : bob_weights::solve(input, [this](const auto& search) {
-                                    return placing->find(search);
-                                });
+Result BobWeightsScene::solve(const Input& input) {
+    return bob_weights::solve(input);
 }
 
 Json BobWeightsScene::solvedJson(const Json& input, const CaseContext& context) {

@@ -26,11 +26,10 @@ struct BobWeightsScene {
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named by the model.
     /// Where engine or factor contradict themselves there is no answer.
-    Solved solve(const Input& input) const;
+    static Solved solve(const Input& input);
     static Json solvedJson(const Json& input, const CaseContext& context);
 
     bool dated;
-    PlacingSearch* placing = nullptr;
 };
 
 /// The state of the page of bob weights. The sheet may be half filled: what is missing is named,

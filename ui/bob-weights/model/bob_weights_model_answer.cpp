@@ -65,6 +65,9 @@ QStringList BobWeightsModel::troubles() const {
         }
     }
     list << otherReadingsText();
+    for (const Message& message : bob_weights::not_counted(input())) {
+        list << Words().message(message);
+    }
     list << doubts() << bob_text::notGiven(Words(), solution())
          << bob_text::runWarnings(Words(), input(), solution())
          << bob_text::shortfalls(Words(), solution());

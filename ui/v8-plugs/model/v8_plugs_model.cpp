@@ -131,11 +131,8 @@ Json V8PlugsScene::write(const Input& input) {
     return write_input(input);
 }
 
-Result V8PlugsScene::solve(const Input& input) const {
-    return placing == nullptr
-               ? v8_plugs::solve(input, input.changes_known())
-               : v8_plugs::solve(input, input.changes_known(),
-                                 [this](const auto& search) { return placing->find(search); });
+Result V8PlugsScene::solve(const Input& input) {
+    return v8_plugs::solve(input, input.changes_known());
 }
 
 Json V8PlugsScene::solvedJson(const Json& input, const CaseContext& context) {

@@ -26,11 +26,10 @@ struct V8PlugsScene {
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
-    Solved solve(const Input& input) const;
+    static Solved solve(const Input& input);
     static Json solvedJson(const Json& input, const CaseContext& context);
 
     bool dated;
-    PlacingSearch* placing = nullptr;
 };
 
 /// The state of the V-8 workshop page.

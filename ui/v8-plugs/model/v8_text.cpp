@@ -96,66 +96,12 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
     return warnings;
 }
 
-namespace {
-/// Which of the changes typed the weights replace, and which of them still count.
-QStringList typedBesideWeights(const Words& words, const Input& input) {
-    QStringList replaced;
-    QStringList kept;
-    for (const MassChangeField& each : mass_change_fields()) {
-        const double typed = input.typed_changes.*each.member;
-        if (typed != 0.0 && !(each.repair_only && input.process == Process::manufacture)) {
-            (input.takes_typed(each.member) ? kept : replaced)
-                << inSentence(words.name(each.field)) + QLatin1Char(' ') + grams(words, typed);
-        }
-    }
+QStringList notCounted(const Words& words, const Input& input) {
     QStringList list;
-    if (!replaced.isEmpty()) {
-        list << words.translate("V8", "Typed, but replaced by the weights: %1.")
-                    .arg(replaced.join(QStringLiteral(", ")));
-    }
-    if (!kept.isEmpty()) {
-        list << (input.changes_known()
-                     ? words.translate("V8",
-                                       "The changes typed on sheet 1 count beside the weights: %1.")
-                     : words.translate("V8",
-                                       "Typed on sheet 1, but the weights are to count, and no "
-                                       "column of them is whole yet: %1."))
-                    .arg(kept.join(QStringLiteral(", ")));
+    for (const Message& message : v8_plugs::not_counted(input)) {
+        list << words.message(message);
     }
     return list;
-}
-}  // namespace
-
-QStringList notCounted(const Words& words, const Input& input) {
-    if (!input.weigh_in || input.weigh_in->is_empty()) {
-        return {};
-    }
-    if (!input.changes_from_weigh_in) {
-        return {words.translate(
-            "V8", "The weights of the parts do not count: the box on sheet 3 is off.")};
-    }
-    QStringList gaps = typedBesideWeights(words, input);
-    for (const Part part : all_parts) {
-        const PartColumn& column = (*input.weigh_in)[part];
-        if (column.is_complete() || column.is_empty()) {
-            continue;
-        }
-        const QString name = v8_names::partName(words, part);
-        const auto change = change_of(part, input.process);
-        const bool typed = change != nullptr && input.changes_known() &&
-                           input.takes_typed(change) && input.typed_changes.*change != 0.0;
-        gaps << (!column.nominal
-                     ? words.translate("V8", "%1: the weights do not count without a nominal mass.")
-                           .arg(name)
-                     : (typed
-                            ? words.translate(
-                                  "V8", "%1: %2 of 8 weighed; what was typed counts until all are.")
-                            : words.translate("V8",
-                                              "%1: %2 of 8 weighed; nominal counts until all are."))
-                           .arg(name)
-                           .arg(statistics(column)->count));
-    }
-    return gaps;
 }
 
 namespace {
@@ -472,8 +418,7 @@ std::optional<matching_text::Shown> matchingShown(const Input& input, const Resu
                                input.weigh_in->piston_sets,
                                input.weigh_in->rod_sets};
     matching_text::takeAsWeighed(
-        shown,
-        matching_task(*input.weigh_in, input.process, input.engine.rod_coefficient.value_or(0.0)),
+        shown, matching_task(*input.weigh_in, input.engine.rod_coefficient.value_or(0.0)),
         *input.weigh_in);
     return shown;
 }

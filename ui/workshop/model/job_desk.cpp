@@ -54,9 +54,6 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     draftTimer_.setInterval(draftDelay);
     connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::keepDraft);
     connect(model_, &SceneModel::changed, this, [this] {
-        if (isFollowing_) {
-            return;
-        }
         draftStale_ = true;
         isJournaled_ = false;
         // Not restarted by further changes: the first waits no longer than the delay.
@@ -74,12 +71,6 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
             writer_->discardDraft(journal_->session());
         }
     });
-}
-
-void JobDesk::withoutChange(const std::function<void()>& follow) {
-    isFollowing_ = true;
-    follow();
-    isFollowing_ = false;
 }
 
 JobDesk::~JobDesk() {

@@ -100,9 +100,6 @@ class JobDesk : public QObject {
     /// What it keeps for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
-    /// The model follows what was found without a change of what is on the sheet.
-    void withoutChange(const std::function<void()>& follow);
-
     /// Begins to write the draft now if something is not in it yet.
     void keepDraft();
     /// The same, and waits for it.
@@ -167,7 +164,6 @@ class JobDesk : public QObject {
     bool saving_ = false;
     bool opening_ = false;  // the journal, as soon as another program lets go of it
     int sheet_ = 0;         // counts the jobs that came onto the sheet
-    bool isFollowing_ = false;
 };
 
 }  // namespace ravnoves

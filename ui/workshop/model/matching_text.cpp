@@ -84,16 +84,8 @@ QStringList remarks(const Words& words, const Shown& shown) {
     }
     const bool byShaking = matched.goal == MatchingGoal::least_shaking;
     if (!matched.proven) {
-        list << (matched.goal == MatchingGoal::fewest_moves && matched.remark.empty()
-                     ? words.translate("Matching",
-                                       "Too many placings to try all: fewer moves may "
-                                       "be enough.")
-                     : words
-                           .translate("Matching",
-                                      "Too many placings to try all: another may be better, by %1 "
-                                      "at most.")
-                           .arg(byShaking ? forceOf(words, shown, matched.gap)
-                                          : gramsOf(words, matched.gap)));
+        list << words.translate("Matching",
+                                "Too many placings to try all: this is the best found.");
     }
     if (byShaking) {
         QStringList angles;

@@ -3,7 +3,6 @@
 #include "model/case_model.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/matching_text.h"
-#include "workshop/model/placing_search.h"
 
 namespace ravnoves {
 
@@ -12,7 +11,6 @@ namespace ravnoves {
 ///
 ///     bool dated;              // a new job is of today
 ///     void startJob(Input&) const;  // fills in what a new job has then
-///     PlacingSearch* placing;  // finds the best placing; null: solve() finds it itself
 ///     static Json solvedJson(const Json& input, const CaseContext&);  // throws InputError
 template <typename Scene>
 class WorkshopModel : public CaseModel<Scene> {
@@ -21,12 +19,6 @@ class WorkshopModel : public CaseModel<Scene> {
     using Solved = typename Scene::Solved;
 
     const Solved& solution() const { return this->solved(); }
-    /// The same with the best placing, though it may still be looked for.
-    Solved wholeSolution() const {
-        return isSearching() ? Scene{.dated = false}.solve(this->input()) : solution();
-    }
-    /// True while the best placing is still looked for.
-    bool isSearching() const { return placing_->isSearching(); }
 
     QString edit(const QString& name, const std::function<void(Input&)>& mutate,
                  const QString& title = {}) {
@@ -84,16 +76,11 @@ class WorkshopModel : public CaseModel<Scene> {
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
     WorkshopModel(const QString& journalPath, QObject* parent)
         : CaseModel<Scene>({.dated = !journalPath.isEmpty()}, parent),
-          placing_(new PlacingSearch(this)),
           desk_(this, journalPath,
                 {[this] { return journalEntry(); },
                  [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
                  [this] { return hasNumbers(); }, [this] { return answerLacks(); },
-                 [this](const CaseFile& file) { return isEngineOf(file); }}) {
-        this->scene().placing = placing_;
-        QObject::connect(placing_, &PlacingSearch::found, this,
-                         [this] { desk_.withoutChange([this] { this->solveAgain(); }); });
-    }
+                 [this](const CaseFile& file) { return isEngineOf(file); }}) {}
 
     void aboutToLoad() override {
         desk_.forgetJob();
@@ -143,7 +130,6 @@ class WorkshopModel : public CaseModel<Scene> {
     /// What the job of another engine of the kind keeps: nothing that was weighed or read.
     virtual Input nextOf(const Input& before) const = 0;
 
-    PlacingSearch* placing_;
     bool isLoading_ = false;
     /// Of readings that do not say it: that of the case as it came.
     std::optional<double> bobWeightAsLoaded_;
