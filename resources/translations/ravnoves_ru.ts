@@ -273,10 +273,6 @@
         <translation>Этого достаточно для допустимого остатка в плоскости при радиусе кривошипа до %1.</translation>
     </message>
     <message>
-        <source>For each of the %1 pairs of crankpins split by %2, half of it on either.</source>
-        <translation>На каждую пару шеек, разведённых на %2 (пар: %1), по половине на шейку.</translation>
-    </message>
-    <message>
         <source>The bob weight still needs: %1</source>
         <translation>Для груза ещё нужны: %1</translation>
     </message>
@@ -1101,14 +1097,6 @@
         <translation>Детали остаются на местах: разница между шейками %1.</translation>
     </message>
     <message>
-        <source>Too many placings to try all: fewer moves may be enough.</source>
-        <translation>Расстановок слишком много, чтобы перебрать все: может хватить и меньшего числа перестановок.</translation>
-    </message>
-    <message>
-        <source>Too many placings to try all: another may be better, by %1 at most.</source>
-        <translation>Расстановок слишком много, чтобы перебрать все: другая может быть лучше, но не более чем на %1.</translation>
-    </message>
-    <message>
         <source>Throws from the front at %1.</source>
         <translation>Углы колен, считая спереди: %1.</translation>
     </message>
@@ -1251,6 +1239,10 @@
     <message>
         <source>Matched parts: applied, the weights are moved</source>
         <translation>Подобранные детали: переставлены</translation>
+    </message>
+    <message>
+        <source>Too many placings to try all: this is the best found.</source>
+        <translation>Расстановок слишком много, чтобы перебрать все: это лучшая из найденных.</translation>
     </message>
 </context>
 <context>
@@ -1983,18 +1975,6 @@
         <translation>изменения масс (лист 1) или массы деталей (лист 3)</translation>
     </message>
     <message>
-        <source>The weights of the parts do not count: the box on sheet 3 is off.</source>
-        <translation>Массы деталей не учитываются: флажок на листе 3 снят.</translation>
-    </message>
-    <message>
-        <source>Typed, but replaced by the weights: %1.</source>
-        <translation>Введено, но заменено взвешенным: %1.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 8 weighed; what was typed counts until all are.</source>
-        <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое.</translation>
-    </message>
-    <message>
         <source>(!) After equals nominal by the method alone.</source>
         <translation>(!) После равно номиналу лишь по методу.</translation>
     </message>
@@ -2131,16 +2111,8 @@
         <translation>После было бы равно номиналу, но изготовить это нельзя.</translation>
     </message>
     <message>
-        <source>Typed on sheet 1, but the weights are to count, and no column of them is whole yet: %1.</source>
-        <translation>Введено на листе 1, но считаются взвешивания, а ни одна их колонка ещё не полна: %1.</translation>
-    </message>
-    <message>
         <source>V-8 of %1 litres</source>
         <translation>V-8, %1 л</translation>
-    </message>
-    <message>
-        <source>The changes typed on sheet 1 count beside the weights: %1.</source>
-        <translation>Изменения масс, введённые на листе 1, учитываются вместе со взвешенным: %1.</translation>
     </message>
     <message>
         <source>Of the bore that is there.</source>
@@ -2209,6 +2181,30 @@
     <message>
         <source>With the plug&apos;s sizes and the cutter given it is one mass and a depth.</source>
         <translation>Если задать размеры пробки и фрезу, получится одно значение массы и глубина.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is replaced by the weights.</source>
+        <translation>%1: введённое %2 заменено взвешенным.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 does not count in manufacture.</source>
+        <translation>%1: введённое %2 при изготовлении не учитывается.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 counts beside the weights.</source>
+        <translation>%1: введённое %2 учитывается вместе со взвешенным.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 does not count yet. The weights are to count, and no column is complete.</source>
+        <translation>%1: введённое %2 пока не учитывается. Считаются взвешивания, а ни одна колонка ещё не полна.</translation>
+    </message>
+    <message>
+        <source>The weights do not count: the typed mass changes are used.</source>
+        <translation>Взвешенное не учитывается: используются введённые изменения масс.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; the typed change counts until all are.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое изменение.</translation>
     </message>
 </context>
 <context>
@@ -3728,10 +3724,6 @@
         <translation>&amp;Шатунов на грузе</translation>
     </message>
     <message>
-        <source>Two where a crankpin, or a pair of split crankpins, carries two rods.</source>
-        <translation>Два, если на шейке или на паре разведённых шеек два шатуна.</translation>
-    </message>
-    <message>
         <source>Crankpin &amp;split δ</source>
         <translation>Разве&amp;дение шеек δ</translation>
     </message>
@@ -4278,6 +4270,26 @@
     <message>
         <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it %1 at the radius remain at %2. Press heavy metal in opposite, or as a last resort weld that much on there.</source>
         <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края остаётся %1 на радиусе под углом %2. Запрессуйте напротив тяжёлый металл или, в последнюю очередь, наварите там столько же.</translation>
+    </message>
+    <message>
+        <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. The part that turns with it is smaller, %4, even at 0 %: no factor makes both equal. With a balance shaft that turns against the crank it is 50 %.</source>
+        <translation>Разведённые шейки: при развале %1 и разведении %2 против вала вращается часть %3 возвратно-поступательной массы. Часть, что вращается с валом, меньше, %4, даже при 0 %: ни один коэффициент не сделает их равными. С уравновешивающим валом, вращающимся против коленчатого, это 50 %.</translation>
+    </message>
+    <message>
+        <source>Two where two rods share a crankpin. Of split crankpins each carries one rod and one bob weight.</source>
+        <translation>Два, если на шейке два шатуна. На каждой из разведённых шеек один шатун и один груз.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is replaced by the weights.</source>
+        <translation>%1: введённое %2 заменено взвешенным.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 weighed; the typed mass counts until all are.</source>
+        <translation>%1: взвешено %2 из %3; пока не все, учитывается введённая масса.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 weighed; they do not count until all are.</source>
+        <translation>%1: взвешено %2 из %3; пока не все, они не учитываются.</translation>
     </message>
 </context>
 <context>
@@ -12394,10 +12406,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The weights go back to the cylinders that they were weighed in.</source>
         <translation>Массы возвращаются к цилиндрам, в которых их взвесили.</translation>
-    </message>
-    <message>
-        <source>Looking for the best placing…</source>
-        <translation>Ищется лучшая расстановка…</translation>
     </message>
     <message>
         <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
