@@ -1,6 +1,10 @@
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <csignal>
@@ -13,6 +17,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/json_text.h"
+#include "case-file/system_fault.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "given_case.h"
@@ -61,7 +66,7 @@ class ProgressLine {
         }
         last_ = now;
         shown_ = true;
-        const auto per_thousand = 1000 * (part.done - part.from) / (part.to - part.from);
+        const auto per_thousand = static_cast<int>(1000.0 * studies::share_done(part));
         std::cerr << "\rstudy: " << per_thousand / 10 << '.' << per_thousand % 10 << " %  "
                   << std::flush;
     }
@@ -81,10 +86,81 @@ class ProgressLine {
     bool shown_ = false;
 };
 
-bool is_same_work(const Part& one, const Part& other) {
-    return one.origin == other.origin && one.study == other.study && one.shard == other.shard &&
-           one.shards == other.shards;
-}
+/// Of a file of progress, which its text names.
+struct ProgressError : InputError {
+    using InputError::InputError;
+};
+
+/// What a study with an output has done, in a file beside that, so that it goes on from there. No
+/// other study touches it: it is locked while a study runs, and is refused where it is another's.
+class Progress {
+  public:
+    /// @throws ProgressError where another study is at work for that output
+    explicit Progress(const std::string& output)
+        : path_(output + ".unfinished"), lock_path_(path_ + ".lock") {
+        constexpr unsigned rights = 0666;
+        lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, rights);
+        if (lock_ < 0) {
+            throw ProgressError(
+                lock_path_, {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)});
+        }
+        const bool locked = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        struct stat now {};
+        const bool removed = ::fstat(lock_, &now) == 0 && now.st_nlink == 0;  // by one that ends
+        if (locked || removed) {
+            ::close(lock_);
+            throw ProgressError(output, "is being written by another study; choose another file");
+        }
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() {
+        ::unlink(lock_path_.c_str());
+        ::close(lock_);
+    }
+
+    /// The part as an interrupted run of the same study left it.
+    /// @throws ProgressError where the file is anything else
+    std::optional<Part> left_of(const studies::Problem& problem, std::uint64_t shard,
+                                std::uint64_t shards) const {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path_, ignored)) {
+            return std::nullopt;
+        }
+        Part part;
+        try {
+            part = studies::read_part(parse_json(read_text_file(path_)));
+        } catch (const InputError&) {
+            throw ProgressError(path_,
+                                "is not what an interrupted study leaves, and would be written "
+                                "over; move it or choose another file");
+        }
+        if (part.origin != problem.origin || part.study != problem.study || part.shard != shard ||
+            part.shards != shards) {
+            throw ProgressError(path_,
+                                "belongs to another study, or to this one before its case "
+                                "changed; move it or choose another file");
+        }
+        return part;
+    }
+    void keep(const Part& part) const {
+        try {
+            write_text_file(path_,
+                            json_text(studies::write_part(part), JsonLayout::one_line) + "\n");
+        } catch (const InputError& error) {
+            throw ProgressError(path_, error.allowed_message());
+        }
+    }
+    void remove() const {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+
+  private:
+    std::string path_;
+    std::string lock_path_;
+    int lock_ = -1;
+};
 
 class StudyCommand final : public Command {
   public:
@@ -143,7 +219,7 @@ class StudyCommand final : public Command {
         const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
         const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
         if (!slash || second.ec != std::errc{} || second.ptr != end || shard.number < 1 ||
-            shard.number > shard.of || shard.of > studies::most_shards) {
+            shard.number > shard.of || shard.of > studies::most_blocks) {
             throw CLI::ValidationError("--shard",
                                        "must be K/N with K from 1 to N, got " + shard_text_);
         }
@@ -174,77 +250,51 @@ class StudyCommand final : public Command {
                 return exit_bad_input;
             }
             return run_problem(studies::problem_of(file, context, text));
+        } catch (const ProgressError& error) {
+            complain("", error.what());
         } catch (const InputError& error) {
-            complain(error.where() == unfinished_path() ? "" : case_path_, error.what());
-            return exit_bad_input;
+            complain(case_path_, error.what());
         }
+        return exit_bad_input;
     }
 
     int run_problem(const studies::Problem& problem) {
-        Part part = resumed(problem);
-        const bool keeps = keeps_what_is_done();
-        auto kept = Clock::now();
-        {
-            ProgressLine line;
-            const std::optional<StopNoted> noted =
-                keeps ? std::optional<StopNoted>(std::in_place) : std::nullopt;
-            if (part.shard == 1 && !part.robust_best && studies::asks_for_robust_best(problem)) {
-                part.robust_best =
-                    studies::find_robust_best(problem, threads_, [] { return stop_signal == 0; });
-            }
-            studies::run_part(problem, part, threads_, [&](const Part& now) {
-                line.show(now);
-                constexpr auto often = std::chrono::seconds(5);
-                if (keeps && (stop_signal != 0 || Clock::now() - kept > often) && !now.finished()) {
-                    write_text_file(
-                        unfinished_path(),
-                        json_text(studies::write_part(now), JsonLayout::one_line) + "\n");
-                    kept = Clock::now();
-                }
-                return stop_signal == 0;
-            });
-        }
+        const Shard shard = read_shard();
+        std::error_code ignored;
+        const bool keeps = !output_path_.empty() &&
+                           (!std::filesystem::exists(output_path_, ignored) ||
+                            std::filesystem::is_regular_file(output_path_, ignored));
+        auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
+        auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
+        Part part = left ? std::move(*left)
+                         : studies::begin_part(problem, shard.number, shard.of, threads_);
+        run(problem, part, progress.get());
         if (stop_signal != 0 && !part.finished()) {
+            progress.reset();
             std::raise(stop_signal);
             return exit_bad_input;
         }
         const int status = deliver(part);
         if (status == exit_done && keeps) {
-            std::error_code ignored;
-            std::filesystem::remove(unfinished_path(), ignored);
+            progress->remove();
         }
         return status;
     }
 
-    bool keeps_what_is_done() const {
-        std::error_code ignored;
-        return !output_path_.empty() && (!std::filesystem::exists(output_path_, ignored) ||
-                                         std::filesystem::is_regular_file(output_path_, ignored));
-    }
-    std::string unfinished_path() const { return output_path_ + ".unfinished"; }
-
-    /// The part as an interrupted run left it, or a new one.
-    Part resumed(const studies::Problem& problem) const {
-        const Shard shard = read_shard();
-        std::error_code ignored;
-        if (keeps_what_is_done() && std::filesystem::exists(unfinished_path(), ignored)) {
-            try {
-                Part part = studies::read_part(parse_json(read_text_file(unfinished_path())));
-                Part wanted;
-                wanted.origin = problem.origin;
-                wanted.study = problem.study;
-                wanted.shard = shard.number;
-                wanted.shards = shard.of;
-                if (is_same_work(part, wanted)) {
-                    return part;
-                }
-            } catch (const InputError&) {
-                throw InputError(unfinished_path(),
-                                 "is not what an interrupted study leaves, and would be written "
-                                 "over; move it or choose another file");
+    void run(const studies::Problem& problem, Part& part, const Progress* progress) const {
+        auto kept = Clock::now();
+        ProgressLine line;
+        const auto noted = progress != nullptr ? std::make_unique<StopNoted>() : nullptr;
+        studies::run_part(problem, part, threads_, [&](const Part& now) {
+            line.show(now);
+            constexpr auto often = std::chrono::seconds(5);
+            if (progress != nullptr && (stop_signal != 0 || Clock::now() - kept > often) &&
+                !now.finished()) {
+                progress->keep(now);
+                kept = Clock::now();
             }
-        }
-        return studies::begin_part(problem, shard.number, shard.of, threads_);
+            return stop_signal == 0;
+        });
     }
 
     int merge() {

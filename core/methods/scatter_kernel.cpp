@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "methods/definition.h"
-#include "studies/exact_sum.h"
 #include "studies/method_choices.h"
 #include "studies/sampler.h"
 #include "studies/taylor.h"
@@ -147,31 +146,29 @@ class CaseResponse final : public Response {
     int asked_ = 0;
 };
 
-/// Nothing where the values are beyond what numbers hold.
-std::optional<studies::Taylor::Propagated> expanded(CaseResponse& response,
-                                                    const std::vector<Law>& laws, bool second) {
-    constexpr std::array<double, 1> no_angle{};
-    studies::Differences differences(response, laws, 1);
-    return differences.expand(no_angle, second).front().propagated(laws, second);
-}
-
-Method<ScatterCase> expansion(MethodInfo info, bool second) {
+/// By the slopes at the nominal; nothing where the values are beyond what numbers hold.
+Method<ScatterCase> expansion(MethodInfo info) {
     Method<ScatterCase> method;
     method.info = std::move(info);
-    method.prepare = [second](const ScatterCase& of, const Setting&) -> Run {
-        return [of, second, laws = of.laws()](std::span<double> out) {
+    const auto expanded = [](CaseResponse& response, const std::vector<Law>& laws) {
+        constexpr std::array<double, 1> no_angle{};
+        return studies::expand(response, laws, no_angle).front();
+    };
+    method.prepare = [expanded](const ScatterCase& of, const Setting&) -> Run {
+        return [of, expanded, laws = of.laws()](std::span<double> out) {
             for (std::size_t seed = 0; seed < seeds; ++seed) {
                 CaseResponse response(of);
-                const auto found = expanded(response, laws, second);
-                out[2 * seed] = found ? found->mean : nothing;
+                const studies::Taylor taylor = expanded(response, laws);
+                const auto found = taylor.propagated(laws);
+                out[2 * seed] = found ? *taylor.value : nothing;
                 out[2 * seed + 1] = found ? found->deviation : nothing;
             }
             return Message();
         };
     };
-    method.operations = [second](const ScatterCase& of, const Setting&) {
+    method.operations = [expanded](const ScatterCase& of, const Setting&) {
         CaseResponse response(of);
-        expanded(response, of.laws(), second);
+        expanded(response, of.laws());
         constexpr double extrapolation = 200.0;
         return response.asked() * of.operations() +
                static_cast<double>(of.inputs()) * extrapolation;
@@ -189,9 +186,9 @@ Method<ScatterCase> sampled(MethodInfo info, studies::Method points, double poin
                 samples = static_cast<std::uint64_t>(setting.value)](std::span<double> out) {
             std::vector<double> u(laws.size());
             for (std::size_t seed = 0; seed < seeds; ++seed) {
-                studies::Sampler sampler(points, samples, seed, laws.size());
-                studies::ExactSum sum;
-                studies::ExactSum squares;
+                studies::Sampler sampler(points, seed, laws.size());
+                double sum = 0.0;
+                double squares = 0.0;
                 double first = 0.0;
                 for (std::uint64_t i = 0; i < samples; ++i) {
                     sampler.point(i, u);
@@ -204,14 +201,14 @@ Method<ScatterCase> sampled(MethodInfo info, studies::Method points, double poin
                         return Message();
                     }
                     first = i == 0 ? value : first;
-                    sum.add(value - first);
-                    squares.add((value - first) * (value - first));
+                    sum += value - first;
+                    squares += (value - first) * (value - first);
                 }
                 const auto n = static_cast<double>(samples);
-                const double mean = sum.value() / n;
+                const double mean = sum / n;
                 out[2 * seed] = first + mean;
                 out[2 * seed + 1] =
-                    std::sqrt(std::max(0.0, squares.value() - n * mean * mean) / (n - 1.0));
+                    std::sqrt(std::max(0.0, squares - n * mean * mean) / (n - 1.0));
             }
             return Message();
         };
@@ -278,24 +275,13 @@ Kernel scatter_kernel() {
                    CORE_TEXT("methods",
                              "knows nothing of what lies away from the nominal: a jump, a corner, "
                              "a curve"),
-                   once, false},
-                  false),
-        expansion(
-            {"second-order", CORE_TEXT("methods", "slopes and curvatures"),
-             CORE_TEXT("methods", "follows a curve, but neither a jump nor a corner"), once, false},
-            true),
+                   once, false}),
         sampled(
             {"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
              CORE_TEXT("methods",
                        "always right in the end, but a digit costs a hundred times the samples"),
              counted(samples, {64, 256, 1024, 8192}), true},
             studies::Method::monte_carlo, 60.0),
-        sampled({"latin-hypercube", CORE_TEXT("methods", "Latin hypercube"),
-                 CORE_TEXT("methods",
-                           "better than Monte Carlo where the inputs act by themselves; what they "
-                           "do together it leaves to chance"),
-                 counted(samples, {64, 256, 1024, 4096}), true},
-                studies::Method::latin_hypercube, 150.0),
         sampled({"sobol", CORE_TEXT("methods", "scrambled Sobol points"),
                  CORE_TEXT("methods",
                            "a digit costs some ten times the samples; across a jump a little more"),

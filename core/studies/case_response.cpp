@@ -76,9 +76,6 @@ class CaseResponse final : public Response {
   public:
     CaseResponse(const SceneSolver& solver, Json input, CaseContext context, const Study& study)
         : solver_(solver), input_(std::move(input)), context_(std::move(context)) {
-        for (const Varied& varied : study.vary) {  // an angle to be chosen may have stood nowhere
-            input_[Pointer(varied.pointer)] = 0.0;
-        }
         for (const Varied& varied : study.vary) {
             slots_.push_back(&input_.at(Pointer(varied.pointer)));
         }
@@ -134,7 +131,7 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
         }
         nominal.push_back(input.at(place).get<double>());
         const Law law = law_of(varied, nominal.back());
-        if (varied.spread != Varied::Spread::grid && !std::isfinite(law.fourth_moment)) {
+        if (varied.spread != Varied::Spread::grid && !std::isfinite(law.deviation * law.deviation)) {
             throw InputError(vary_place(varied.pointer),
                              CORE_TEXT("studies",
                                        "must scatter less: its moments are no numbers "
@@ -166,18 +163,6 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
     return values;
 }
 
-/// Makes responses of the inputs that a study varies.
-MakeResponse responses_of(const SceneSolver& solver, const CaseFile& file,
-                          const CaseContext& context, const Study& study) {
-    return [&solver, file, context, study]() -> std::unique_ptr<Response> {
-        if (auto quick =
-                quick_response(file, context, pointers_of(study.vary), pointers_of(study.watch))) {
-            return quick;
-        }
-        return std::make_unique<CaseResponse>(solver, file.input, context, study);
-    };
-}
-
 }  // namespace
 
 Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text) {
@@ -197,39 +182,14 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
         problem.origin.files_sha256.emplace_back(path.filename().string(),
                                                  sha256(read_text_file(path)));
     }
-    problem.make = responses_of(solver, file, context, problem.study);
+    problem.make = [&solver, file, context, study = problem.study]() -> std::unique_ptr<Response> {
+        if (auto quick =
+                quick_response(file, context, pointers_of(study.vary), pointers_of(study.watch))) {
+            return quick;
+        }
+        return std::make_unique<CaseResponse>(solver, file.input, context, study);
+    };
     problem.file_notes = file_notes(file, context);
-    if (const auto choice = best_choice(file)) {
-        Study tried{.vary = problem.study.vary,
-                    .watch = {{.pointer = choice->value}, {.pointer = choice->amplitude}}};
-        if (std::none_of(tried.vary.begin(), tried.vary.end(),
-                         [&](const Varied& each) { return each.pointer == choice->input; })) {
-            tried.vary.push_back({.pointer = choice->input});
-        }
-        problem.choice = {.input = choice->input,
-                          .value = choice->value,
-                          .make = responses_of(solver, file, context, tried)};
-        problem.choice->make_buildable = [file, context, vary = tried.vary] {
-            return quick_buildable(file, context, pointers_of(vary));
-        };
-        const SaidMessages said;
-        const Json result = solver.solve(
-            file.input, context, Wanted({choice->best, choice->best_buildable, choice->buildable}));
-        const Pointer stretches(choice->buildable);
-        const bool knows = result.contains(stretches) && result.at(stretches).is_array();
-        problem.choice->nominal_best =
-            number_at(result, Pointer(knows ? choice->best_buildable : choice->best));
-        if (knows) {
-            problem.choice->buildable.emplace();
-            for (const Json& each : result.at(stretches)) {
-                problem.choice->buildable->emplace_back(each.at(0).get<double>(),
-                                                        each.at(1).get<double>());
-            }
-            if (problem.choice->buildable->empty()) {
-                problem.choice->unbuildable = why_missing(result, stretches, said);
-            }
-        }
-    }
     return problem;
 }
 

@@ -19,12 +19,7 @@ Law law_of(const Varied& varied, double nominal) {
     Law law;
     if (varied.spread == Spread::normal) {
         const double size = varied.size;
-        return {true,
-                nominal,
-                size,
-                3.0 * std::pow(size, 4),
-                nominal - 3.0 * size,
-                nominal + 3.0 * size};
+        return {true, nominal, size, nominal - 3.0 * size, nominal + 3.0 * size};
     }
     law.low = varied.from;
     law.high = varied.to;
@@ -37,7 +32,6 @@ Law law_of(const Varied& varied, double nominal) {
     const double width = law.high - law.low;
     law.mean = law.low + 0.5 * width;
     law.deviation = width / std::sqrt(12.0);
-    law.fourth_moment = std::pow(width, 4) / 80.0;
     return law;
 }
 

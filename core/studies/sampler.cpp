@@ -2,8 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <boost/random/sobol.hpp>
-#include <vector>
 
 namespace ravnoves::studies {
 
@@ -70,105 +68,38 @@ double CounterRandom::uniform(std::uint64_t sample, std::uint32_t stream,
     return to_unit(bits(sample, stream, place));
 }
 
-struct Sampler::Points {
-    Points() = default;
-    Points(const Points&) = delete;
-    Points& operator=(const Points&) = delete;
-    virtual ~Points() = default;
-    virtual void point(std::uint64_t sample, std::span<double> u) = 0;
-};
-
-namespace {
-
-struct MonteCarloPoints final : Sampler::Points {
-    explicit MonteCarloPoints(std::uint64_t seed) : random(seed) {}
-    void point(std::uint64_t sample, std::span<double> u) override {
-        for (std::size_t j = 0; j < u.size(); ++j) {
-            u[j] = random.uniform(sample, 0, static_cast<std::uint32_t>(j));
-        }
+Sampler::Sampler(Method method, std::uint64_t seed, std::size_t inputs) : random_(seed) {
+    if (method != Method::sobol) {
+        return;
     }
-    CounterRandom random;
-};
-
-struct LatinPoints final : Sampler::Points {
-    LatinPoints(std::uint64_t samples, std::uint64_t seed)
-        : count(samples),
-          low_bits(static_cast<int>(std::bit_width(samples - 1)) / 2),
-          high_bits(static_cast<int>(std::bit_width(samples - 1)) - low_bits),
-          key(seed),
-          random(seed) {}
-
-    /// The place of a sample in the order of one input: a Feistel network over the next power of
-    /// two, walked until it meets the samples again.
-    std::uint64_t place(std::uint64_t sample, std::uint64_t input) const {
-        const std::uint64_t low_mask = (std::uint64_t{1} << low_bits) - 1;
-        const std::uint64_t high_mask = (std::uint64_t{1} << high_bits) - 1;
-        std::uint64_t x = sample;
-        do {
-            std::uint64_t low = x & low_mask;
-            std::uint64_t high = x >> low_bits;
-            for (std::uint64_t round = 0; round < 4; ++round) {
-                const std::uint64_t round_key = key ^ mix(8 * input + 2 * round);
-                high ^= mix(low ^ round_key) & high_mask;
-                low ^= mix(high ^ ~round_key) & low_mask;
-            }
-            x = (high << low_bits) | low;
-        } while (x >= count);
-        return x;
-    }
-    void point(std::uint64_t sample, std::span<double> u) override {
-        for (std::size_t j = 0; j < u.size(); ++j) {
-            const double within = random.uniform(sample, 0, static_cast<std::uint32_t>(j));
-            u[j] = (static_cast<double>(place(sample, j)) + within) / static_cast<double>(count);
-        }
-    }
-
-    std::uint64_t count;
-    int low_bits;
-    int high_bits;
-    std::uint64_t key;
-    CounterRandom random;
-};
-
-struct SobolPoints final : Sampler::Points {
-    SobolPoints(std::uint64_t seed, std::size_t inputs) : engine(inputs) {
-        for (std::size_t j = 0; j < inputs; ++j) {
-            keys.push_back(mix(mix(seed) + j));
-        }
-    }
-    void point(std::uint64_t sample, std::span<double> u) override {
-        // The library leaves out the first point, 0.
-        if (sample != 0 && (sample != next || next == 1)) {
-            engine.seed(sample - 1);
-        }
-        for (std::size_t j = 0; j < u.size(); ++j) {
-            u[j] = to_unit(scrambled(sample == 0 ? 0 : engine(), keys[j]));
-        }
-        next = sample + 1;
-    }
-
-    boost::random::sobol engine;
-    std::vector<std::uint64_t> keys;
-    std::uint64_t next = 1;  ///< sample that the engine gives without a jump
-};
-
-}  // namespace
-
-Sampler::Sampler(Method method, std::uint64_t samples, std::uint64_t seed, std::size_t inputs) {
-    if (method == Method::monte_carlo) {
-        points_ = std::make_unique<MonteCarloPoints>(seed);
-    } else if (method == Method::latin_hypercube) {
-        points_ = std::make_unique<LatinPoints>(samples, seed);
-    } else {
-        points_ = std::make_unique<SobolPoints>(seed, inputs);
+    sobol_.emplace(inputs);
+    point_.resize(inputs);
+    for (std::size_t i = 0; i < replicates * inputs; ++i) {
+        keys_.push_back(mix(mix(seed) + i));
     }
 }
-Sampler::~Sampler() = default;
-Sampler::Sampler(Sampler&&) noexcept = default;
-Sampler& Sampler::operator=(Sampler&&) noexcept = default;
 
 void Sampler::point(std::uint64_t sample, std::span<double> u) {
-    points_->point(sample, u);
+    if (!sobol_) {
+        for (std::size_t j = 0; j < u.size(); ++j) {
+            u[j] = random_.uniform(sample, 0, static_cast<std::uint32_t>(j));
+        }
+        return;
+    }
+    const std::uint64_t number = sample / replicates;
+    if (number != at_) {
+        if (number != at_ + 1) {
+            sobol_->seed(number == 0 ? 0 : number - 1);  // the library leaves out the first point
+        }
+        for (std::uint64_t& each : point_) {
+            each = number == 0 ? 0 : (*sobol_)();
+        }
+        at_ = number;
+    }
+    const std::uint64_t* key = keys_.data() + (sample % replicates) * u.size();
+    for (std::size_t j = 0; j < u.size(); ++j) {
+        u[j] = to_unit(scrambled(point_[j], key[j]));
+    }
 }
 
 }  // namespace ravnoves::studies

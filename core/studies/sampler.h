@@ -1,8 +1,10 @@
 #pragma once
 
+#include <boost/random/sobol.hpp>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "studies/study.h"
 
@@ -20,27 +22,29 @@ class CounterRandom {
     std::uint64_t seed_;
 };
 
+/// Sample i belongs to replicate i mod 8: samples of one are independent of those of another, of
+/// Sobol points too. So what replicates differ by is the error of what they have in common.
+inline constexpr std::size_t replicates = 8;
+
 /// The points of a sampled study in the unit cube, any of them at once: sample i depends on the
-/// seed and on i alone (for a Latin hypercube on the number of samples too).
+/// seed and on i alone.
 ///
-/// Monte Carlo: CounterRandom. Latin hypercube: for each input a permutation of the samples by a
-/// Feistel network, so nothing is stored. Sobol: Boost.Random's points, each coordinate scrambled
-/// by a hash that approximates Owen's [burley]: without bias, for smooth functions with an
-/// error near N^−1.5.
+/// Monte Carlo: CounterRandom. Sobol: Boost.Random's points, those of each replicate scrambled by
+/// keys of their own by a hash that approximates Owen's [burley]: without bias, for smooth
+/// functions with an error near N^−1.5.
 class Sampler {
   public:
-    Sampler(Method method, std::uint64_t samples, std::uint64_t seed, std::size_t inputs);
-    ~Sampler();
-    Sampler(Sampler&&) noexcept;
-    Sampler& operator=(Sampler&&) noexcept;
+    Sampler(Method method, std::uint64_t seed, std::size_t inputs);
 
     /// Fast where the samples are asked for one after the other.
     void point(std::uint64_t sample, std::span<double> u);
 
-    struct Points;
-
   private:
-    std::unique_ptr<Points> points_;
+    CounterRandom random_;
+    std::optional<boost::random::sobol> sobol_;
+    std::vector<std::uint64_t> keys_;   ///< by replicate, then input
+    std::vector<std::uint64_t> point_;  ///< of all replicates, before it is scrambled
+    std::uint64_t at_ = 0;              ///< its number
 };
 
 }  // namespace ravnoves::studies

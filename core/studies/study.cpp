@@ -18,9 +18,7 @@ constexpr std::size_t most_watched = 32;
 
 constexpr std::array methods{
     Word{"linear", CORE_TEXT("studies", "Linear")},
-    Word{"second-order", CORE_TEXT("studies", "Second order")},
     Word{"monte-carlo", CORE_TEXT("studies", "Monte Carlo")},
-    Word{"latin-hypercube", CORE_TEXT("studies", "Latin hypercube")},
     Word{"sobol", CORE_TEXT("studies", "Sobol points")},
     Word{"grid", CORE_TEXT("studies", "Grid")},
 };
@@ -61,6 +59,23 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, 
                          show(value));
     }
     return number;
+}
+
+/// Methods of older cases.
+void refuse_former_method(ObjectReader& reader) {
+    const Json& method = reader.raw("method");
+    if (method == "second-order") {
+        throw InputError(reader.pointer_to("method"),
+                         CORE_TEXT("studies",
+                                   "must be \"linear\" or \"sobol\": second-order studies are no "
+                                   "longer supported"));
+    }
+    if (method == "latin-hypercube") {
+        throw InputError(reader.pointer_to("method"),
+                         CORE_TEXT("studies",
+                                   "must be \"sobol\" or \"monte-carlo\": Latin hypercubes are no "
+                                   "longer supported"));
+    }
 }
 
 Varied read_varied(const std::string& pointer, ObjectReader reader) {
@@ -227,6 +242,7 @@ Study read_study(const Json& json, bool half_filled) {
     const bool is_grid = !study.vary.empty() && study.vary.front().spread == Varied::Spread::grid;
     study.method = is_grid ? Method::grid : Method::sobol;
     if (given) {
+        refuse_former_method(reader);
         study.method = static_cast<Method>(reader.choice("method", method_words()));
     }
     study.samples = whole(reader, "samples", 1, most_samples, study.samples);

@@ -46,19 +46,16 @@ struct Watched {
 std::optional<double> upper_across_zero(const Watched& watched);
 
 enum class Method {
-    linear,           ///< derivatives at the nominal
-    second_order,     ///< second derivatives as well
-    monte_carlo,      ///< independent points
-    latin_hypercube,  ///< every input's n-th parts met once each
-    sobol,            ///< scrambled Sobol points
-    grid,             ///< every combination of the values
+    linear,       ///< derivatives at the means
+    monte_carlo,  ///< independent points
+    sobol,        ///< scrambled Sobol points
+    grid,         ///< every combination of the values
 };
 
 /// The words of the methods, in the order of the enumeration, with their names.
 std::span<const Word> method_words();
 inline bool is_sampled(Method method) {
-    return method == Method::monte_carlo || method == Method::latin_hypercube ||
-           method == Method::sobol;
+    return method == Method::monte_carlo || method == Method::sobol;
 }
 
 /// "study" of a case.
@@ -66,14 +63,14 @@ struct Study {
     std::vector<Varied> vary;
     std::vector<Watched> watch;
     Method method = Method::sobol;
-    std::uint64_t samples = 10'000;  ///< 1 … 10¹²
+    std::uint64_t samples = 10'000;  ///< 1 … 10⁹
     std::uint64_t seed = 1;          ///< 0 … 2⁶³ − 1
 
     std::uint64_t points() const;  ///< the samples, or of a grid its points
     friend bool operator==(const Study&, const Study&) = default;
 };
 
-inline constexpr std::uint64_t most_samples = 1'000'000'000'000;
+inline constexpr std::uint64_t most_samples = 1'000'000'000;
 inline constexpr std::uint64_t most_grid_points = 1'000'000;
 
 /// @param half_filled  nothing needs to be varied or watched yet

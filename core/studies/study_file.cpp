@@ -7,8 +7,9 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/key_units.h"
+#include "case-file/json_text.h"
 #include "case-file/object_reader.h"
+#include "case-file/sha256.h"
 #include "studies/study_run.h"
 
 namespace ravnoves::studies {
@@ -18,10 +19,16 @@ namespace {
 constexpr std::string_view study_format = "ravnoves-study";
 constexpr std::string_view part_format = "ravnoves-study-part";
 constexpr int study_version = 1;
+constexpr int part_version = 2;
+constexpr Text not_ours = CORE_TEXT("studies", "is not what this program writes");
 
 template <typename Value>
 Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
+}
+
+std::optional<double> read_optional(const Json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 Json write_files(const Origin& origin) {
@@ -33,109 +40,64 @@ Json write_files(const Origin& origin) {
 }
 
 Json write_basis(const Basis& basis) {
-    Json json = {{"evaluations", basis.evaluations},
-                 {"refused", write_refusals(basis.refusals)},
-                 {"tried", basis.tried},
-                 {"tried_refused", basis.tried_refused},
-                 {"laws", Json::array()},
-                 {"values", Json::array()}};
+    Json json = {{"laws", Json::array()},
+                 {"values", Json::array()},
+                 {"distances", basis.distances},
+                 {"refused", write_refusals(basis.refusals)}};
     for (const Law& law : basis.laws) {
-        json["laws"].push_back({{"normal", law.normal},
-                                {"mean", law.mean},
-                                {"deviation", law.deviation},
-                                {"fourth_moment", law.fourth_moment},
-                                {"low", law.low},
-                                {"high", law.high}});
+        json["laws"].push_back({law.normal, law.mean, law.deviation, law.low, law.high});
     }
     for (std::size_t w = 0; w < basis.nominal.size(); ++w) {
-        Json value = {{"nominal", or_null(basis.nominal[w])}, {"period", basis.periods[w]}};
-        if (w < basis.expansions.size()) {
+        Json value = {{"nominal", or_null(basis.nominal[w])}};
+        if (w < basis.plan.size()) {
+            const CountingPlan& plan = basis.plan[w];
             const Taylor& expansion = basis.expansions[w];
             Json slopes = Json::array();
             for (const auto& slope : expansion.slopes) {
                 slopes.push_back(slope ? Json::array({slope->value, slope->error}) : Json(nullptr));
             }
-            value["expansion"] = {{"value", or_null(expansion.value)},
-                                  {"slopes", std::move(slopes)},
-                                  {"curvatures", expansion.curvatures},
-                                  {"crossed", expansion.crossed}};
-        }
-        if (w < basis.departures.size()) {
-            const Departure& departure = basis.departures[w];
-            value["departure"] = {
-                {"kind", static_cast<int>(departure.kind)},
-                {"input", departure.input},
-                {"at", departure.at},
-                {"size", std::isfinite(departure.size) ? Json(departure.size) : Json(nullptr)},
-                {"reason", departure.reason.message().english()}};
-        }
-        if (w < basis.distances.size()) {
-            value["distance"] = basis.distances[w];
-        }
-        if (w < basis.plan.size()) {
-            value["low"] = basis.plan[w].low;
-            value["width"] = basis.plan[w].width;
-            value["centre"] = basis.plan[w].centre;
+            value["expansion"] = or_null(expansion.value);
+            value["slopes"] = std::move(slopes);
+            value["plan"] = {plan.low, plan.width, plan.centre, plan.period};
         }
         json["values"].push_back(std::move(value));
     }
     return json;
 }
 
-/// @throws Json::exception where it is not what write_basis() writes
 Basis read_basis(const Json& json, const Study& study) {
-    const auto optional = [](const Json& value) {
-        return value.is_null() ? std::nullopt : std::optional(value.get<double>());
-    };
     Basis basis;
-    basis.evaluations = json.at("evaluations").get<std::uint64_t>();
-    basis.refusals = read_refusals(json.at("refused"), "/basis/refused");
-    basis.tried = json.at("tried").get<std::uint64_t>();
-    basis.tried_refused = json.at("tried_refused").get<std::uint64_t>();
-    for (const Json& each : json.at("laws")) {
-        basis.laws.push_back({each.at("normal").get<bool>(), each.at("mean").get<double>(),
-                              each.at("deviation").get<double>(),
-                              each.at("fourth_moment").get<double>(), each.at("low").get<double>(),
-                              each.at("high").get<double>()});
+    basis.distances = json.at("distances").get<std::vector<double>>();
+    basis.refusals = read_refusals(json.at("refused"));
+    const bool grid = study.method == Method::grid;
+    for (std::size_t j = 0; j < study.vary.size() && !grid; ++j) {
+        const Json& law = json.at("laws").at(j);
+        basis.laws.push_back({law.at(0).get<bool>(), law.at(1).get<double>(),
+                              law.at(2).get<double>(), law.at(3).get<double>(),
+                              law.at(4).get<double>()});
     }
-    const Json& values = json.at("values");
     for (std::size_t w = 0; w < study.watch.size(); ++w) {
-        const Json& value = values.at(w);
-        basis.nominal.push_back(optional(value.at("nominal")));
-        basis.periods.push_back(value.at("period").get<double>());
-        if (value.contains("expansion")) {
-            const Json& from = value.at("expansion");
-            Taylor expansion{.value = optional(from.at("value")),
-                             .slopes = {},
-                             .curvatures = from.at("curvatures").get<std::vector<double>>(),
-                             .crossed = from.at("crossed").get<std::vector<double>>()};
-            for (std::size_t j = 0; j < study.vary.size(); ++j) {
-                const Json& slope = from.at("slopes").at(j);
-                expansion.slopes.push_back(
-                    slope.is_null() ? std::nullopt
-                                    : std::optional(Taylor::Slope{slope.at(0).get<double>(),
-                                                                  slope.at(1).get<double>()}));
+        const Json& value = json.at("values").at(w);
+        basis.nominal.push_back(read_optional(value.at("nominal")));
+        if (grid) {
+            continue;
+        }
+        Taylor expansion{.value = read_optional(value.at("expansion")), .slopes = {}};
+        for (std::size_t j = 0; j < study.vary.size(); ++j) {
+            const Json& slope = value.at("slopes").at(j);
+            expansion.slopes.emplace_back();
+            if (!slope.is_null()) {
+                expansion.slopes.back() = {slope.at(0).get<double>(), slope.at(1).get<double>()};
             }
-            basis.expansions.push_back(std::move(expansion));
         }
-        if (value.contains("departure")) {
-            const Json& from = value.at("departure");
-            const auto size = optional(from.at("size"));
-            basis.departures.push_back(
-                {static_cast<Departure::Kind>(std::clamp(from.at("kind").get<int>(), 0, 3)),
-                 std::min(from.at("input").get<std::size_t>(), study.vary.size() - 1),
-                 from.at("at").get<double>(),
-                 size.value_or(std::numeric_limits<double>::infinity()),
-                 {{}, from.at("reason").get<std::string>()}});
-        }
-        if (value.contains("distance")) {
-            basis.distances.push_back(value.at("distance").get<double>());
-        }
-        if (value.contains("low")) {
-            basis.plan.push_back({value.at("low").get<double>(), value.at("width").get<double>(),
-                                  value.at("centre").get<double>(), basis.periods.back(),
-                                  study.watch[w].min, study.watch[w].max});
-        }
+        basis.expansions.push_back(std::move(expansion));
+        const Json& plan = value.at("plan");
+        basis.plan.push_back({plan.at(0).get<double>(), plan.at(1).get<double>(),
+                              plan.at(2).get<double>(), plan.at(3).get<double>(),
+                              study.watch[w].min, study.watch[w].max});
+    }
+    if (study.method == Method::linear) {
+        basis.distances.resize(study.watch.size());
     }
     return basis;
 }
@@ -148,47 +110,78 @@ Json write_row(const Row& row) {
     return list;
 }
 
-std::vector<Row> read_rows(const Json& json, std::size_t columns) {
-    std::vector<Row> rows;
+Row read_row(const Json& json) {
+    Row row;
     for (const Json& each : json) {
-        Row row;
-        for (std::size_t i = 0; i < columns; ++i) {
-            row.push_back(each.at(i).is_null() ? std::nullopt
-                                               : std::optional(each.at(i).get<double>()));
-        }
-        rows.push_back(std::move(row));
+        row.push_back(read_optional(each));
     }
-    return rows;
+    return row;
 }
 
-Json by_input(const Study& study, const std::vector<double>& values) {
-    Json json = Json::object();
-    for (std::size_t j = 0; j < values.size(); ++j) {
-        json[study.vary[j].pointer] = values[j];
+/// Of replicates that have a sample, the sums.
+Json write_block(const Block& block) {
+    if (block.done == block.from) {
+        return nullptr;
     }
-    return json;
+    Json sums = Json::array();
+    for (std::size_t i = 0; i < block.sums.size(); ++i) {
+        if (block.solved[i % replicates] != 0) {
+            const Sums& each = block.sums[i];
+            sums.push_back({each.sum, each.squares, each.cosines, each.sines});
+        }
+    }
+    return {block.done - block.from, block.solved, std::move(sums)};
+}
+
+void read_block(const Json& json, Block& block) {
+    if (json.is_null()) {
+        return;
+    }
+    block.done = block.from + std::min(json.at(0).get<std::uint64_t>(), block.to - block.from);
+    block.solved = json.at(1).get<std::array<std::uint64_t, replicates>>();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < block.sums.size(); ++i) {
+        if (block.solved[i % replicates] != 0) {
+            const Json& each = json.at(2).at(next++);
+            block.sums[i] = {each.at(0).get<double>(), each.at(1).get<double>(),
+                             each.at(2).get<double>(), each.at(3).get<double>()};
+        }
+    }
+}
+
+std::string sum_of(const Json& part) {
+    return sha256(json_text(part, JsonLayout::one_line));
 }
 
 Json write_linear(const Study& study, const Taylor& expansion, std::span<const Law> laws) {
     Json derivatives = Json::object();
+    Json contributions = Json::object();
+    const auto linear = expansion.propagated(laws);
     for (std::size_t j = 0; j < laws.size(); ++j) {
+        const std::string& input = study.vary[j].pointer;
         const auto& slope = expansion.slopes[j];
-        derivatives[study.vary[j].pointer] =
+        derivatives[input] =
             slope ? Json{{"value", slope->value}, {"error", slope->error}} : Json(nullptr);
+        if (linear) {
+            contributions[input] = linear->shares[j];
+        }
     }
-    const auto linear = expansion.propagated(laws, false);
     return {{"standard_deviation", linear ? Json(linear->deviation) : Json(nullptr)},
-            {"contributions", linear ? by_input(study, linear->first_order) : Json(nullptr)},
+            {"contributions", linear ? std::move(contributions) : Json(nullptr)},
             {"standard_deviation_error", linear ? Json(linear->deviation_error) : Json(nullptr)},
             {"derivatives", std::move(derivatives)}};
 }
 
-Json write_percentiles(const Statistics& statistics) {
-    Json json = Json::object();
-    for (std::size_t i = 0; i < percent_points.size(); ++i) {
-        json[format_number(percent_points[i])] = statistics.percentiles[i];
+void write_sensitivities(const Study& study, const char* key,
+                         const std::vector<std::optional<Estimate>>& found, Json& json) {
+    Json& values = json[key] = Json::object();
+    Json errors = Json::object();
+    for (std::size_t j = 0; j < found.size(); ++j) {
+        const std::string& input = study.vary[j].pointer;
+        values[input] = found[j] ? Json(found[j]->value) : Json(nullptr);
+        errors[input] = found[j] ? Json(found[j]->error) : Json(nullptr);
     }
-    return json;
+    json[std::string(key) + "_error"] = std::move(errors);
 }
 
 Json write_watched(const Part& part, std::size_t w) {
@@ -196,179 +189,103 @@ Json write_watched(const Part& part, std::size_t w) {
     const Basis& basis = part.basis;
     const bool sampled = is_sampled(study.method);
     const Taylor& expansion = basis.expansions[w];
-    const auto propagated = expansion.propagated(basis.laws, study.method == Method::second_order);
+    const auto linear = expansion.propagated(basis.laws);
     Json json = {{"nominal", or_null(basis.nominal[w])}};
-    if (part.tally.solved() == 0 || (!sampled && !propagated)) {
+    if (part.tally.solved() == 0 || (!sampled && !linear)) {
         for (const char* key : {"mean", "standard_deviation", "min", "max", "percentiles"}) {
             json[key] = nullptr;
         }
         json["linear"] = write_linear(study, expansion, basis.laws);
         return json;
     }
-    const Statistics found = part.tally.statistics(w);
-    json["mean"] = sampled ? found.mean : propagated->mean;
-    json["standard_deviation"] = !sampled                   ? Json(propagated->deviation)
+    const Statistics found = part.tally.statistics(w, part.blocks);
+    json["mean"] = sampled ? found.mean : *expansion.value;
+    json["standard_deviation"] = !sampled                   ? Json(linear->deviation)
                                  : part.tally.solved() >= 2 ? Json(found.deviation)
                                                             : Json(nullptr);
     json["min"] = found.min;
     json["max"] = found.max;
-    json["percentiles"] = write_percentiles(found);
+    Json& percentiles = json["percentiles"] = Json::object();
+    for (std::size_t i = 0; i < percent_points.size(); ++i) {
+        percentiles[format_number(percent_points[i])] = found.percentiles[i];
+    }
     if (study.watch[w].min || study.watch[w].max) {
         json["within"] = {
             {"share", found.share}, {"low", found.share_low}, {"high", found.share_high}};
     }
     json["linear"] = write_linear(study, expansion, basis.laws);
-    const auto& first_order = sampled ? found.first_order : propagated->first_order;
-    const auto& total = sampled ? found.total : propagated->total;
-    if (!first_order.empty()) {
-        json["first_order"] = by_input(study, first_order);
-    }
-    if (!total.empty()) {
-        json["total"] = by_input(study, total);
-    }
-    if (sampled && !first_order.empty()) {
-        json["first_order_error"] = by_input(study, found.first_order_error);
-    }
-    if (sampled && !total.empty()) {
-        json["total_error"] = by_input(study, found.total_error);
+    if (sampled) {
+        write_sensitivities(study, "first_order", found.first_order, json);
+        write_sensitivities(study, "total", found.total, json);
     }
     return json;
 }
 
-/// The largest standard error of the indices where these can say too little: it is large, or an
-/// index is what none can be.
-std::optional<double> vague_sensitivities(const Statistics& found) {
-    constexpr double large = 0.1;
-    double most = 0.0;
-    bool impossible = false;
-    for (std::size_t j = 0; j < found.total.size(); ++j) {
-        const double error = found.total_error[j];
-        most = std::max(most, error);
-        impossible = impossible || found.total[j] > 1.0 + 2.0 * error;
-        if (j < found.first_order.size()) {
-            impossible = impossible || found.first_order[j] - found.total[j] >
-                                           2.0 * std::hypot(error, found.first_order_error[j]);
-        }
-    }
-    for (const double error : found.first_order_error) {
-        most = std::max(most, error);
-    }
-    return most > large || impossible ? std::optional(most) : std::nullopt;
-}
-
-constexpr Text no_derivative = CORE_TEXT(
-    "studies", "%1 has no linear answer: a derivative does not exist at the inputs' means.");
+/// Standard errors, by seven degrees of freedom, that one value of 500 is beyond by chance.
+constexpr double sure = 4.5;
 
 /// A number that is but what rounding leaves of another is 0.
-Number shown(double value, double size, int digits, double rounding = 1e-10) {
+Number shown(double value, double size, int digits) {
+    constexpr double rounding = 1e-10;
     return {std::abs(value) < rounding * std::abs(size) ? 0.0 : value, {}, digits};
 }
 
-Message reason_of(const Departure& departure, const Part& part, double deviation) {
-    const std::string& input = part.study.vary[departure.input].pointer;
-    return departure_text(departure, part.basis.laws[departure.input], input, unit_at(input),
-                          deviation);
+/// The linear answer of a value against samples that try it.
+std::optional<Message> note_of_linear(const Part& part, std::size_t w,
+                                      const Taylor::Propagated& linear) {
+    const double distance = part.basis.distances[w];
+    // A tenth of the deviation moves a mean by some hundredths of it at most.
+    const double least =
+        std::max(0.1 * linear.deviation, 1e-9 * std::abs(*part.basis.expansions[w].value)) +
+        3.0 * linear.deviation_error;
+    if (!(distance > least)) {
+        return std::nullopt;
+    }
+    return Message{CORE_TEXT("studies",
+                             "The linear answer fails for %1: samples lie %2 from it (root mean "
+                             "square), at a standard deviation of %3."),
+                   part.study.watch[w].pointer, Number{distance, {}, 4},
+                   Number{linear.deviation, {}, 4}};
+}
+
+/// The linear answer of a value against the samples of the study.
+std::optional<Message> note_of_samples(const Part& part, std::size_t w,
+                                       const Taylor::Propagated& linear, const Statistics& found) {
+    // What errors, and a thousandth that nobody minds, do not explain.
+    const double least = 1e-3 * found.deviation;
+    const double mean = *part.basis.expansions[w].value;
+    const double shift = difference(found.mean, mean, part.basis.plan[w].period);
+    const double off = std::abs(found.plain_deviation - linear.deviation);
+    const double error = std::hypot(found.deviation_error, linear.deviation_error);
+    if (!(off > std::max(sure * error, least)) &&
+        !(std::abs(shift) > std::max(sure * found.mean_error, least))) {
+        return std::nullopt;
+    }
+    const double size = std::max(std::abs(found.mean), found.plain_deviation);
+    return Message{CORE_TEXT("studies",
+                             "The linear answer fails for %1: mean %2 and standard deviation %3 "
+                             "against %4 and %5 of the samples."),
+                   part.study.watch[w].pointer, shown(mean, size, 6),
+                   shown(linear.deviation, size, 4), shown(mean + shift, size, 6),
+                   shown(found.plain_deviation, size, 4)};
+}
+
+/// Where sensitivities are vague, their largest standard error.
+std::optional<double> vague_sensitivities(const Statistics& found) {
+    constexpr double large = 0.1;
+    double most = 0.0;
+    for (const auto* list : {&found.first_order, &found.total}) {
+        for (const auto& each : *list) {
+            most = each ? std::max(most, each->error) : most;
+        }
+    }
+    return most > large ? std::optional(most) : std::nullopt;
 }
 
 }  // namespace
-
-Message departure_text(const Departure& departure, const Law& law, const std::string& input,
-                       const Unit& unit, double deviation) {
-    constexpr double halved_to = 1e-6;  // the place was halved to about that of the deviation
-    Number at = shown(departure.at, law.deviation, 6, halved_to);
-    at.unit = unit;
-    if (departure.size < 0.05 * deviation) {
-        return CORE_TEXT("studies", "the inputs act on it together");
-    }
-    switch (departure.kind) {
-        case Departure::Kind::jump:
-            return {CORE_TEXT("studies", "it jumps by %1 where %2 is %3"),
-                    Number{departure.size, {}, 4}, input, at};
-        case Departure::Kind::corner:
-            return {CORE_TEXT("studies", "it has a corner where %1 is %2"), input, at};
-        case Departure::Kind::refused:
-            if (departure.reason.empty()) {
-                return {CORE_TEXT("studies", "it does not exist where %1 is %2"), input, at};
-            }
-            return {CORE_TEXT("studies", "it does not exist where %1 is %2 (%3)"), input, at,
-                    departure.reason.message()};
-        case Departure::Kind::curved:
-            break;
-    }
-    return {CORE_TEXT("studies", "it is curved along %1"), input};
-}
-
-Message distance_text(const std::string& name, double distance, double deviation,
-                      const Message& why) {
-    return {CORE_TEXT("studies",
-                      "The linear answer fails for %1: samples lie %2 from it (root mean "
-                      "square), at a standard deviation of %3; %4."),
-            name, Number{distance, {}, 4}, Number{deviation, {}, 4}, why};
-}
 
 bool same_basis(const Basis& one, const Basis& other) {
     return write_basis(one) == write_basis(other);
-}
-
-namespace {
-
-/// Of the means and slopes alone: what they do not know of.
-void add_notes_of_expansions(const Part& part, std::vector<Note>& notes) {
-    const Basis& basis = part.basis;
-    if (basis.tried_refused != 0) {
-        notes.push_back({{CORE_TEXT("studies",
-                                    "%1 of %2 samples that were tried cannot be solved; an "
-                                    "expansion does not know of these."),
-                          std::to_string(basis.tried_refused), std::to_string(basis.tried)}});
-    }
-    const bool second = part.study.method == Method::second_order;
-    for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
-        const std::string& name = part.study.watch[w].pointer;
-        const auto found = basis.expansions[w].propagated(basis.laws, second);
-        if (!found) {
-            notes.push_back({{no_derivative, name}, w});
-            continue;
-        }
-        const Departure& departure = basis.departures[w];
-        // A tenth of the deviation moves a mean by some hundredths of it at most.
-        const double least = std::max(0.1 * found->deviation, 1e-9 * std::abs(found->mean)) +
-                             3.0 * found->deviation_error;
-        const bool refused = departure.kind == Departure::Kind::refused && departure.size > 0.0;
-        if (!refused && !(basis.distances[w] > least)) {
-            continue;
-        }
-        const Message why = reason_of(departure, part, basis.distances[w]);
-        if (refused) {
-            notes.push_back(
-                {{second ? CORE_TEXT("studies",
-                                     "The second order fails for %1 within two standard "
-                                     "deviations of an input: %2.")
-                         : CORE_TEXT("studies",
-                                     "The linear answer fails for %1 within two "
-                                     "standard deviations of an input: %2."),
-                  name, why},
-                 w});
-            continue;
-        }
-        notes.push_back(
-            {second ? Message(CORE_TEXT("studies",
-                                        "The second order fails for %1: samples lie %2 from it "
-                                        "(root mean square), at a standard deviation of %3; %4."),
-                              name, Number{basis.distances[w], {}, 4},
-                              Number{found->deviation, {}, 4}, why)
-                    : distance_text(name, basis.distances[w], found->deviation, why),
-             w});
-    }
-}
-
-}  // namespace
-
-std::vector<Message> notes_of(const Part& part) {
-    std::vector<Message> texts;
-    for (Note& note : noted(part)) {
-        texts.push_back(std::move(note.text));
-    }
-    return texts;
 }
 
 std::vector<Note> noted(const Part& part) {
@@ -376,61 +293,63 @@ std::vector<Note> noted(const Part& part) {
     for (const Message& note : part.file_notes) {
         notes.push_back({note});
     }
+    const Basis& basis = part.basis;
+    for (std::size_t j = 0; j < basis.laws.size(); ++j) {
+        if (!scatters(basis.laws[j])) {
+            notes.push_back({{CORE_TEXT("studies",
+                                        "%1 does not scatter: its tolerance is below the rounding "
+                                        "of its value. It has no derivative."),
+                              part.study.vary[j].pointer}});
+        }
+    }
+    const bool linear_study = part.study.method == Method::linear;
     if (part.study.method == Method::grid) {
         return notes;
     }
-    if (!is_sampled(part.study.method)) {
-        add_notes_of_expansions(part, notes);
-        return notes;
+    if (linear_study && !basis.refusals.empty()) {
+        notes.push_back({{CORE_TEXT("studies",
+                                    "%1 of %2 samples that were tried cannot be solved; the linear "
+                                    "answer does not show that."),
+                          std::to_string(count_of(basis.refusals)),
+                          std::to_string(tried_samples)}});
     }
-    if (part.tally.solved() < 2) {
+    if (!linear_study && part.tally.solved() < 2) {
         notes.push_back(
             {CORE_TEXT("studies", "A standard deviation takes two samples that can be solved.")});
         return notes;
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
-        const auto linear = part.basis.expansions[w].propagated(part.basis.laws, false);
-        const Statistics found = part.tally.statistics(w);
-        if (const auto most = vague_sensitivities(found)) {
-            notes.push_back({{CORE_TEXT("studies",
-                                        "The samples are too few for the sensitivities of %1: "
-                                        "standard errors up to %2."),
-                              name, Number{*most, {}, 2}}});
-        }
+        const auto linear = basis.expansions[w].propagated(basis.laws);
+        std::optional<Message> fails;
         if (!linear) {
-            notes.push_back({{no_derivative, name}, w});
-            continue;
+            fails.emplace(CORE_TEXT("studies",
+                                    "%1 has no linear answer: a derivative does not exist at the "
+                                    "inputs' means."),
+                          name);
+        } else if (linear_study) {
+            fails = note_of_linear(part, w, *linear);
         }
-        // What three standard errors, and a thousandth that nobody minds, do not explain.
-        const double least = 1e-3 * found.deviation;
-        const double mean_error =
-            found.deviation / std::sqrt(static_cast<double>(part.tally.solved()));
-        const double period = part.basis.periods[w];
-        double shift = found.mean - linear->mean;
-        shift = period == 0.0 ? shift : std::remainder(shift, period);
-        const bool deviation_fails =
-            std::abs(found.plain_deviation - linear->deviation) >
-            std::max(3.0 * std::hypot(found.deviation_error, linear->deviation_error), least);
-        if (!deviation_fails && !(std::abs(shift) > std::max(3.0 * mean_error, least))) {
-            continue;
+        if (!linear_study) {
+            const Statistics found = part.tally.statistics(w, part.blocks);
+            if (const auto most = vague_sensitivities(found)) {
+                notes.push_back({{CORE_TEXT("studies",
+                                            "The samples are too few for the sensitivities of %1: "
+                                            "standard errors up to %2."),
+                                  name, Number{*most, {}, 2}}});
+            }
+            fails = linear ? note_of_samples(part, w, *linear, found) : fails;
         }
-        const double size = std::max(std::abs(found.mean), found.plain_deviation);
-        notes.push_back(
-            {{CORE_TEXT("studies",
-                        "The linear answer fails for %1: mean %2 and standard deviation %3 against "
-                        "%4 and %5 of the samples; %6."),
-              name, shown(linear->mean, size, 6), shown(linear->deviation, size, 4),
-              shown(linear->mean + shift, size, 6), shown(found.plain_deviation, size, 4),
-              reason_of(part.basis.departures[w], part, found.deviation)},
-             w});
+        if (fails) {
+            notes.push_back({*fails, w});
+        }
     }
     return notes;
 }
 
 Json write_part(const Part& part) {
     Json json = {{"format", part_format},
-                 {"version", study_version},
+                 {"version", part_version},
                  {"program", part.origin.program},
                  {"scene", part.origin.scene},
                  {"title", part.origin.title},
@@ -438,92 +357,86 @@ Json write_part(const Part& part) {
                  {"files_sha256", write_files(part.origin)},
                  {"shard", part.shard},
                  {"shards", part.shards},
-                 {"done", part.done},
                  {"study", write_study(part.study)},
                  {"basis", write_basis(part.basis)},
-                 {"counts", part.tally.write()}};
-    if (part.study.method == Method::grid) {
-        json["rows"] = Json::array();
-        for (std::size_t i = 0; i < part.rows.size(); ++i) {
-            json["rows"].push_back(write_row(part.rows[i]));
-        }
+                 {"blocks", Json::array()},
+                 {"counts", part.tally.write()},
+                 {"rows", Json::array()},
+                 {"file_notes", Json::array()}};
+    for (const Block& block : part.blocks) {
+        json["blocks"].push_back(write_block(block));
     }
-    if (part.robust_best) {
-        json["robust_best"] = write_robust_best(*part.robust_best);
+    for (const Row& row : part.rows) {
+        json["rows"].push_back(write_row(row));
     }
-    if (!part.file_notes.empty()) {
-        json["file_notes"] = english(part.file_notes);
+    for (const Message& note : part.file_notes) {
+        json["file_notes"].push_back(note.english());
     }
+    json["sha256"] = sum_of(json);
     return json;
 }
 
-Part read_part(const Json& json) {
+Part read_part(Json json) {
     ObjectReader reader(json, "");
     reader.choice("format", {part_format});
-    reader.integer("version", study_version, study_version);
-    Part part;
-    part.origin.program = reader.text("program");
-    part.origin.scene = reader.text("scene");
-    part.origin.title = reader.text("title");
-    part.origin.case_sha256 = reader.text("case_sha256");
-    ObjectReader files = reader.object("files_sha256");
-    for (const std::string& name : files.keys()) {
-        part.origin.files_sha256.emplace_back(name, files.text(name));
+    if (reader.raw("version") != part_version) {
+        throw InputError("/version",
+                         {CORE_TEXT("studies", "must be %1; run the parts of other versions again"),
+                          std::to_string(part_version)},
+                         show(json["version"]));
     }
-    part.study = read_study(reader.raw("study"));
-    const auto count = [&](const char* key, std::uint64_t least, std::uint64_t most) {
-        const Json& value = reader.raw(key);
-        if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least ||
-            value.get<std::uint64_t>() > most) {
-            throw InputError(reader.pointer_to(key),
-                             {CORE_TEXT("core", "must be a whole number from %1 to %2"),
-                              std::to_string(least), std::to_string(most)},
-                             show(value));
-        }
-        return value.get<std::uint64_t>();
-    };
-    part.shards = count("shards", 1, most_shards);
-    part.shard = count("shard", 1, part.shards);
-    std::tie(part.from, part.to) = shard_range(part.study, part.shard, part.shards);
-    part.done = count("done", part.from, part.to);
-    const bool grid = part.study.method == Method::grid;
+    const std::string sum = reader.text("sha256");
+    json.erase("sha256");
+    if (sum != sum_of(json)) {
+        throw InputError("/sha256",
+                         CORE_TEXT("studies", "is not the sum of the part, which was changed since "
+                                              "it was written; run it again"));
+    }
     try {
-        part.basis = read_basis(reader.raw("basis"), part.study);
-        if (grid) {
-            part.rows =
-                read_rows(reader.raw("rows"), part.study.vary.size() + part.study.watch.size());
+        Part part;
+        part.origin = {json.at("scene").get<std::string>(), json.at("title").get<std::string>(),
+                       json.at("case_sha256").get<std::string>(), {},
+                       json.at("program").get<std::string>()};
+        for (const auto& [name, file_sum] : json.at("files_sha256").items()) {
+            part.origin.files_sha256.emplace_back(name, file_sum.get<std::string>());
         }
-        if (reader.has("robust_best")) {
-            part.robust_best = read_robust_best(reader.raw("robust_best"));
+        part.study = read_study(json.at("study"));
+        part.shards =
+            std::clamp<std::uint64_t>(json.at("shards").get<std::uint64_t>(), 1, most_blocks);
+        part.shard =
+            std::clamp<std::uint64_t>(json.at("shard").get<std::uint64_t>(), 1, part.shards);
+        part.basis = read_basis(json.at("basis"), part.study);
+        part.blocks = blocks_of(part.study, part.shard, part.shards);
+        for (std::size_t b = 0; b < part.blocks.size(); ++b) {
+            part.blocks[b].sums.resize(part.basis.plan.size() * replicates);
+            read_block(json.at("blocks").at(b), part.blocks[b]);
         }
-        if (reader.has("file_notes")) {
-            for (const Json& note : reader.raw("file_notes")) {
-                part.file_notes.emplace_back(note.get<std::string>());
+        part.tally = Tally::read(json.at("counts"), part.basis.plan, part.study.vary.size());
+        std::uint64_t solved = part.tally.solved();
+        for (const Block& block : part.blocks) {
+            for (const std::uint64_t each : block.solved) {
+                solved -= each;
             }
         }
+        if (solved != 0) {
+            throw InputError("/counts", not_ours);
+        }
+        for (std::uint64_t i = 0; part.study.method == Method::grid && i < part.size(); ++i) {
+            part.rows.push_back(read_row(json.at("rows").at(i)));
+        }
+        for (const Json& note : json.at("file_notes")) {
+            part.file_notes.emplace_back(note.get<std::string>());
+        }
+        return part;
     } catch (const Json::exception&) {
-        throw InputError("/basis", CORE_TEXT("studies", "is not what this program writes"));
+        throw InputError("", not_ours);
     }
-    const Basis& basis = part.basis;
-    const std::size_t watched = grid ? 0 : part.study.watch.size();
-    if (basis.laws.size() != (grid ? 0 : part.study.vary.size()) ||
-        basis.expansions.size() != watched || basis.plan.size() != watched ||
-        basis.departures.size() != watched ||
-        basis.distances.size() != (is_sampled(part.study.method) ? 0 : watched) ||
-        part.rows.size() != (grid ? part.done - part.from : 0)) {
-        throw InputError("/basis", CORE_TEXT("studies", "is not what this program writes"));
-    }
-    part.tally = Tally::read(reader.raw("counts"), basis.plan, part.study.vary.size());
-    reader.finish();
-    return part;
 }
 
 std::vector<Refusal> refusals_of(const Part& part) {
-    const Method method = part.study.method;
+    const bool linear = part.study.method == Method::linear;
     std::vector<Refusal> list;
-    for (const auto& [kind, refusal] : is_sampled(method) || method == Method::grid
-                                           ? part.tally.refusals()
-                                           : part.basis.refusals) {
+    for (const auto& [kind, refusal] : linear ? part.basis.refusals : part.tally.refusals()) {
         list.push_back(refusal);
     }
     std::stable_sort(list.begin(), list.end(),
@@ -533,10 +446,9 @@ std::vector<Refusal> refusals_of(const Part& part) {
 
 Json write_results(const Part& part) {
     const Study& study = part.study;
-    const bool sampled = is_sampled(study.method);
     const bool grid = study.method == Method::grid;
     std::uint64_t refused = 0;
-    const std::uint64_t samples = sampled || grid ? part.done - part.from : part.basis.evaluations;
+    const std::uint64_t samples = study.method == Method::linear ? tried_samples : part.done();
     Json json = {{"format", study_format},
                  {"version", study_version},
                  {"scene", part.origin.scene},
@@ -555,7 +467,7 @@ Json write_results(const Part& part) {
     }
     json["solved"] = samples - refused;
     json["refused"] = std::move(reasons);
-    if (sampled) {
+    if (is_sampled(study.method)) {
         json["seed"] = study.seed;
     }
     if (grid) {
@@ -570,19 +482,19 @@ Json write_results(const Part& part) {
         for (const Row& row : part.rows) {
             json["table"].push_back(write_row(row));
         }
-        if (const auto notes = notes_of(part); !notes.empty()) {
-            json["notes"] = english(notes);
+    } else {
+        json["watched"] = Json::object();
+        for (std::size_t w = 0; w < study.watch.size(); ++w) {
+            json["watched"][study.watch[w].pointer] = write_watched(part, w);
         }
-        return json;
     }
-    json["watched"] = Json::object();
-    for (std::size_t w = 0; w < study.watch.size(); ++w) {
-        json["watched"][study.watch[w].pointer] = write_watched(part, w);
+    Json notes = Json::array();
+    for (const Note& note : noted(part)) {
+        notes.push_back(note.text.english());
     }
-    if (part.robust_best) {
-        json["robust_best"] = write_robust_best(*part.robust_best);
+    if (!grid || !notes.empty()) {
+        json["notes"] = std::move(notes);
     }
-    json["notes"] = english(notes_of(part));
     return json;
 }
 

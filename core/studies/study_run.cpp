@@ -4,9 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <thread>
-#include <tuple>
 
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
@@ -15,128 +13,37 @@
 
 namespace ravnoves::studies {
 
-struct FirstSamples {
-    std::vector<double> values;   ///< row by row
-    std::vector<Reason> reasons;  ///< empty where solved
-};
-
-struct KeptValues {
-    std::vector<double> values;  ///< row by row from the part's first sample; NaN where refused
-};
-
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t most_first_samples = 4096;
 constexpr std::uint64_t pairs_per_input = 16'384;
 /// Points at which an expansion is asked for its percentiles.
 constexpr std::uint64_t expansion_points = 16'384;
-constexpr std::uint64_t block = 256;
-constexpr double not_solved = std::numeric_limits<double>::quiet_NaN();
-
-/// The work was stopped while a part began.
-struct Stopped {};
-
-/// Tells `begun` now and then how much of the work is done.
-class Pace {
-  public:
-    using Clock = std::chrono::steady_clock;
-    explicit Pace(const Begun& begun) : begun_(begun) {}
-
-    /// @throws Stopped
-    void tell(double done, const std::function<Part()>& so_far) {
-        constexpr auto often = std::chrono::milliseconds(50);
-        if (!begun_ || Clock::now() - told_ < often) {
-            return;
-        }
-        if (!begun_(done, so_far)) {
-            throw Stopped{};
-        }
-        told_ = Clock::now();
-    }
-
-  private:
-    const Begun& begun_;
-    Clock::time_point told_ = Clock::now();
-};
-
-/// What a study costs, in solutions.
-struct Work {
-    double basis = 0.0;  ///< expansions and looking for departures, estimated
-    double samples = 0.0;
-    double first = 0.0;  ///< of the samples, solved while the part begins
-    double pairs = 0.0;  ///< samples that are solved a second time
-
-    double whole() const { return basis + samples + pairs; }
-};
 
 /// Samples, points of a grid, or points of an expansion.
 std::uint64_t points_of(const Study& study) {
-    return is_sampled(study.method) || study.method == Method::grid ? study.points()
-                                                                    : expansion_points;
+    return study.method == Method::linear ? expansion_points : study.points();
 }
 
-/// Samples that an expansion is tried by.
-constexpr std::uint64_t tried_samples = 64;
-
-Work work_of(const Part& part) {
-    const auto inputs = static_cast<double>(part.study.vary.size());
-    const auto count = static_cast<double>(part.to - part.from);
-    if (part.study.method == Method::grid) {
-        return {.samples = count};
-    }
-    constexpr double of_slopes = 20.0;
-    constexpr double of_departures = 33.0;
-    const double basis = inputs * (of_slopes + of_departures);
-    if (!is_sampled(part.study.method)) {
-        const double curvatures = part.study.method == Method::second_order ? inputs * inputs : 0.0;
-        return {.basis = basis + 4.0 * curvatures + tried_samples};
-    }
-    return {.basis = basis,
-            .samples = count,
-            .first = static_cast<double>(std::min(points_of(part.study), most_first_samples)),
-            .pairs = std::min(count, static_cast<double>(pairs_per_input) * inputs)};
+/// Of these the bins are made.
+std::uint64_t first_samples_of(const Study& study) {
+    return study.method == Method::grid ? 0 : std::min(points_of(study), most_first_samples);
 }
 
-/// Counts what is asked of another.
-class CountingResponse final : public Response {
-  public:
-    CountingResponse(std::unique_ptr<Response> response,
-                     std::function<void(std::uint64_t count)> counted)
-        : response_(std::move(response)), counted_(std::move(counted)) {}
-
-    bool evaluate(std::span<const double> x, std::span<double> y) override {
-        counted_(count_);
-        const bool there = response_->evaluate(x, y);
-        if (!there) {
-            reason_ = response_->reason();
-            tally_.refuse(count_, reason_);
-        }
-        ++count_;
-        return there;
-    }
-    std::uint64_t count() const { return count_; }
-    const Refusals& refusals() const { return tally_.refusals(); }
-
-  private:
-    std::unique_ptr<Response> response_;
-    std::function<void(std::uint64_t count)> counted_;
-    Tally tally_;
-    std::uint64_t count_ = 0;
-};
-
-/// In the place of the scene once it is expanded.
+/// Stands for the scene once it is expanded.
 class ExpansionResponse final : public Response {
   public:
     explicit ExpansionResponse(const Basis& basis) : basis_(basis) {
         for (const Taylor& expansion : basis.expansions) {
-            known_.push_back(expansion.propagated(basis.laws, false).has_value());
+            known_.push_back(expansion.propagated(basis.laws).has_value());
         }
     }
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         for (std::size_t w = 0; w < y.size(); ++w) {
-            const Taylor& expansion = basis_.expansions[w];
-            y[w] = known_[w] ? expansion.at(basis_.laws, x) : 0.0;
+            y[w] = known_[w] ? basis_.expansions[w].at(basis_.laws, x) : 0.0;
         }
         return true;
     }
@@ -153,67 +60,55 @@ class Worker {
         : study_(part.study),
           part_(part),
           sampled_(is_sampled(part.study.method)),
-          response_(sampled_ || study_.method == Method::grid
-                        ? problem.make()
-                        : std::make_unique<ExpansionResponse>(part.basis)),
+          response_(study_.method == Method::linear
+                        ? std::make_unique<ExpansionResponse>(part.basis)
+                        : problem.make()),
+          sampler_(sampled_ ? study_.method : Method::sobol, study_.seed, study_.vary.size()),
           random_(study_.seed),
           inputs_(study_.vary.size()),
           u_(inputs_),
           x_(inputs_),
           y_(study_.watch.size()),
-          other_(study_.watch.size()) {
-        if (study_.method != Method::grid) {
-            sampler_.emplace(study_.method, study_.points(), study_.seed, inputs_);
-        }
-    }
+          other_(study_.watch.size()) {}
 
     Tally tally;
 
-    void start_tally() { tally = Tally(part_.basis.plan, inputs_); }
-
     /// The sample's values, without counting them.
     bool solve(std::uint64_t sample, std::span<double> y) {
-        sampler_->point(sample, u_);
+        sampler_.point(sample, u_);
         set_inputs();
         return response_->evaluate(x_, y);
     }
     const Reason& reason() const { return response_->reason(); }
 
-    void count(std::uint64_t sample) {
+    void count(Block& block) {
+        const std::uint64_t sample = block.done++;
         const FirstSamples* first = part_.first.get();
-        bool solved = false;
         if (first != nullptr && sample < first->reasons.size()) {
-            sampler_->point(sample, u_);
-            const Reason& reason = first->reasons[sample];
-            solved = reason.empty();
+            if (!first->reasons[sample].empty()) {
+                tally.refuse(sample, first->reasons[sample]);
+                return;
+            }
+            sampler_.point(sample, u_);
             std::copy_n(first->values.begin() + static_cast<std::ptrdiff_t>(sample * y_.size()),
                         y_.size(), y_.begin());
-            if (!solved) {
-                tally.refuse(sample, reason);
-            }
-        } else if (solved = solve(sample, y_); !solved) {
+        } else if (!solve(sample, y_)) {
             tally.refuse(sample, reason());
-        }
-        if (!solved) {
             return;
         }
-        tally.add(u_, y_);
-        if (KeptValues* kept = part_.kept.get()) {
-            std::copy(y_.begin(), y_.end(),
-                      kept->values.begin() +
-                          static_cast<std::ptrdiff_t>((sample - part_.from) * y_.size()));
-        }
+        tally.add(block, sample, u_, y_);
         if (sampled_ && sample < pairs_per_input * inputs_) {
             const auto input = static_cast<std::size_t>(random_.bits(sample, 1, 0) % inputs_);
             u_[input] = random_.uniform(sample, 1, 1);
             set_inputs();
             if (response_->evaluate(x_, other_)) {
-                tally.add_pair(input, y_, other_);
+                tally.add_pair(sample, input, y_, other_);
             }
         }
     }
 
-    Row row(std::uint64_t point) {
+    void fill(Row& row, Block& block) {
+        const std::uint64_t point = block.done++;
         std::uint64_t rest = point;
         for (std::size_t j = inputs_; j-- > 0;) {  // the last input changes fastest
             const std::vector<double>& values = study_.vary[j].values;
@@ -223,11 +118,10 @@ class Worker {
         if (!response_->evaluate(x_, y_)) {
             tally.refuse(point, reason());
         }
-        Row row(x_.begin(), x_.end());
+        row.assign(x_.begin(), x_.end());
         for (const double value : y_) {
             row.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
         }
-        return row;
     }
 
   private:
@@ -241,45 +135,23 @@ class Worker {
     const Part& part_;
     bool sampled_;
     std::unique_ptr<Response> response_;
-    std::optional<Sampler> sampler_;
+    Sampler sampler_;
     CounterRandom random_;
     std::size_t inputs_;
     std::vector<double> u_, x_, y_, other_;
 };
 
-/// As many workers as there are threads, or as blocks to be done.
-std::vector<std::unique_ptr<Worker>> make_workers(const Problem& problem, const Part& part,
-                                                  int threads, std::uint64_t samples) {
+using Workers = std::vector<std::unique_ptr<Worker>>;
+
+/// As many workers as there are threads, or as work for them.
+Workers make_workers(const Problem& problem, const Part& part, int threads, std::uint64_t work) {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const std::uint64_t wanted = threads > 0 ? static_cast<unsigned>(threads) : cores;
-    const std::uint64_t count = std::clamp<std::uint64_t>((samples + block - 1) / block, 1, wanted);
-    std::vector<std::unique_ptr<Worker>> workers;
-    for (std::uint64_t i = 0; i < count; ++i) {
+    Workers workers;
+    for (std::uint64_t i = 0; i < std::clamp<std::uint64_t>(work, 1, wanted); ++i) {
         workers.push_back(std::make_unique<Worker>(problem, part));
     }
     return workers;
-}
-
-/// Every worker takes blocks of the stretch until none is left. The first one works in the thread
-/// that calls.
-template <typename Visit>
-void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from, std::uint64_t to,
-               const Visit& visit) {
-    std::atomic<std::uint64_t> next{from};
-    const std::uint64_t taken =
-        std::clamp<std::uint64_t>((to - from) / (8 * workers.size()), 1, block);
-    const auto work = [&](std::size_t i) {
-        for (;;) {
-            const std::uint64_t start = next.fetch_add(taken);
-            if (start >= to) {
-                return;
-            }
-            for (std::uint64_t k = start; k < std::min(start + taken, to); ++k) {
-                visit(*workers[i], k);
-            }
-        }
-    };
-    run_workers(workers.size(), work, [&] { next = to; });
 }
 
 /// 360° or, where a value says so, the 720° of a four-stroke cycle; 0 of what is no angle.
@@ -293,7 +165,7 @@ double period_of(const std::string& pointer, std::span<const double> values) {
                : turn_deg;
 }
 
-/// Bins about the middle of what nearly all values span, four times as fine as they must be.
+/// Bins about the middle of what nearly all values span.
 CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal,
                            std::vector<double> values, double period) {
     CountingPlan plan{.period = period, .min = watched.min, .max = watched.max};
@@ -320,318 +192,222 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
     return plan;
 }
 
-void plan_counting(Part& part, const FirstSamples& first) {
+/// @return nothing where it was stopped
+std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& part, int threads,
+                                         const std::function<bool(double done)>& goes_on) {
+    const std::uint64_t count = first_samples_of(part.study);
     const std::size_t watched = part.study.watch.size();
-    for (std::size_t w = 0; w < watched; ++w) {
-        std::vector<double> values;
-        for (std::size_t i = 0; i < first.reasons.size(); ++i) {
-            if (first.reasons[i].empty()) {
-                values.push_back(first.values[i * watched + w]);
+    auto first = std::make_shared<FirstSamples>();
+    first->values.resize(count * watched);
+    first->reasons.resize(count);
+    Workers workers = make_workers(problem, part, threads, count);
+    std::atomic<std::uint64_t> next{0};
+    std::atomic<bool> stopped{false};
+    const auto work = [&](std::size_t i) {
+        auto told = Clock::now();
+        for (std::uint64_t k = next++; k < count && !stopped; k = next++) {
+            if (!workers[i]->solve(k, std::span(first->values).subspan(k * watched, watched))) {
+                first->reasons[k] = workers[i]->reason();
+            }
+            constexpr auto often = std::chrono::milliseconds(50);
+            if (i == 0 && goes_on && Clock::now() - told > often) {
+                told = Clock::now();
+                stopped = !goes_on(static_cast<double>(k) / static_cast<double>(count + part.size()));
             }
         }
-        part.basis.periods[w] =
-            std::max(part.basis.periods[w], period_of(part.study.watch[w].pointer, values));
-        part.basis.plan.push_back(counting_plan(part.study.watch[w], part.basis.nominal[w],
-                                                std::move(values), part.basis.periods[w]));
-    }
+    };
+    run_workers(workers.size(), work, [&] { stopped = true; });
+    return stopped ? nullptr : first;
 }
 
-/// What is known of a part while its first samples are solved.
-Part part_so_far(const Part& part, const FirstSamples& first,
-                 const std::vector<std::atomic<bool>>& solved) {
-    Part now = part;
-    auto known = std::make_shared<FirstSamples>(
-        FirstSamples{first.values, std::vector<Reason>(solved.size(), Reason{{}, no_value})});
-    now.kept = std::make_shared<KeptValues>();
-    now.kept->values.resize(first.values.size(), not_solved);
-    const std::size_t watched = part.study.watch.size();
-    std::vector<std::size_t> there;
-    for (std::size_t i = 0; i < solved.size(); ++i) {
-        if (solved[i].load(std::memory_order_acquire)) {
-            known->reasons[i] = first.reasons[i];
-            there.push_back(i);
+/// The values of the first samples that were solved.
+std::vector<double> values_of(const FirstSamples& first, std::size_t watched, std::size_t count) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < first.reasons.size(); ++i) {
+        if (first.reasons[i].empty()) {
+            values.push_back(first.values[i * count + watched]);
         }
     }
-    plan_counting(now, *known);
-    now.tally = Tally(now.basis.plan, part.study.vary.size());
-    Sampler sampler(part.study.method, part.study.points(), part.study.seed,
-                    part.study.vary.size());
-    std::vector<double> u(part.study.vary.size());
-    for (const std::size_t i : there) {
-        if (!known->reasons[i].empty()) {
-            now.tally.refuse(i, known->reasons[i]);
-            continue;
-        }
-        sampler.point(i, u);
-        const auto values = std::span(first.values).subspan(i * watched, watched);
-        now.tally.add(u, values);
-        std::copy(values.begin(), values.end(),
-                  now.kept->values.begin() + static_cast<std::ptrdiff_t>(i * watched));
-    }
-    now.done = now.from + there.size();
-    now.first = std::move(known);
-    return now;
-}
-
-/// @throws Stopped
-FirstSamples take_first(const Problem& problem, const Part& part, int threads, Pace& pace) {
-    const std::uint64_t count = std::min(points_of(part.study), most_first_samples);
-    const std::size_t watched = part.study.watch.size();
-    FirstSamples first{std::vector<double>(count * watched), std::vector<Reason>(count)};
-    std::vector<std::atomic<bool>> solved(count);
-    std::atomic<std::uint64_t> done{0};
-    const Work work = work_of(part);
-    auto workers = make_workers(problem, part, threads, count);
-    share_out(workers, 0, count, [&](Worker& worker, std::uint64_t i) {
-        if (!worker.solve(i, std::span(first.values).subspan(i * watched, watched))) {
-            first.reasons[i] = worker.reason();
-        }
-        solved[i].store(true, std::memory_order_release);
-        ++done;
-        if (&worker == workers.front().get()) {
-            const auto so_far = [&] { return part_so_far(part, first, solved); };
-            pace.tell((work.basis + static_cast<double>(done)) / std::max(work.whole(), 1.0),
-                      is_sampled(part.study.method) ? std::function<Part()>(so_far) : nullptr);
-        }
-    });
-    return first;
+    return values;
 }
 
 /// How far true samples lie from the expansions that stand for them.
-void try_expansions(Response& response, const Study& study, Basis& basis) {
-    const std::size_t watched = study.watch.size();
-    basis.tried = tried_samples;
-    basis.distances.assign(watched, 0.0);
-    Sampler sampler(Method::sobol, tried_samples, study.seed, study.vary.size());
-    std::vector<double> u(study.vary.size());
-    std::vector<double> x(u.size());
-    std::vector<double> y(watched);
-    std::vector<double> expected(watched);
+void try_expansions(Response& response, const Study& study, std::span<const double> periods,
+                    Basis& basis) {
+    basis.distances.assign(periods.size(), 0.0);
+    Sampler sampler(Method::sobol, study.seed, basis.laws.size());
+    std::vector<double> x(basis.laws.size());
+    std::vector<double> y(periods.size());
+    std::vector<double> expected(periods.size());
     ExpansionResponse expansions(basis);
     for (std::uint64_t i = 0; i < tried_samples; ++i) {
-        sampler.point(i, u);
+        sampler.point(i, x);
         for (std::size_t j = 0; j < x.size(); ++j) {
-            x[j] = basis.laws[j].at(u[j]);
+            x[j] = basis.laws[j].at(x[j]);
         }
         if (!response.evaluate(x, y)) {
-            ++basis.tried_refused;
+            refuse(basis.refusals, i, response.reason());
             continue;
         }
         expansions.evaluate(x, expected);
-        for (std::size_t w = 0; w < watched; ++w) {
-            const double off = y[w] - expected[w];
-            const double period = basis.periods[w];
-            basis.distances[w] += std::pow(period == 0.0 ? off : std::remainder(off, period), 2);
+        for (std::size_t w = 0; w < y.size(); ++w) {
+            basis.distances[w] += std::pow(difference(y[w], expected[w], periods[w]), 2);
         }
     }
-    const std::uint64_t solved = tried_samples - basis.tried_refused;
+    const auto solved = static_cast<double>(tried_samples - count_of(basis.refusals));
     for (double& each : basis.distances) {
-        each = solved == 0 ? 0.0 : std::sqrt(each / static_cast<double>(solved));
+        each = solved == 0.0 ? 0.0 : std::sqrt(each / solved);
     }
 }
 
-}  // namespace
-
-std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uint64_t shard,
-                                                    std::uint64_t shards) {
-    const auto boundary = [&](std::uint64_t k) {
-        __extension__ using Wide = unsigned __int128;
-        return static_cast<std::uint64_t>(static_cast<Wide>(points_of(study)) * k / shards);
+/// @return false where it was stopped
+bool make_basis(const Problem& problem, Part& part, int threads,
+                const std::function<bool(double done)>& goes_on) {
+    Basis& basis = part.basis;
+    const Study& study = part.study;
+    const std::size_t watched = study.watch.size();
+    for (std::size_t j = 0; j < study.vary.size(); ++j) {
+        basis.laws.push_back(law_of(study.vary[j], problem.nominal[j]));
+    }
+    std::vector<double> periods;
+    const auto expand_about_means = [&] {
+        const auto response = problem.make();
+        basis.expansions = expand(*response, basis.laws, periods);
+        if (study.method == Method::linear) {
+            try_expansions(*response, study, periods, basis);
+        }
     };
-    return {boundary(shard - 1), boundary(shard)};
-}
-
-std::vector<std::vector<double>> first_samples(const Part& part, std::size_t most) {
-    std::vector<std::vector<double>> rows;
-    if (part.first == nullptr || !is_sampled(part.study.method)) {
-        return rows;
-    }
-    const std::size_t inputs = part.study.vary.size();
-    const auto watched = static_cast<std::ptrdiff_t>(part.study.watch.size());
-    Sampler sampler(part.study.method, part.study.points(), part.study.seed, inputs);
-    std::vector<double> u(inputs);
-    auto values = part.first->values.begin();
-    for (std::size_t i = 0; i < part.first->reasons.size() && rows.size() < most; ++i) {
-        sampler.point(i, u);
-        if (part.first->reasons[i].empty()) {
-            std::vector<double>& row = rows.emplace_back();
-            for (std::size_t j = 0; j < inputs; ++j) {
-                row.push_back(part.basis.laws[j].at(u[j]));
-            }
-            row.insert(row.end(), values, values + watched);
+    if (study.method == Method::linear) {
+        for (std::size_t w = 0; w < watched; ++w) {
+            const double nominal = basis.nominal[w].value_or(0.0);
+            periods.push_back(period_of(study.watch[w].pointer, std::span(&nominal, 1)));
         }
-        values += watched;
+        expand_about_means();
     }
-    return rows;
-}
-
-namespace {
-
-/// Expansions and departures, about the means of the inputs.
-void expand(const Problem& problem, Part& part, Pace& pace) {
-    Basis& basis = part.basis;
-    const bool sampled = is_sampled(part.study.method);
-    const Work work = work_of(part);
-    CountingResponse response(problem.make(), [&](std::uint64_t count) {
-        pace.tell(std::min(static_cast<double>(count), work.basis) / work.whole(), {});
-    });
-    Differences differences(response, basis.laws, part.study.watch.size());
-    basis.expansions = differences.expand(basis.periods, part.study.method == Method::second_order);
-    constexpr double sampled_reach = 3.0;
-    constexpr double expanded_reach = 2.0;
-    basis.departures = find_departures(response, basis.laws, basis.expansions, basis.periods,
-                                       sampled ? sampled_reach : expanded_reach);
-    if (!sampled) {
-        plan_counting(part, take_first(problem, part, 1, pace));
-        try_expansions(response, part.study, basis);
-    }
-    basis.evaluations = response.count();
-    basis.refusals = response.refusals();
-}
-
-}  // namespace
-
-double share_done(const Part& part) {
-    const Work work = work_of(part);
-    const auto done = static_cast<double>(part.done - part.from);
-    if (!(work.samples > 0.0)) {
-        return part.finished() ? 1.0 : 0.99;
-    }
-    const double solved = work.basis + std::max(work.first, done) + std::min(done, work.pairs);
-    return std::min(solved / std::max(work.whole(), 1.0), 1.0);
-}
-
-Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads,
-                const Begun& begun) {
-    Part part;
-    part.origin = problem.origin;
-    part.study = problem.study;
-    part.file_notes = problem.file_notes;
-    part.shard = shard;
-    part.shards = shards;
-    std::tie(part.from, part.to) = shard_range(part.study, shard, shards);
-    part.done = part.from;
-    Basis& basis = part.basis;
-    basis.nominal = problem.nominal_result;
-    for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
-        const double value = basis.nominal[w].value_or(0.0);
-        basis.periods.push_back(period_of(part.study.watch[w].pointer, std::span(&value, 1)));
-    }
-    if (part.study.method == Method::grid) {
-        part.tally = Tally({}, part.study.vary.size());
-        return part;
-    }
-    for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
-        basis.laws.push_back(law_of(part.study.vary[j], problem.nominal[j]));
-    }
-    Pace pace(begun);
-    try {
-        expand(problem, part, pace);
-        if (is_sampled(part.study.method)) {
-            part.first = std::make_shared<FirstSamples>(take_first(problem, part, threads, pace));
-            const std::vector<double> periods = basis.periods;
-            plan_counting(part, *part.first);
-            if (basis.periods != periods) {
-                expand(problem, part, pace);  // an angle that goes on to 720°
-            }
-        }
-    } catch (const Stopped&) {
-        return part;
-    }
-    part.tally = Tally(basis.plan, part.study.vary.size());
-    return part;
-}
-
-void keep_values(Part& part, std::uint64_t most) {
-    if (part.study.method != Method::grid && part.done == part.from &&
-        (part.to - part.from) <= most / std::max<std::size_t>(part.study.watch.size(), 1)) {
-        part.kept = std::make_shared<KeptValues>();
-    }
-}
-
-bool change_limits(Part& part, const std::vector<Watched>& watch) {
-    if (part.kept == nullptr) {
+    part.first = take_first(problem, part, threads, goes_on);
+    if (part.first == nullptr) {
         return false;
     }
-    const std::size_t watched = watch.size();
     for (std::size_t w = 0; w < watched; ++w) {
-        if (watch[w] == part.study.watch[w]) {
-            continue;
-        }
-        part.study.watch[w] = watch[w];
-        part.basis.plan[w].min = watch[w].min;
-        part.basis.plan[w].max = watch[w].max;
-        std::uint64_t within = 0;
-        for (std::size_t i = w; i < part.kept->values.size(); i += watched) {
-            const double value = part.kept->values[i];
-            within += !std::isnan(value) && part.basis.plan[w].within(value) ? 1 : 0;
-        }
-        part.tally.set_limits(w, watch[w].min, watch[w].max, within);
+        const std::vector<double> values = values_of(*part.first, w, watched);
+        const double period = period_of(study.watch[w].pointer, values);
+        basis.plan.push_back(counting_plan(study.watch[w], basis.nominal[w], values, period));
+        periods.push_back(period);
+    }
+    if (study.method != Method::linear) {
+        expand_about_means();
     }
     return true;
 }
 
+}  // namespace
+
+std::uint64_t Part::size() const {
+    return blocks.empty() ? 0 : blocks.back().to - blocks.front().from;
+}
+
+std::uint64_t Part::done() const {
+    std::uint64_t count = 0;
+    for (const Block& block : blocks) {
+        count += block.done - block.from;
+    }
+    return count;
+}
+
+std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards) {
+    const std::uint64_t points = points_of(study);
+    const std::uint64_t count = std::min(points, most_blocks);
+    std::vector<Block> blocks;
+    for (std::uint64_t b = count * (shard - 1) / shards; b < count * shard / shards; ++b) {
+        const std::uint64_t from = points * b / count;
+        blocks.push_back({.from = from, .done = from, .to = points * (b + 1) / count});
+    }
+    return blocks;
+}
+
+double share_done(const Part& part) {
+    const std::uint64_t first = first_samples_of(part.study);
+    return static_cast<double>(first + part.done()) /
+           static_cast<double>(std::max<std::uint64_t>(first + part.size(), 1));
+}
+
+Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads,
+                const std::function<bool(double done)>& goes_on) {
+    Part part{.origin = problem.origin,
+              .study = problem.study,
+              .shard = shard,
+              .shards = shards,
+              .blocks = blocks_of(problem.study, shard, shards),
+              .file_notes = problem.file_notes};
+    part.basis.nominal = problem.nominal_result;
+    if (part.study.method == Method::grid) {
+        part.rows.resize(part.size());
+    } else if (!make_basis(problem, part, threads, goes_on)) {
+        return part;
+    }
+    part.tally = Tally(part.basis.plan, part.study.vary.size());
+    for (Block& block : part.blocks) {
+        block.sums.resize(part.basis.plan.size() * replicates);
+    }
+    return part;
+}
+
 void run_part(const Problem& problem, Part& part, int threads,
               const std::function<bool(const Part&)>& went_on) {
-    using Clock = std::chrono::steady_clock;
+    constexpr auto stretch = std::chrono::milliseconds(250);
+    Workers workers = make_workers(problem, part, threads, part.blocks.size());
     const bool grid = part.study.method == Method::grid;
-    auto workers = make_workers(problem, part, threads, part.to - part.done);
-    constexpr std::uint64_t few = 16;  // a slow scene shows them soon
-    std::uint64_t stretch = few * workers.size();
-    while (part.done < part.to) {
-        const auto start = Clock::now();
-        const std::uint64_t end = std::min(part.done + stretch, part.to);
-        for (auto& worker : workers) {
-            worker->start_tally();
-        }
-        if (part.kept != nullptr) {
-            part.kept->values.resize((end - part.from) * part.study.watch.size(), not_solved);
-        }
-        if (grid) {
-            part.rows.resize(end - part.from);
-            share_out(workers, part.done, end, [&](Worker& worker, std::uint64_t i) {
-                part.rows[i - part.from] = worker.row(i);
-            });
-        } else {
-            share_out(workers, part.done, end,
-                      [](Worker& worker, std::uint64_t i) { worker.count(i); });
-        }
+    const auto is_open = [](const Block& block) { return block.done < block.to; };
+    auto open = std::find_if(part.blocks.begin(), part.blocks.end(), is_open);
+    while (open != part.blocks.end()) {
+        const auto end = Clock::now() + stretch;
+        std::atomic<std::ptrdiff_t> next{open - part.blocks.begin()};
+        std::atomic<bool> stopped{false};
+        const auto work = [&](std::size_t i) {
+            Worker& worker = *workers[i];
+            worker.tally = Tally(part.basis.plan, part.study.vary.size());
+            for (auto b = next++; b < std::ssize(part.blocks); b = next++) {
+                Block& block = part.blocks[static_cast<std::size_t>(b)];
+                while (is_open(block)) {
+                    if (stopped || Clock::now() > end) {
+                        return;
+                    }
+                    if (grid) {
+                        worker.fill(part.rows[block.done - part.blocks.front().from], block);
+                    } else {
+                        worker.count(block);
+                    }
+                }
+            }
+        };
+        run_workers(workers.size(), work, [&] { stopped = true; });
         for (const auto& worker : workers) {
             part.tally.add(worker->tally);
         }
-        part.done = end;
+        open = std::find_if(open, part.blocks.end(), is_open);
         if (went_on && !went_on(part)) {
             return;
-        }
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        constexpr double wanted = 0.25;
-        if (seconds < 0.5 * wanted) {
-            stretch *= 2;
-        } else if (seconds > 2.0 * wanted && stretch > workers.size()) {
-            stretch /= 2;
         }
     }
 }
 
 void PartMerger::add(Part part, const std::string& name) {
     const auto label = [&](std::uint64_t shard) {
-        return std::to_string(shard) + "/" + std::to_string(shards_);
+        return std::to_string(shard) + "/" + std::to_string(part.shards);
     };
-    if (!whole_) {
-        first_name_ = name;
-        shards_ = part.shards;
-        names_.resize(shards_);
-        rows_.resize(shards_);
-    } else if (part.origin.case_sha256 != whole_->origin.case_sha256 ||
-               part.origin.files_sha256 != whole_->origin.files_sha256 ||
-               part.study != whole_->study) {
+    if (whole_ && (part.origin.case_sha256 != whole_->origin.case_sha256 ||
+                   part.origin.files_sha256 != whole_->origin.files_sha256 ||
+                   part.study != whole_->study)) {
         throw InputError(name,
                          {CORE_TEXT("studies", "is a part of another case than %1"), first_name_});
-    } else if (part.shards != shards_) {
+    }
+    if (whole_ && part.shards != whole_->shards) {
         throw InputError(name, {CORE_TEXT("studies", "is one of %1 parts, but %2 is one of %3"),
-                                std::to_string(part.shards), first_name_, std::to_string(shards_)});
-    } else if (part.origin.program != whole_->origin.program ||
-               !same_basis(part.basis, whole_->basis)) {
+                                std::to_string(part.shards), first_name_,
+                                std::to_string(whole_->shards)});
+    }
+    if (whole_ && (part.origin.program != whole_->origin.program ||
+                   !same_basis(part.basis, whole_->basis))) {
         throw InputError(name, {CORE_TEXT("studies",
                                           "was computed by another program or machine than %1: "
                                           "it began with other numbers"),
@@ -641,52 +417,54 @@ void PartMerger::add(Part part, const std::string& name) {
         throw InputError(
             name,
             {CORE_TEXT("studies", "is not finished (%1 of %2 samples); run it again: --shard %3"),
-             std::to_string(part.done - part.from), std::to_string(part.to - part.from),
-             label(part.shard)});
+             std::to_string(part.done()), std::to_string(part.size()), label(part.shard)});
     }
+    names_.resize(part.shards);
     std::string& known = names_[part.shard - 1];
     if (!known.empty()) {
         throw InputError(
             name, {CORE_TEXT("studies", "is the same part as %1: %2"), known, label(part.shard)});
     }
     known = name;
-    rows_[part.shard - 1] = std::move(part.rows);
-    if (whole_) {
+    if (!whole_) {
+        first_name_ = name;
+        whole_ = part;
+        whole_->blocks = blocks_of(part.study, 1, 1);
+        whole_->rows.resize(part.study.method == Method::grid ? whole_->size() : 0);
+        whole_->first.reset();
+    } else {
         whole_->tally.add(part.tally);
-        if (part.robust_best) {
-            whole_->robust_best = std::move(part.robust_best);
-        }
+    }
+    if (part.blocks.empty()) {
         return;
     }
-    whole_ = std::move(part);
-    whole_->rows.clear();
-    whole_->first.reset();
+    const std::uint64_t from = part.blocks.front().from;
+    const auto place = std::find_if(whole_->blocks.begin(), whole_->blocks.end(),
+                                    [&](const Block& block) { return block.from == from; });
+    std::move(part.blocks.begin(), part.blocks.end(), place);
+    std::move(part.rows.begin(), part.rows.end(),
+              whole_->rows.begin() + static_cast<std::ptrdiff_t>(from));
 }
 
 Part PartMerger::finish() {
     std::string missing;
     std::uint64_t count = 0;
     constexpr std::uint64_t most_named = 20;
+    const std::string shards = "/" + std::to_string(names_.size());
     for (std::size_t k = 0; k < names_.size(); ++k) {
         if (names_[k].empty() && ++count <= most_named) {
-            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + "/" +
-                       std::to_string(shards_);
+            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + shards;
         }
     }
     if (count != 0) {
         missing += count > most_named ? ", …" : "";
-        throw InputError(
-            "", {CORE_TEXT("studies", "%1 of %2 parts are missing; run them again: --shard %3"),
-                 std::to_string(count), std::to_string(shards_), missing});
+        throw InputError("",
+                         {CORE_TEXT("studies", "%1 of %2 parts are missing; run them again: "
+                                               "--shard %3"),
+                          std::to_string(count), std::to_string(names_.size()), missing});
     }
-    Part whole = std::move(*whole_);
-    whole.shard = whole.shards = 1;
-    std::tie(whole.from, whole.to) = shard_range(whole.study, 1, 1);
-    whole.done = whole.to;
-    for (const auto& rows : rows_) {
-        whole.rows.insert(whole.rows.end(), rows.begin(), rows.end());
-    }
-    return whole;
+    whole_->shard = whole_->shards = 1;
+    return std::move(*whole_);
 }
 
 }  // namespace ravnoves::studies

@@ -11,8 +11,6 @@
 #include "case-file/case_context.h"
 #include "case-file/message.h"
 #include "studies/law.h"
-#include "studies/response.h"
-#include "studies/robust_best.h"
 #include "studies/study.h"
 #include "studies/tally.h"
 #include "studies/taylor.h"
@@ -40,26 +38,8 @@ struct Problem {
     Study study;
     std::vector<double> nominal;                        ///< the inputs, in the units of their keys
     std::vector<std::optional<double>> nominal_result;  ///< the watched values there
-    MakeResponse make;
-    std::vector<Message> file_notes{};  ///< of the files that the case names
-
-    /// An angle that the scene chooses to make a value least (scenes/responses.h).
-    struct Choice {
-        std::string input;  ///< pointers
-        std::string value;
-        std::optional<double> nominal_best{};  ///< degrees, by the scene
-        /// Stretches of angles that can be built, degrees, and why there is none; nothing where the
-        /// scene knows none that cannot.
-        std::optional<AngleStretches> buildable{};
-        Message unbuildable{};
-        /// The study's inputs and, unless it is one of them, the angle; the value and half its
-        /// steepest slope per radian.
-        MakeResponse make;
-        /// Those that can be built of the same inputs; makes one for each thread. Nothing where
-        /// that cannot be told.
-        std::function<BuildableOf()> make_buildable{};
-    };
-    std::optional<Choice> choice{};
+    std::function<std::unique_ptr<Response>()> make;    ///< one for each thread
+    std::vector<Message> file_notes{};                  ///< of the files that the case names
 };
 
 /// The study of a case.
@@ -72,22 +52,18 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
 struct Basis {
     std::vector<Law> laws;                       ///< not of a grid
     std::vector<std::optional<double>> nominal;  ///< the watched values
-    std::vector<double> periods;                 ///< of angles; else 0
     std::vector<Taylor> expansions;
-    std::vector<Departure> departures;
     std::vector<CountingPlan> plan;
-    std::uint64_t evaluations = 0;  ///< for the expansions and what they are tried by
-    Refusals refusals;              ///< of them
-    // What an expansion that stands for the study is tried by.
-    std::uint64_t tried = 0;  ///< samples
-    std::uint64_t tried_refused = 0;
-    std::vector<double> distances;  ///< root mean square of the values' from their expansions
+    // Of a linear study, whose expansions are tried by some samples:
+    std::vector<double> distances;  ///< root mean square of the values' from the expansions
+    Refusals refusals;
 };
 
 /// The watched values of a study's first samples, from which the basis was made.
-struct FirstSamples;
-/// The watched values of all samples of a part.
-struct KeptValues;
+struct FirstSamples {
+    std::vector<double> values;   ///< row by row
+    std::vector<Reason> reasons;  ///< empty where solved
+};
 
 /// A row of a grid's table; a value that does not exist is empty.
 using Row = std::vector<std::optional<double>>;
@@ -96,58 +72,40 @@ using Row = std::vector<std::optional<double>>;
 struct Part {
     Origin origin;
     Study study;
-    Basis basis;
+    Basis basis{};
     std::uint64_t shard = 1;  ///< from 1
     std::uint64_t shards = 1;
-    std::uint64_t from = 0;  ///< samples from … to
-    std::uint64_t done = 0;  ///< the next sample
-    std::uint64_t to = 0;
-    Tally tally;
-    std::vector<Row> rows;
+    std::vector<Block> blocks{};
+    Tally tally{};
+    std::vector<Row> rows{};  ///< of a grid, by point from the first block's first one
     std::vector<Message> file_notes{};
-    std::optional<RobustBest> robust_best{};  ///< of the first shard, where it was asked for
-    // Not written:
-    std::shared_ptr<const FirstSamples> first{};
-    std::shared_ptr<KeptValues> kept{};
+    std::shared_ptr<const FirstSamples> first{};  ///< not written
 
-    bool finished() const { return done == to; }
+    std::uint64_t size() const;  ///< samples
+    std::uint64_t done() const;
+    bool finished() const { return done() == size(); }
 };
 
-/// The samples of a shard, from 1.
-std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uint64_t shard,
-                                                    std::uint64_t shards);
-
-inline constexpr std::uint64_t most_shards = 1'000'000;
-
-/// Sees now and then how much of all work is done, 0…1, and may stop it by false. The second makes
-/// a part of the samples solved so far, for looking at: their values are counted by a plan that
-/// these alone have made.
-using Begun = std::function<bool(double done, const std::function<Part()>& so_far)>;
+/// A study has so many blocks, or as many as it has samples; a shard is whole blocks.
+inline constexpr std::uint64_t most_blocks = 1024;
+/// Those of a shard, nothing done.
+std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
+/// Samples that a linear study is tried by.
+inline constexpr std::uint64_t tried_samples = 64;
 
 /// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
-/// @param begun  where it stops the work, the part is worth nothing
+/// @param goes_on  sees now and then how much of all work is done, 0…1, and may stop it by false:
+///                 the part is worth nothing then
 Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
-                int threads = 0, const Begun& begun = {});
+                int threads = 0, const std::function<bool(double done)>& goes_on = {});
 
 /// How much of all work a part's samples and basis are, 0…1.
 double share_done(const Part& part);
 
-/// Keeps the watched values of a part that has just begun, where they are no more than `most`
-/// numbers: other limits need no solution then.
-void keep_values(Part& part, std::uint64_t most);
-/// Counts what is within other limits of the same watched values, as the samples themselves did.
-/// @return false where the values were not kept
-bool change_limits(Part& part, const std::vector<Watched>& watch);
-
-/// Goes on with a part until it is done. Several threads (0: as many as there are cores) work on
-/// stretches of samples; after each stretch, some tenths of a second, `went_on` sees the part and
-/// may stop the work by false.
+/// Goes on with a part until it is done. Several threads (0: as many as there are cores) take
+/// blocks; some times a second, `went_on` sees the part and may stop the work by false.
 void run_part(const Problem& problem, Part& part, int threads = 0,
               const std::function<bool(const Part&)>& went_on = {});
-
-/// Some of the first samples of a study that runs here, for pictures: inputs, then watched values,
-/// in the units of their keys. Those that were refused are left out.
-std::vector<std::vector<double>> first_samples(const Part& part, std::size_t most);
 
 /// Puts the finished parts of one study together, in any order, one at a time.
 class PartMerger {
@@ -162,14 +120,13 @@ class PartMerger {
   private:
     std::optional<Part> whole_;
     std::string first_name_;
-    std::uint64_t shards_ = 0;
     std::vector<std::string> names_;  ///< by shard; empty of one that is missing
-    std::vector<std::vector<Row>> rows_;
 };
 
+/// With a sum over itself.
 Json write_part(const Part& part);
-/// @throws InputError
-Part read_part(const Json& json);
+/// @throws InputError where it is of another version, or not as it was written
+Part read_part(Json json);
 
 /// Whether two parts of a study began with the same numbers.
 bool same_basis(const Basis& one, const Basis& other);
@@ -177,14 +134,11 @@ bool same_basis(const Basis& one, const Basis& other);
 /// What is to be known of an answer.
 struct Note {
     Message text;
-    /// Of the watched value whose linear answer fails, or that of the second order where that is
-    /// the method.
-    std::optional<std::size_t> fails{};
+    std::optional<std::size_t> fails{};  ///< of the watched value whose linear answer fails
 };
-/// Of the files that the case names; where the linear answer fails by more than its error bars, and
-/// why; what too few samples do not tell.
+/// Of the files that the case names; where the linear answer fails by more than its error bars;
+/// what too few samples do not tell.
 std::vector<Note> noted(const Part& part);
-std::vector<Message> notes_of(const Part& part);
 
 /// Why samples were refused, the most frequent first.
 std::vector<Refusal> refusals_of(const Part& part);

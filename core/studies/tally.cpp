@@ -4,6 +4,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -17,119 +19,88 @@ namespace ravnoves::studies {
 
 namespace {
 
-constexpr auto last_bin = static_cast<std::int64_t>(bin_count) - 1;
+/// Of the inputs, for the first-order sensitivity; a power of two.
+constexpr std::size_t slice_count = 64;
 /// Beyond, the slices would take more memory than all else.
-constexpr std::size_t most_slice_lists = 5000;
+constexpr std::size_t most_slice_lists = 1000;
+constexpr std::size_t below = bin_count;
+constexpr std::size_t above = bin_count + 1;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void refuse_part(const std::string& where) {
-    throw InputError(where, CORE_TEXT("studies", "is not what this program writes"));
+double square(double x) {
+    return x * x;
 }
 
-template <typename Integer>
-std::vector<Integer> read_integers(const Json& json, std::size_t size, const std::string& where) {
-    if (!json.is_array() || json.size() != size) {
-        refuse_part(where);
-    }
-    std::vector<Integer> values;
-    values.reserve(size);
-    for (const Json& each : json) {
-        if (!each.is_number_integer() || each.get<std::int64_t>() < 0) {
-            refuse_part(where);
-        }
-        values.push_back(each.get<Integer>());
-    }
-    return values;
+/// From the centre, in widths of bins: so that 10⁹ of them add up exactly.
+std::int64_t places(const CountingPlan& plan, double distance, double most) {
+    return std::llround(std::clamp(distance / plan.width, -most, most));
 }
 
-using Wide = Tally::Wide;
-
-/// High and low halves, one after the other.
-Json write_wide(const std::vector<Wide>& values) {
-    Json list = Json::array();
-    for (const Wide& each : values) {
-        list.push_back(static_cast<std::uint64_t>(each >> 64));
-        list.push_back(static_cast<std::uint64_t>(each));
-    }
-    return list;
-}
-
-std::vector<Wide> read_wide(const Json& json, std::size_t size, const std::string& where) {
-    if (!json.is_array() || json.size() != 2 * size) {
-        refuse_part(where);
-    }
-    std::vector<Wide> values(size);
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        if (!json[i].is_number_unsigned()) {
-            refuse_part(where);
-        }
-        values[i / 2] = (values[i / 2] << 64) | json[i].get<std::uint64_t>();
-    }
-    return values;
-}
-
-double read_number(const Json& json, const std::string& where) {
-    if (!json.is_number()) {
-        refuse_part(where);
-    }
-    return json.get<double>();
-}
-
-const Json& member(const Json& json, const char* key, const std::string& where) {
-    if (!json.is_object() || !json.contains(key)) {
-        refuse_part(where + "/" + key);
-    }
-    return json.at(key);
-}
-
-template <typename Integer>
-void add_each(std::vector<Integer>& sums, const std::vector<Integer>& others) {
+template <typename Counts>
+void add_each(Counts& sums, const Counts& others) {
     for (std::size_t i = 0; i < sums.size(); ++i) {
         sums[i] += others[i];
     }
 }
 
-/// Counts with a space between, and −n for n empty bins.
-std::string write_bins(const std::vector<std::uint64_t>& bins) {
+/// Numbers with a space between, and ~n for n zeros.
+std::string write_counts(const std::vector<std::int64_t>& counts) {
     std::string text;
-    std::size_t empty = 0;
-    for (const std::uint64_t count : bins) {
+    std::size_t zeros = 0;
+    for (const std::int64_t count : counts) {
         if (count == 0) {
-            ++empty;
+            ++zeros;
             continue;
         }
-        if (empty != 0) {
-            text += '-' + std::to_string(empty) + ' ';
+        if (zeros != 0) {
+            text += '~' + std::to_string(zeros) + ' ';
         }
         text += std::to_string(count) + ' ';
-        empty = 0;
+        zeros = 0;
     }
     return text;
 }
 
-bool read_bins(std::string_view text, std::vector<std::uint64_t>& bins) {
+void read_counts(const Json& json, std::vector<std::int64_t>& counts) {
+    const auto& text = json.get_ref<const std::string&>();
     std::size_t at = 0;
     const char* place = text.data();
     const char* const end = place + text.size();
     while (place != end) {
-        const bool skips = *place == '-';
-        std::uint64_t number = 0;
+        const bool skips = *place == '~';
+        std::int64_t number = 0;
         const auto [stopped, fault] = std::from_chars(place + (skips ? 1 : 0), end, number);
-        if (fault != std::errc{} || stopped == end || *stopped != ' ' || at >= bins.size() ||
-            (skips && number > bins.size() - at)) {
-            return false;
+        const auto rest = static_cast<std::int64_t>(counts.size() - at);
+        if (fault != std::errc{} || stopped == end || *stopped != ' ' || rest == 0 ||
+            (skips && (number < 0 || number > rest))) {
+            throw InputError("/counts", CORE_TEXT("studies", "is not what this program writes"));
         }
         if (skips) {
-            at += number;
+            at += static_cast<std::size_t>(number);
         } else {
-            bins[at++] = number;
+            counts[at++] = number;
         }
         place = stopped + 1;
     }
-    return true;
 }
 
-double square(double x) {
-    return x * x;
+/// A value with its standard error by what it is without each replicate in turn (jackknife).
+/// @param of  the value without the replicate of that number
+template <typename Of>
+Estimate jackknife(const Of& of) {
+    constexpr auto n = static_cast<double>(replicates);
+    constexpr double student = 1.077;  // seven degrees of freedom: ± holds 68.3 of 100
+    std::array<double, replicates> values{};
+    double mean = 0.0;
+    for (std::size_t i = 0; i < replicates; ++i) {
+        values[i] = of(i);
+        mean += values[i] / n;
+    }
+    double variance = 0.0;
+    for (const double value : values) {
+        variance += (n - 1.0) / n * square(value - mean);
+    }
+    return {of(replicates), student * std::sqrt(variance)};
 }
 
 }  // namespace
@@ -143,101 +114,114 @@ bool CountingPlan::within(double value) const {
     return inside(value) || (period != 0.0 && (inside(value - period) || inside(value + period)));
 }
 
+/// The sums of all blocks.
+struct Tally::Whole {
+    Whole(std::size_t watched, std::span<const Block> blocks) {
+        for (const Block& block : blocks) {  // in their order: so that digits stay
+            for (std::size_t i = 0; i < replicates && !block.sums.empty(); ++i) {
+                const Sums& more = block.sums[watched * replicates + i];
+                counts[i] += static_cast<double>(block.solved[i]);
+                sums[i].sum += more.sum;
+                sums[i].squares += more.squares;
+                sums[i].cosines += more.cosines;
+                sums[i].sines += more.sines;
+            }
+        }
+    }
+
+    struct Moments {
+        double n = 0.0;
+        double mean = 0.0;  ///< from the centre
+        double variance = 0.0;
+        Sums sums;
+    };
+    /// Of all replicates but one.
+    Moments without(std::size_t replicate) const {
+        Moments found;
+        for (std::size_t i = 0; i < replicates; ++i) {
+            if (i != replicate) {
+                found.n += counts[i];
+                found.sums.sum += sums[i].sum;
+                found.sums.squares += sums[i].squares;
+                found.sums.cosines += sums[i].cosines;
+                found.sums.sines += sums[i].sines;
+            }
+        }
+        found.mean = found.sums.sum / found.n;
+        found.variance =
+            std::max(0.0, found.sums.squares - found.mean * found.sums.sum) / (found.n - 1.0);
+        return found;
+    }
+
+    std::array<double, replicates> counts{};
+    std::array<Sums, replicates> sums{};
+};
+
 Tally::Tally(std::vector<CountingPlan> plan, std::size_t inputs)
     : plan_(std::move(plan)), inputs_(inputs), values_(plan_.size()) {
     const bool slices = inputs * plan_.size() <= most_slice_lists;
-    slice_counts_.resize(slices ? inputs * slice_count : 0);
-    pair_counts_.resize(inputs);
+    slice_counts_.resize(slices ? inputs * replicates * slice_count : 0);
+    pair_counts_.resize(inputs * replicates);
     for (Value& value : values_) {
-        value.bins.resize(bin_count);
+        value.bins.resize(bin_count + 2);
         value.slices.resize(slice_counts_.size());
-        value.pairs.resize(inputs);
-        value.pair_squares.resize(inputs);
+        value.pairs.resize(pair_counts_.size());
     }
 }
 
-std::int64_t Tally::bin(std::size_t watched, double value) const {
-    const CountingPlan& plan = plan_[watched];
-    const double place = std::floor((value - plan.low) / plan.width);
-    return static_cast<std::int64_t>(std::clamp(place, -1.0, static_cast<double>(bin_count)));
-}
-
-void Tally::add(std::span<const double> u, std::span<const double> y) {
-    std::array<std::size_t, 64> near{};  // without memory of its own for the usual few inputs
-    std::vector<std::size_t> far;
-    std::size_t* slice = near.data();
-    if (inputs_ > near.size()) {
-        far.resize(inputs_);
-        slice = far.data();
-    }
-    const bool slices = !slice_counts_.empty();
-    for (std::size_t j = 0; slices && j < inputs_; ++j) {
-        const auto place = static_cast<std::size_t>(u[j] * static_cast<double>(slice_count));
-        slice[j] = j * slice_count + std::min(place, slice_count - 1);
-        ++slice_counts_[slice[j]];
+void Tally::add(Block& block, std::uint64_t sample, std::span<const double> u,
+                std::span<const double> y) {
+    const std::size_t replicate = sample % replicates;
+    const auto slice = [&](std::size_t input) {
+        const auto place = static_cast<std::size_t>(u[input] * static_cast<double>(slice_count));
+        return (input * replicates + replicate) * slice_count + std::min(place, slice_count - 1);
+    };
+    const std::size_t sliced = slice_counts_.empty() ? 0 : inputs_;
+    for (std::size_t j = 0; j < sliced; ++j) {
+        ++slice_counts_[slice(j)];
     }
     for (std::size_t w = 0; w < values_.size(); ++w) {
         Value& value = values_[w];
+        Sums& sums = block.sums[w * replicates + replicate];
         const CountingPlan& plan = plan_[w];
         const double number = plan.unwrapped(y[w]);
-        value.min = solved_ == 0 ? number : std::min(value.min, number);
-        value.max = solved_ == 0 ? number : std::max(value.max, number);
         const double from_centre = number - plan.centre;
-        value.sum.add(from_centre);
-        value.squares.add(from_centre * from_centre);
+        sums.sum += from_centre;
+        sums.squares += from_centre * from_centre;
         if (plan.period != 0.0) {
             const double angle = from_centre * (two_pi / plan.period);
-            value.cosines.add(std::cos(angle));
-            value.sines.add(std::sin(angle));
+            sums.cosines += std::cos(angle);
+            sums.sines += std::sin(angle);
         }
+        value.min = solved_ == 0 ? number : std::min(value.min, number);
+        value.max = solved_ == 0 ? number : std::max(value.max, number);
         value.within += plan.within(y[w]) ? 1 : 0;
-        const std::int64_t place = bin(w, number);
-        if (place < 0) {
-            ++value.below;
-        } else if (place > last_bin) {
-            ++value.above;
-        } else {
-            ++value.bins[static_cast<std::size_t>(place)];
-        }
-        const std::int64_t clamped = std::clamp<std::int64_t>(place, 0, last_bin);
-        for (std::size_t j = 0; slices && j < inputs_; ++j) {
-            value.slices[slice[j]] += clamped;
+        const double bin = std::floor((number - plan.low) / plan.width);
+        ++value.bins[bin < 0.0                               ? below
+                     : bin >= static_cast<double>(bin_count) ? above
+                                                             : static_cast<std::size_t>(bin)];
+        if (sliced != 0) {
+            const std::int64_t place = places(plan, from_centre, 0x1p30);
+            for (std::size_t j = 0; j < sliced; ++j) {
+                value.slices[slice(j)] += place;
+            }
         }
     }
+    ++block.solved[replicate];
     ++solved_;
 }
 
-void Tally::refuse(std::uint64_t sample, const Reason& reason) {
-    Refusal& refusal = refusals_[without_numbers(reason.message().english())];
-    if (refusal.count == 0 || sample < refusal.first) {
-        refusal.first = sample;
-        refusal.reason = reason;
-    }
-    ++refusal.count;
-}
-
-void Tally::add_pair(std::size_t input, std::span<const double> y, std::span<const double> other) {
-    ++pair_counts_[input];
+void Tally::add_pair(std::uint64_t sample, std::size_t input, std::span<const double> y,
+                     std::span<const double> other) {
+    const std::size_t cell = input * replicates + sample % replicates;
+    ++pair_counts_[cell];
     for (std::size_t w = 0; w < values_.size(); ++w) {
-        const CountingPlan& plan = plan_[w];
-        const double one = plan.unwrapped(y[w]);
-        const double two =
-            plan.period == 0.0 ? other[w] : one + std::remainder(other[w] - one, plan.period);
-        const auto place = [&](double v) {
-            return std::clamp<std::int64_t>(bin(w, v), 0, last_bin);
-        };
-        const std::int64_t difference = place(two) - place(one);
-        values_[w].pairs[input] += difference * difference;
-        values_[w].pair_squares[input] +=
-            Wide(difference * difference) * Wide(difference * difference);
+        const double off = other[w] - y[w];
+        const double period = plan_[w].period;
+        const std::int64_t difference =
+            places(plan_[w], period == 0.0 ? off : std::remainder(off, period), 0x1p23);
+        values_[w].pairs[cell] += difference * difference;
     }
-}
-
-void Tally::set_limits(std::size_t watched, std::optional<double> min, std::optional<double> max,
-                       std::uint64_t within) {
-    plan_[watched].min = min;
-    plan_[watched].max = max;
-    values_[watched].within = within;
 }
 
 void Tally::add(const Tally& other) {
@@ -245,12 +229,6 @@ void Tally::add(const Tally& other) {
         Value& value = values_[w];
         const Value& more = other.values_[w];
         add_each(value.bins, more.bins);
-        value.below += more.below;
-        value.above += more.above;
-        value.sum.add(more.sum);
-        value.squares.add(more.squares);
-        value.cosines.add(more.cosines);
-        value.sines.add(more.sines);
         if (other.solved_ != 0) {
             value.min = solved_ == 0 ? more.min : std::min(value.min, more.min);
             value.max = solved_ == 0 ? more.max : std::max(value.max, more.max);
@@ -258,7 +236,6 @@ void Tally::add(const Tally& other) {
         value.within += more.within;
         add_each(value.slices, more.slices);
         add_each(value.pairs, more.pairs);
-        add_each(value.pair_squares, more.pair_squares);
     }
     solved_ += other.solved_;
     add_each(slice_counts_, other.slice_counts_);
@@ -281,6 +258,15 @@ std::uint64_t count_of(const Refusals& refusals) {
     return count;
 }
 
+void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason) {
+    Refusal& refusal = refusals[without_numbers(reason.message().english())];
+    if (refusal.count == 0 || sample < refusal.first) {
+        refusal.first = sample;
+        refusal.reason = reason;
+    }
+    ++refusal.count;
+}
+
 Json write_refusals(const Refusals& refusals) {
     Json list = Json::array();
     for (const auto& [kind, refusal] : refusals) {
@@ -291,77 +277,74 @@ Json write_refusals(const Refusals& refusals) {
     return list;
 }
 
-Refusals read_refusals(const Json& json, const std::string& where) {
+Refusals read_refusals(const Json& json) {
     Refusals refusals;
-    const auto whole = [&](const Json& each, const char* key) {
-        return read_integers<std::uint64_t>(Json::array({member(each, key, where)}), 1, where)
-            .front();
-    };
     for (const Json& each : json) {
-        const Json& reason = member(each, "reason", where);
-        if (!reason.is_string()) {
-            refuse_part(where + "/reason");
-        }
-        const auto text = reason.get<std::string>();
-        refusals[without_numbers(text)] = {whole(each, "count"), whole(each, "first"), {{}, text}};
+        const auto text = each.at("reason").get<std::string>();
+        refusals[without_numbers(text)] = {each.at("count").get<std::uint64_t>(),
+                                           each.at("first").get<std::uint64_t>(),
+                                           {{}, text}};
     }
     return refusals;
 }
 
 /// Within a bin the values are taken to lie evenly.
-double Tally::order_statistic(std::size_t watched, std::uint64_t place) const {
-    const Value& value = values_[watched];
-    const CountingPlan& plan = plan_[watched];
-    const double high = plan.low + plan.width * static_cast<double>(bin_count);
-    if (place == 0 || place + 1 == solved_) {
+double Tally::order_statistic(const Value& value, const CountingPlan& plan,
+                              std::uint64_t place) const {
+    if (place == 0 || place + 1 >= solved_) {
         return place == 0 ? value.min : value.max;
     }
-    const auto spread = [&](double from, double to, std::uint64_t rank, std::uint64_t count) {
+    auto rank = static_cast<std::int64_t>(place);
+    const auto spread = [&](double from, double to, std::int64_t count) {
         const double at =
             from + (to - from) * (static_cast<double>(rank) + 0.5) / static_cast<double>(count);
         return std::clamp(at, value.min, value.max);
     };
-    if (place < value.below) {
-        return spread(value.min, plan.low, place, value.below);
+    if (rank < value.bins[below]) {
+        return spread(value.min, plan.low, value.bins[below]);
     }
-    place -= value.below;
+    rank -= value.bins[below];
     for (std::size_t i = 0; i < bin_count; ++i) {
-        if (place < value.bins[i]) {
-            const double from = plan.low + plan.width * static_cast<double>(i);
-            return spread(from, from + plan.width, place, value.bins[i]);
+        const double from = plan.low + plan.width * static_cast<double>(i);
+        if (rank < value.bins[i]) {
+            return spread(from, from + plan.width, value.bins[i]);
         }
-        place -= value.bins[i];
+        rank -= value.bins[i];
     }
-    return spread(high, value.max, place, value.above);
+    return spread(plan.low + plan.width * static_cast<double>(bin_count), value.max,
+                  value.bins[above]);
 }
 
-Statistics Tally::statistics(std::size_t watched) const {
+Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks) const {
     const Value& value = values_[watched];
     const CountingPlan& plan = plan_[watched];
-    const auto n = static_cast<double>(solved_);
-    const double sum = value.sum.value();
-    const double deviation =
-        solved_ < 2 ? 0.0
-                    : std::sqrt(std::max(0.0, value.squares.value() - sum * sum / n) / (n - 1.0));
+    const Whole whole(watched, blocks);
+    const Whole::Moments all = whole.without(replicates);
+    const double n = all.n;
     Statistics found;
-    found.mean = plan.centre + sum / n;
-    found.deviation = deviation;
-    found.plain_deviation = deviation;
+    found.mean = plan.centre + all.mean;
+    found.plain_deviation = solved_ < 2 ? 0.0 : std::sqrt(all.variance);
+    found.deviation = found.plain_deviation;
+    const auto error = [&](const auto& of) {
+        const double of_jackknife = jackknife(of).error;
+        return solved_ < 2 * replicates || std::isnan(of_jackknife) ? infinite : of_jackknife;
+    };
+    found.mean_error = error([&](std::size_t i) { return whole.without(i).mean; });
+    found.deviation_error =
+        error([&](std::size_t i) { return std::sqrt(whole.without(i).variance); });
     found.min = value.min;
     found.max = value.max;
     double shift = 0.0;
     if (plan.period != 0.0) {
-        const double cosines = value.cosines.value();
-        const double sines = value.sines.value();
+        const Sums& sums = all.sums;
         const double to_degrees = plan.period / two_pi;
-        const double length = std::min(std::hypot(cosines, sines) / n, 1.0);
-        found.mean = plan.centre + std::atan2(sines, cosines) * to_degrees;
+        const double length = std::min(std::hypot(sums.cosines, sums.sines) / n, 1.0);
+        found.mean = plan.centre + std::atan2(sums.sines, sums.cosines) * to_degrees;
         if (solved_ >= 2) {
             // Of narrow scatter 1 − R keeps few digits, while the plain deviation is the same.
             const double around = found.mean - plan.centre;
             const double narrow = std::sqrt(std::max(
-                0.0,
-                (value.squares.value() - 2.0 * around * sum + n * around * around) / (n - 1.0)));
+                0.0, (sums.squares - 2.0 * around * sums.sum + n * around * around) / (n - 1.0)));
             const double wide = std::sqrt(-2.0 * std::log(length) * n / (n - 1.0)) * to_degrees;
             found.deviation = narrow < 1e-4 * plan.period ? narrow : wide;
         }
@@ -371,88 +354,120 @@ Statistics Tally::statistics(std::size_t watched) const {
     }
     for (std::size_t i = 0; i < percent_points.size(); ++i) {
         const double place = (n - 1.0) * percent_points[i] / 100.0;
-        const auto whole = std::min(static_cast<std::uint64_t>(place), solved_ - 1);
-        const double low = order_statistic(watched, whole);
-        const double high = order_statistic(watched, std::min(whole + 1, solved_ - 1));
-        found.percentiles[i] = low + (high - low) * (place - static_cast<double>(whole)) + shift;
+        const auto rank = static_cast<std::uint64_t>(place);
+        const double low = order_statistic(value, plan, rank);
+        const double high = order_statistic(value, plan, rank + 1);
+        found.percentiles[i] = low + (high - low) * (place - static_cast<double>(rank)) + shift;
     }
     found.mean += shift;
     found.min += shift;
     found.max += shift;
     found.share = static_cast<double>(value.within) / n;
-    std::tie(found.share_low, found.share_high) = wilson_interval(value.within, solved_);
-    set_sensitivities(watched, found);
+    std::tie(found.share_low, found.share_high) =
+        wilson_interval(static_cast<std::uint64_t>(value.within), solved_);
+    set_sensitivities(watched, whole, found);
     return found;
 }
 
-void Tally::set_sensitivities(std::size_t watched, Statistics& found) const {
-    const Value& value = values_[watched];
-    const auto n = static_cast<double>(solved_);
-    double sum = static_cast<double>(last_bin) * static_cast<double>(value.above);
-    for (std::size_t i = 0; i < bin_count; ++i) {
-        sum += static_cast<double>(i) * static_cast<double>(value.bins[i]);
-    }
-    const double mean = sum / n;
-    double second = 0.0;
-    double fourth = 0.0;
-    const auto count_at = [&](double place, std::uint64_t count) {
-        const double d = square(place - mean);
-        second += d * static_cast<double>(count);
-        fourth += d * d * static_cast<double>(count);
-    };
-    count_at(0.0, value.below);
-    count_at(static_cast<double>(last_bin), value.above);
-    for (std::size_t i = 0; i < bin_count; ++i) {
-        if (value.bins[i] != 0) {
-            count_at(static_cast<double>(i), value.bins[i]);
+/// The variance of the slices' means, in squared widths of bins, without one replicate.
+///
+/// It rests on products of different replicates alone: these are independent, so that what the
+/// other inputs leave in a slice's mean adds nothing on average, however evenly the points lie.
+double Tally::between_slices(const Value& value, std::size_t input, double mean,
+                             std::size_t without, std::size_t joined) const {
+    struct Products {
+        double count = 0.0;
+        double sum = 0.0;
+        double squared_counts = 0.0;
+        double squared_sums = 0.0;
+
+        void add(double samples, double total) {
+            count += samples;
+            sum += total;
+            squared_counts += square(samples);
+            squared_sums += square(total);
         }
+        double mean_square() const {
+            const double pairs = square(count) - squared_counts;
+            return pairs > 0.0 ? (square(sum) - squared_sums) / pairs : 0.0;
+        }
+    };
+    double between = 0.0;
+    std::array<double, replicates> counts{};
+    std::array<double, replicates> sums{};
+    for (std::size_t k = 0; k < slice_count; k += joined) {
+        Products slice;
+        for (std::size_t i = 0; i < replicates; ++i) {
+            if (i == without) {
+                continue;
+            }
+            const std::size_t first = (input * replicates + i) * slice_count + k;
+            double count = 0.0;
+            double sum = 0.0;
+            for (std::size_t at = first; at < first + joined; ++at) {
+                count += static_cast<double>(slice_counts_[at]);
+                sum += static_cast<double>(value.slices[at]);
+            }
+            sum -= count * mean;
+            slice.add(count, sum);
+            counts[i] += count;
+            sums[i] += sum;
+        }
+        between += slice.count * slice.mean_square();
     }
-    const double variance = second / n;
-    if (!(variance > 0.0)) {
+    Products all;
+    for (std::size_t i = 0; i < replicates; ++i) {
+        all.add(counts[i], sums[i]);
+    }
+    return between / all.count - all.mean_square();
+}
+
+void Tally::set_sensitivities(std::size_t watched, const Whole& whole, Statistics& found) const {
+    const Value& value = values_[watched];
+    const double width = plan_[watched].width;
+    constexpr std::int64_t least_pairs = 64;
+    constexpr std::uint64_t for_slices = 256;
+    constexpr std::uint64_t for_all_slices = 4096;
+    const std::size_t joined = solved_ >= for_all_slices ? 1 : 4;
+    found.first_order.resize(inputs_);
+    found.total.resize(inputs_);
+    if (!(whole.without(replicates).variance > 0.0)) {
         return;
     }
-    found.deviation_error =
-        found.deviation * std::sqrt(std::max(0.0, fourth / n / square(variance) - 1.0) / (4.0 * n));
-    // Between groups and within them, less what the groups' own noise adds; a line loses 1/K².
-    constexpr std::uint64_t for_all_slices = 6400;
-    constexpr std::uint64_t for_any = 320;
-    const std::size_t joined = solved_ >= for_all_slices ? 1 : 4;
-    if (!slice_counts_.empty() && solved_ >= for_any) {
-        for (std::size_t j = 0; j < inputs_; ++j) {
-            double between = 0.0;
-            double groups = 0.0;
-            for (std::size_t k = 0; k < slice_count; k += joined) {
-                double count = 0.0;
-                double total = 0.0;
-                for (std::size_t i = k; i < k + joined; ++i) {
-                    count += static_cast<double>(slice_counts_[j * slice_count + i]);
-                    total += static_cast<double>(value.slices[j * slice_count + i]);
-                }
-                if (count > 0.0) {
-                    between += count * square(total / count - mean);
-                    groups += 1.0;
-                }
-            }
-            const double noise = (groups - 1.0) * (second - between) / (n - groups);
-            const double line = 1.0 - 1.0 / square(groups);
-            const double share =
-                std::clamp((between - std::max(noise, 0.0)) / second / line, 0.0, 1.0);
-            found.first_order.push_back(share);
-            found.first_order_error.push_back(std::sqrt(
-                (4.0 * share * (1.0 - share) + 2.0 * (groups - 1.0) * square(1.0 - share) / n) /
-                n));
+    const auto known = [](Estimate estimate) {
+        estimate.value = std::clamp(estimate.value, 0.0, 1.0);
+        return std::isfinite(estimate.error) ? std::optional(estimate) : std::nullopt;
+    };
+    for (std::size_t j = 0; j < inputs_; ++j) {
+        if (solved_ >= for_slices && !slice_counts_.empty()) {
+            // What a slice hides of the input's own variance: of a smooth value a third of what
+            // slices of twice its width hide more, of the tails of a normal law and of jumps
+            // about as much as that.
+            double hidden = 0.0;
+            Estimate estimate = jackknife([&](std::size_t i) {
+                const Whole::Moments moments = whole.without(i);
+                const double scale = square(width) / moments.variance;
+                const double mean = moments.mean / width;
+                const double fine = scale * between_slices(value, j, mean, i, joined);
+                const double coarse = scale * between_slices(value, j, mean, i, 2 * joined);
+                hidden = std::max(fine - coarse, 0.0);
+                return fine + 0.8 * hidden;
+            });
+            estimate.error += 0.5 * hidden;  // of all replicates, which come last
+            found.first_order[j] = known(estimate);
         }
-    }
-    constexpr std::uint64_t least_pairs = 30;
-    if (std::all_of(pair_counts_.begin(), pair_counts_.end(),
-                    [](std::uint64_t count) { return count >= least_pairs; })) {
-        for (std::size_t j = 0; j < inputs_; ++j) {
-            const auto count = static_cast<double>(pair_counts_[j]);
-            const double mean_square = static_cast<double>(value.pairs[j]) / count;
-            const double spread = std::max(
-                0.0, static_cast<double>(value.pair_squares[j]) / count - square(mean_square));
-            found.total.push_back(0.5 * mean_square / variance);
-            found.total_error.push_back(0.5 * std::sqrt(spread / (count - 1.0)) / variance);
+        const std::span counts = std::span(pair_counts_).subspan(j * replicates, replicates);
+        const std::span pairs = std::span(value.pairs).subspan(j * replicates, replicates);
+        if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >= least_pairs) {
+            found.total[j] = known(jackknife([&](std::size_t without) {
+                double count = 0.0;
+                double sum = 0.0;
+                for (std::size_t i = 0; i < replicates; ++i) {
+                    count += i == without ? 0.0 : static_cast<double>(counts[i]);
+                    sum += i == without ? 0.0 : static_cast<double>(pairs[i]);
+                }
+                return 0.5 * square(width) * sum / count / whole.without(without).variance;
+            }));
         }
     }
 }
@@ -469,75 +484,46 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
             middle += plan.period * std::round((0.5 * (from + to) - middle) / plan.period);
         }
         const double place = (middle - from) / (to - from) * static_cast<double>(bars);
-        counts[static_cast<std::size_t>(std::clamp(place, 0.0, last))] += value.bins[i];
+        counts[static_cast<std::size_t>(std::clamp(place, 0.0, last))] +=
+            static_cast<std::uint64_t>(value.bins[i]);
     }
-    counts.front() += value.below;
-    counts.back() += value.above;
+    counts.front() += static_cast<std::uint64_t>(value.bins[below]);
+    counts.back() += static_cast<std::uint64_t>(value.bins[above]);
     return counts;
 }
 
 Json Tally::write() const {
-    Json json = {{"solved", solved_}, {"refused", write_refusals(refusals_)}};
-    json["slice_counts"] = slice_counts_;
-    json["pair_counts"] = pair_counts_;
-    json["values"] = Json::array();
+    Json json = {{"solved", solved_},
+                 {"refused", write_refusals(refusals_)},
+                 {"slice_counts", write_counts(slice_counts_)},
+                 {"pair_counts", write_counts(pair_counts_)},
+                 {"values", Json::array()}};
     for (const Value& value : values_) {
-        json["values"].push_back({{"below", value.below},
-                                  {"bins", write_bins(value.bins)},
-                                  {"above", value.above},
-                                  {"sum", value.sum.write()},
-                                  {"squares", value.squares.write()},
-                                  {"cosines", value.cosines.write()},
-                                  {"sines", value.sines.write()},
+        json["values"].push_back({{"bins", write_counts(value.bins)},
                                   {"min", value.min},
                                   {"max", value.max},
                                   {"within", value.within},
-                                  {"slices", value.slices},
-                                  {"pairs", value.pairs},
-                                  {"pair_squares", write_wide(value.pair_squares)}});
+                                  {"slices", write_counts(value.slices)},
+                                  {"pairs", write_counts(value.pairs)}});
     }
     return json;
 }
 
 Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs) {
-    const std::string root = "/counts";
     Tally tally(std::move(plan), inputs);
-    const auto whole = [](const Json& value, const std::string& where) {
-        return read_integers<std::uint64_t>(Json::array({value}), 1, where).front();
-    };
-    tally.solved_ = whole(member(json, "solved", root), root + "/solved");
-    tally.refusals_ = read_refusals(member(json, "refused", root), root + "/refused");
-    tally.slice_counts_ = read_integers<std::uint64_t>(
-        member(json, "slice_counts", root), tally.slice_counts_.size(), root + "/slice_counts");
-    tally.pair_counts_ = read_integers<std::uint64_t>(member(json, "pair_counts", root), inputs,
-                                                      root + "/pair_counts");
-    const Json& values = member(json, "values", root);
-    if (!values.is_array() || values.size() != tally.values_.size()) {
-        refuse_part(root + "/values");
-    }
-    for (std::size_t w = 0; w < values.size(); ++w) {
-        const std::string where = root + "/values/" + std::to_string(w);
-        const Json& from = values[w];
+    tally.solved_ = json.at("solved").get<std::uint64_t>();
+    tally.refusals_ = read_refusals(json.at("refused"));
+    read_counts(json.at("slice_counts"), tally.slice_counts_);
+    read_counts(json.at("pair_counts"), tally.pair_counts_);
+    for (std::size_t w = 0; w < tally.values_.size(); ++w) {
+        const Json& from = json.at("values").at(w);
         Value& value = tally.values_[w];
-        value.below = whole(member(from, "below", where), where + "/below");
-        value.above = whole(member(from, "above", where), where + "/above");
-        const Json& bins = member(from, "bins", where);
-        if (!bins.is_string() || !read_bins(bins.get_ref<const std::string&>(), value.bins)) {
-            refuse_part(where + "/bins");
-        }
-        value.sum = ExactSum::read(member(from, "sum", where), where + "/sum");
-        value.squares = ExactSum::read(member(from, "squares", where), where + "/squares");
-        value.cosines = ExactSum::read(member(from, "cosines", where), where + "/cosines");
-        value.sines = ExactSum::read(member(from, "sines", where), where + "/sines");
-        value.min = read_number(member(from, "min", where), where + "/min");
-        value.max = read_number(member(from, "max", where), where + "/max");
-        value.within = whole(member(from, "within", where), where + "/within");
-        value.slices = read_integers<std::int64_t>(member(from, "slices", where),
-                                                   value.slices.size(), where + "/slices");
-        value.pairs =
-            read_integers<std::int64_t>(member(from, "pairs", where), inputs, where + "/pairs");
-        value.pair_squares =
-            read_wide(member(from, "pair_squares", where), inputs, where + "/pair_squares");
+        read_counts(from.at("bins"), value.bins);
+        value.min = from.at("min").get<double>();
+        value.max = from.at("max").get<double>();
+        value.within = from.at("within").get<std::int64_t>();
+        read_counts(from.at("slices"), value.slices);
+        read_counts(from.at("pairs"), value.pairs);
     }
     return tally;
 }

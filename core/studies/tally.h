@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "case-file/json_fwd.h"
 #include "case-file/response.h"
-#include "studies/exact_sum.h"
+#include "studies/sampler.h"
 
 namespace ravnoves::studies {
 
@@ -27,32 +28,33 @@ struct CountingPlan {
 
     double unwrapped(double value) const;
     bool within(double value) const;
-    friend bool operator==(const CountingPlan&, const CountingPlan&) = default;
 };
 
 inline constexpr std::size_t bin_count = 65'536;
-/// Of the inputs, for the first-order sensitivity.
-inline constexpr std::size_t slice_count = 64;
 inline constexpr std::array percent_points{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
 
-/// What is known of one watched value.
+struct Estimate {
+    double value = 0.0;
+    double error = 0.0;  ///< standard
+};
+
+/// What is known of one watched value. Errors are those of the replicates' jackknife; infinite
+/// where there are too few samples.
 struct Statistics {
     double mean = 0.0;
+    double mean_error = 0.0;
     double deviation = 0.0;  ///< standard, with n − 1; of an angle √(−2 ln R), with the same factor
     double plain_deviation = 0.0;  ///< with n − 1, of an angle along the unrolled circle
+    double deviation_error = 0.0;  ///< of the plain one
     double min = 0.0;
     double max = 0.0;
     std::array<double, percent_points.size()> percentiles{};
     double share = 0.0;  ///< within the limits
     double share_low = 0.0;
     double share_high = 0.0;
-    double deviation_error = 0.0;     ///< standard error of the deviation, of independent samples
-    std::vector<double> first_order;  ///< empty where the samples do not allow it
-    std::vector<double> total;
-    // Standard errors of these: of the first as of a correlation ratio of normal values, of the
-    // total by its pairs, the variance being taken as known.
-    std::vector<double> first_order_error;
-    std::vector<double> total_error;
+    // By input; empty where the samples do not tell.
+    std::vector<std::optional<Estimate>> first_order;
+    std::vector<std::optional<Estimate>> total;
 };
 
 /// Why samples were refused, alike but for the numbers in it.
@@ -65,72 +67,84 @@ struct Refusal {
 /// By the English reason without its numbers.
 using Refusals = std::map<std::string, Refusal>;
 std::uint64_t count_of(const Refusals& refusals);
+void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason);
 Json write_refusals(const Refusals& refusals);
-/// @throws InputError
-Refusals read_refusals(const Json& json, const std::string& where);
+Refusals read_refusals(const Json& json);
 
-/// Counts and exact sums of samples: no sample is kept, and neither order nor sharing out changes
-/// anything. 65536 bins of each watched value, laid out beforehand; their places serve the
-/// sensitivities too.
+/// Sums of the solved samples of one watched value in one replicate, about the plan's centre.
+struct Sums {
+    double sum = 0.0;
+    double squares = 0.0;
+    double cosines = 0.0;  ///< of angles
+    double sines = 0.0;
+};
+
+/// Samples from … to, solved one after the other by one thread: so the sums do not depend on
+/// threads, shards and interruptions.
+struct Block {
+    std::uint64_t from = 0;
+    std::uint64_t done = 0;  ///< the next sample
+    std::uint64_t to = 0;
+    std::array<std::uint64_t, replicates> solved{};
+    std::vector<Sums> sums{};  ///< by watched value, then replicate
+};
+
+/// Whole numbers that samples add up to, whatever their order. 65536 bins of each watched value are
+/// fixed beforehand; their places serve the sensitivities too.
 class Tally {
   public:
-    __extension__ using Wide = unsigned __int128;
-
     Tally() = default;
     Tally(std::vector<CountingPlan> plan, std::size_t inputs);
 
     /// @param u  the sample in the unit cube
-    void add(std::span<const double> u, std::span<const double> y);
-    void refuse(std::uint64_t sample, const Reason& reason);
+    void add(Block& block, std::uint64_t sample, std::span<const double> u,
+             std::span<const double> y);
+    void refuse(std::uint64_t sample, const Reason& reason) {
+        studies::refuse(refusals_, sample, reason);
+    }
     /// Two samples that differ in one input alone.
-    void add_pair(std::size_t input, std::span<const double> y, std::span<const double> other);
-    /// Other limits of a watched value, which so many of the samples keep.
-    void set_limits(std::size_t watched, std::optional<double> min, std::optional<double> max,
-                    std::uint64_t within);
+    void add_pair(std::uint64_t sample, std::size_t input, std::span<const double> y,
+                  std::span<const double> other);
     /// Of another with the same plan.
     void add(const Tally& other);
 
     std::uint64_t solved() const { return solved_; }
-    std::uint64_t refused() const { return count_of(refusals_); }
     const Refusals& refusals() const { return refusals_; }
     /// Of at least one solved sample.
-    Statistics statistics(std::size_t watched) const;
+    /// @param blocks  with all samples that were counted
+    Statistics statistics(std::size_t watched, std::span<const Block> blocks) const;
     /// All samples in so many bars between two values, at least one bar; the first and the last
     /// hold what lies beyond them too.
     std::vector<std::uint64_t> histogram(std::size_t watched, double from, double to,
                                          std::size_t bars) const;
 
     Json write() const;
-    /// @throws InputError
+    /// @throws InputError or Json::exception where it is not what write() writes
     static Tally read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs);
 
   private:
+    using Counts = std::vector<std::int64_t>;
     struct Value {
-        std::vector<std::uint64_t> bins;  ///< those below and above are counted in the next two
-        std::uint64_t below = 0;
-        std::uint64_t above = 0;
-        ExactSum sum;      ///< of value − centre
-        ExactSum squares;  ///< of its square
-        ExactSum cosines;  ///< of angles
-        ExactSum sines;
+        Counts bins;  ///< the last two: below and above
         double min = 0.0;
         double max = 0.0;
-        std::uint64_t within = 0;
-        std::vector<std::int64_t> slices;  ///< sums of bin numbers, by input and its slice
-        std::vector<std::int64_t> pairs;   ///< sums of squared differences, by input
-        std::vector<Wide> pair_squares;    ///< and of the squares of these
+        std::int64_t within = 0;
+        Counts slices;  ///< sums of places in bins, by input, replicate and slice
+        Counts pairs;   ///< sums of squared differences of places, by input and replicate
     };
+    struct Whole;
 
-    std::int64_t bin(std::size_t watched, double value) const;
-    double order_statistic(std::size_t watched, std::uint64_t place) const;
-    void set_sensitivities(std::size_t watched, Statistics& statistics) const;
+    double order_statistic(const Value& value, const CountingPlan& plan, std::uint64_t place) const;
+    double between_slices(const Value& value, std::size_t input, double mean, std::size_t without,
+                          std::size_t joined) const;
+    void set_sensitivities(std::size_t watched, const Whole& whole, Statistics& found) const;
 
     std::vector<CountingPlan> plan_;
     std::size_t inputs_ = 0;
     std::vector<Value> values_;
     std::uint64_t solved_ = 0;
-    std::vector<std::uint64_t> slice_counts_;
-    std::vector<std::uint64_t> pair_counts_;
+    Counts slice_counts_;
+    Counts pair_counts_;
     Refusals refusals_;
 };
 

@@ -172,25 +172,6 @@ TEST(CaseResponse, SaysThatAFileHasChanged) {
     std::filesystem::remove_all(context.directory);
 }
 
-TEST(CaseResponse, SaysReasonsAsMessages) {
-    CaseFile file = example("tmz-650d.case.json");
-    file.input["centre_distance_mm"] = 20.0;  // no room at any angle
-    file.study = {{"vary", {{"/counterweight_radius_mm", {{"plus_minus_percent", 1}}}}},
-                  {"watch", {{"/optimum_buildable/range/range_Nm", Json::object()}}}};
-    Json& watch = file.study["watch"];
-    const Json result = solve_case(file, {}).at("result");
-    ASSERT_TRUE(result.at("optimum_buildable").at("range").is_null());
-    // Watched where it exists, refused where it does not.
-    watch = {{"/moment_amplitude_Nm", Json::object()}};
-    file.study["samples"] = 8;
-    const Problem fine = problem_of(file, {});
-    ASSERT_TRUE(fine.choice && fine.choice->buildable);
-    EXPECT_TRUE(fine.choice->buildable->empty());
-    EXPECT_FALSE(fine.choice->unbuildable.pattern().empty());
-    EXPECT_EQ(fine.choice->unbuildable.english(),
-              result.at("optimum_buildable").at("reason").get<std::string>());
-}
-
 TEST(CaseResponse, DerivativesAreThoseOfFiftyDigits) {
     CaseFile file = example("tmz-650d.case.json");
     file.study = {{"vary",

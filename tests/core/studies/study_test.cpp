@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
 #include "case-file/input_error.h"
+#include "case-file/json_text.h"
+#include "case-file/sha256.h"
 #include "numerics/constants.h"
 #include "studies/sampler.h"
 #include "support.h"
@@ -16,7 +19,7 @@
 namespace ravnoves::studies {
 namespace {
 
-constexpr std::array sampled_words{"monte-carlo", "latin-hypercube", "sobol"};
+constexpr std::array sampled_words{"monte-carlo", "sobol"};
 
 std::string refusal(const Json& study) {
     try {
@@ -34,8 +37,8 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
                           {"/d", {{"plus_minus_percent", 0.1}}},
                           {"/e", {{"from", -1}, {"to", 2}}}}},
                         {"watch", {{"/y", {{"max", 3}}}, {"/z", Json::object()}}},
-                        {"method", "latin-hypercube"},
-                        {"samples", 1'000'000'000'000},
+                        {"method", "monte-carlo"},
+                        {"samples", 1'000'000'000},
                         {"seed", 9'223'372'036'854'775'807}};
     EXPECT_EQ(refusal(study), "");
     EXPECT_EQ(write_study(read_study(study)).flatten().size(), study.flatten().size());
@@ -46,8 +49,16 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
         return refusal(changed);
     };
     EXPECT_EQ(with("/samples", 0),
-              "/study/samples: must be a whole number from 1 to 1000000000000, got 0");
+              "/study/samples: must be a whole number from 1 to 1000000000, got 0");
     EXPECT_EQ(with("/samples", 1e6), "");
+    EXPECT_EQ(with("/samples", 1'000'000'001).substr(0, 14), "/study/samples");
+    // Methods of older cases.
+    EXPECT_EQ(with("/method", "second-order"),
+              "/study/method: must be \"linear\" or \"sobol\": second-order studies are no longer "
+              "supported");
+    EXPECT_EQ(with("/method", "latin-hypercube"),
+              "/study/method: must be \"sobol\" or \"monte-carlo\": Latin hypercubes are no longer "
+              "supported");
     EXPECT_EQ(with("/seed", -1).substr(0, 11), "/study/seed");
     EXPECT_EQ(with("/vary/~1a/plus_minus", -1),
               "/study/vary/~1a/plus_minus: must be greater than 0, got -1");
@@ -77,13 +88,13 @@ TEST(Study, FindsKnownMomentsForTwentySeeds) {
                 y[1] = std::hypot(x[0], x[1]);
                 return true;
             }));
-            const Statistics squares = part.tally.statistics(0);
+            const Statistics squares = statistics(part);
             EXPECT_NEAR(squares.mean, 3.0, 3.0 * std::sqrt(6.0 / n)) << method << seed;
-            EXPECT_NEAR(squares.deviation, std::sqrt(6.0), 3.0 * squares.deviation_error);
-            const Statistics amplitude = part.tally.statistics(1);
+            EXPECT_NEAR(squares.deviation, std::sqrt(6.0), 5.0 * squares.deviation_error);
+            const Statistics amplitude = statistics(part, 1);
             const double variance = 2.0 - pi / 2.0;
             EXPECT_NEAR(amplitude.mean, std::sqrt(pi / 2.0), 3.0 * std::sqrt(variance / n));
-            EXPECT_NEAR(amplitude.deviation, std::sqrt(variance), 3.0 * amplitude.deviation_error);
+            EXPECT_NEAR(amplitude.deviation, std::sqrt(variance), 5.0 * amplitude.deviation_error);
         }
     }
 }
@@ -103,9 +114,9 @@ TEST(Study, TakesAnglesOnTheCircle) {
                     y[0] = angle < 0.0 ? angle + 360.0 : angle;
                     return true;
                 }));
-            const Statistics found = part.tally.statistics(0);
+            const Statistics found = statistics(part);
             EXPECT_LT(std::abs(std::remainder(found.mean, 360.0)), 3.0 * known / std::sqrt(2000.0));
-            EXPECT_NEAR(found.deviation, known, 3.0 * found.deviation_error) << method << seed;
+            EXPECT_NEAR(found.deviation, known, 5.0 * found.deviation_error) << method << seed;
             EXPECT_LT(found.max - found.min, 360.0);
         }
     }
@@ -121,7 +132,7 @@ TEST(Study, ErrorsFallAtTheirRates) {
                     y[0] = std::exp(0.3 * (x[0] + x[1] - x[2]));
                     return true;
                 }));
-            squares += std::pow(part.tally.statistics(0).mean - std::exp(0.135), 2);
+            squares += std::pow(statistics(part).mean - std::exp(0.135), 2);
         }
         return std::sqrt(squares / seeds);
     };
@@ -130,7 +141,6 @@ TEST(Study, ErrorsFallAtTheirRates) {
     };
     EXPECT_NEAR(rate("monte-carlo"), -0.5, 0.12);
     EXPECT_LT(rate("sobol"), -0.9);
-    EXPECT_LT(error("latin-hypercube", 1024), 0.5 * error("monte-carlo", 1024));
 }
 
 TEST(Study, PercentilesKeepToTheContract) {
@@ -150,7 +160,7 @@ TEST(Study, PercentilesKeepToTheContract) {
         law(std::span(&u, 1), std::span(&values[i], 1));
     }
     std::sort(values.begin(), values.end());
-    const Statistics found = part.tally.statistics(0);
+    const Statistics found = statistics(part);
     std::array<double, percent_points.size()> exact{};
     for (std::size_t k = 0; k < exact.size(); ++k) {
         const double place = 19'999.0 * percent_points[k] / 100.0;
@@ -169,53 +179,109 @@ TEST(Study, PercentilesKeepToTheContract) {
                 2.0 * 1.96 * std::sqrt(share * (1.0 - share) / 20'000.0), 1e-4);
 }
 
-TEST(Study, FindsTheSensitivitiesOfIshigami) {
-    Json study = normal_study(3, "sobol", 20'000, 1);
-    for (const char* input : {"/x0", "/x1", "/x2"}) {
-        study["vary"][input] = {{"plus_minus", pi}};
+/// A value of inputs that scatter alike, with its sensitivity indices.
+struct Known {
+    const char* name;
+    Json law;
+    std::vector<double> first_order;
+    std::vector<double> total;
+    Function value;
+};
+
+/// Functions whose indices are known in closed form.
+std::vector<Known> known_functions() {
+    const auto linear = [](std::vector<double> shares) {
+        return [shares](auto x, auto y) {
+            y[0] = 3.0;
+            for (std::size_t j = 0; j < shares.size(); ++j) {
+                y[0] += std::sqrt(shares[j]) * x[j];
+            }
+            return true;
+        };
+    };
+    const std::vector<double> shares{0.00908, 0.01675, 0.0014, 0.97277};
+    std::vector<Known> all{
+        {"linear", {{"plus_minus", 1}}, shares, shares, linear(shares)},
+        {"linear, normal", {{"normal_sd", 1}}, shares, shares, linear(shares)},
+        {"Ishigami",
+         {{"plus_minus", pi}},
+         {},
+         {},
+         [](auto x, auto y) {
+             y[0] = std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
+                    0.1 * std::pow(x[2], 4) * std::sin(x[0]);
+             return true;
+         }},
+        {"product with corners", {{"plus_minus", 2}}, {}, {}, [](auto x, auto y) {
+             y[0] = (std::abs(x[0]) + 0.0) * (std::abs(x[1]) + 1.0) * (std::abs(x[2]) + 4.5);
+             return true;
+         }},
+        {"product, normal", {{"normal_sd", 1}}, {}, {}, [](auto x, auto y) {
+             y[0] = std::exp(0.3 * x[0] + 0.5 * x[1] + 0.6 * x[2]);
+             return true;
+         }}};
+    const double mixed = 8.0 * std::pow(pi, 8) / 22'500.0;
+    const double one = 0.5 * std::pow(1.0 + std::pow(pi, 4) / 50.0, 2);
+    const double two = 49.0 / 8.0;
+    const double ishigami = one + two + mixed;
+    all[2].first_order = {one / ishigami, two / ishigami, 0.0};
+    all[2].total = {(one + mixed) / ishigami, two / ishigami, mixed / ishigami};
+    // Of a product the relative variances of the factors, v: V = Π (1 + v) − 1.
+    const auto product = [](const std::vector<double>& v, Known& of) {
+        double whole = 1.0;
+        for (const double each : v) {
+            whole *= 1.0 + each;
+        }
+        for (const double each : v) {
+            of.first_order.push_back(each / (whole - 1.0));
+            of.total.push_back(each / (1.0 + each) * whole / (whole - 1.0));
+        }
+    };
+    product({1.0 / 3.0, 1.0 / 12.0, 1.0 / 3.0 / 5.5 / 5.5}, all[3]);
+    product({std::expm1(0.09), std::expm1(0.25), std::expm1(0.36)}, all[4]);
+    return all;
+}
+
+TEST(Study, SensitivitiesAreWithinTheirErrorsAtTheRateTheyClaim) {
+    constexpr std::uint64_t seeds = 24;
+    for (const char* method : sampled_words) {
+        for (const std::uint64_t samples : {1000U, 8000U}) {
+            double within_one = 0.0;
+            double within_two = 0.0;
+            double all = 0.0;
+            for (const Known& known : known_functions()) {
+                const std::size_t inputs = known.total.size();
+                std::vector<std::array<double, 2>> within(inputs);
+                for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+                    Json study = normal_study(static_cast<int>(inputs), method, samples, seed);
+                    for (auto& law : study["vary"]) {
+                        law = known.law;
+                    }
+                    const Statistics found = statistics(
+                        whole(problem(study, std::vector<double>(inputs), known.value)));
+                    for (std::size_t j = 0; j < inputs; ++j) {
+                        const auto count = [&](const std::optional<Estimate>& estimate,
+                                               double exact, double& of_these) {
+                            const double off = std::abs(estimate.value().value - exact);
+                            within_one += off <= estimate->error ? 1.0 : 0.0;
+                            within_two += off <= 2.0 * estimate->error ? 1.0 : 0.0;
+                            of_these += off <= 2.0 * estimate->error ? 1.0 : 0.0;
+                            all += 1.0;
+                        };
+                        count(found.first_order[j], known.first_order[j], within[j][0]);
+                        count(found.total[j], known.total[j], within[j][1]);
+                    }
+                }
+                for (std::size_t j = 0; j < inputs; ++j) {  // 22.4 of 24, some less by chance
+                    EXPECT_GE(within[j][0], 18.0) << known.name << method << samples << j;
+                    EXPECT_GE(within[j][1], 18.0) << known.name << method << samples << j;
+                }
+            }
+            EXPECT_GE(within_one / all, 0.66) << method << samples;
+            EXPECT_LE(within_one / all, 0.85) << method << samples;
+            EXPECT_GE(within_two / all, 0.93) << method << samples;
+        }
     }
-    const Part part = whole(problem(study, {0, 0, 0}, [](auto x, auto y) {
-        y[0] = std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
-               0.1 * std::pow(x[2], 4) * std::sin(x[0]);
-        return true;
-    }));
-    const Statistics found = part.tally.statistics(0);
-    EXPECT_NEAR(found.first_order[0], 0.3139, 0.01);
-    EXPECT_NEAR(found.first_order[1], 0.4424, 0.01);
-    EXPECT_NEAR(found.first_order[2], 0.0, 0.01);
-    EXPECT_NEAR(found.total[0], 0.5576, 0.03);
-    EXPECT_NEAR(found.total[1], 0.4424, 0.03);
-    EXPECT_NEAR(found.total[2], 0.2437, 0.03);
-    EXPECT_EQ(notes_of(part).size(), 1U);
-}
-
-TEST(Study, SecondOrderIsExactForSquares) {
-    const auto square = [](auto x, auto y) {
-        y[0] = 2.0 + x[0] + 0.5 * x[0] * x[0] + x[0] * x[1];
-        return true;
-    };
-    const Part part = whole(problem(normal_study(2, "second-order", 1, 1), {0, 0}, square));
-    const auto found = part.basis.expansions[0].propagated(part.basis.laws, true);
-    EXPECT_NEAR(found->mean, 2.5, 1e-9);
-    EXPECT_NEAR(found->deviation, std::sqrt(1.0 + 0.5 + 1.0), 1e-9);
-    EXPECT_NEAR(found->total[1], 1.0 / 2.5, 1e-9);
-    const auto linear = part.basis.expansions[0].propagated(part.basis.laws, false);
-    EXPECT_NEAR(linear->deviation, 1.0, 1e-9);
-}
-
-TEST(Study, SecondOrderSharesEachProductAmongItsTwo) {
-    const auto products = [](auto x, auto y) {
-        y[0] = x[0] * x[1] + 2.0 * x[1] * x[2] + 3.0 * x[0] * x[2] + 5.0 * x[1] * x[3];
-        return true;
-    };
-    const Part part = whole(problem(normal_study(4, "second-order", 1, 1), {0, 0, 0, 0}, products));
-    const auto found = part.basis.expansions[0].propagated(part.basis.laws, true);
-    const double variance = 1.0 + 4.0 + 9.0 + 25.0;
-    EXPECT_NEAR(found->deviation, std::sqrt(variance), 1e-9);
-    EXPECT_NEAR(found->total[0], (1.0 + 9.0) / variance, 1e-9);
-    EXPECT_NEAR(found->total[1], (1.0 + 4.0 + 25.0) / variance, 1e-9);
-    EXPECT_NEAR(found->total[2], (4.0 + 9.0) / variance, 1e-9);
-    EXPECT_NEAR(found->total[3], 25.0 / variance, 1e-9);
 }
 
 TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
@@ -226,13 +292,13 @@ TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
             y[0] = angle < 0.0 ? angle + 360.0 : angle;
             return true;
         }));
-        return part.tally.statistics(0);
+        return statistics(part);
     };
     for (const double zero : {0.0, 7.0, 180.0}) {
         const Statistics found = shares(zero);
-        EXPECT_NEAR(found.first_order[0], 0.8, 0.01) << zero;
-        EXPECT_NEAR(found.total[0], 0.8, 0.03) << zero;
-        EXPECT_NEAR(found.total[1], 0.2, 0.03) << zero;
+        EXPECT_NEAR(found.first_order[0].value().value, 0.8, 0.01) << zero;
+        EXPECT_NEAR(found.total[0].value().value, 0.8, 0.03) << zero;
+        EXPECT_NEAR(found.total[1].value().value, 0.2, 0.03) << zero;
     }
 }
 
@@ -244,182 +310,96 @@ TEST(Study, CountsRefusalsByTheirReasons) {
         }));
     ASSERT_EQ(part.tally.refusals().size(), 1U);
     EXPECT_EQ(part.tally.refusals().begin()->first, "/x: must be less than #");
-    EXPECT_EQ(part.tally.solved() + part.tally.refused(), 1000U);
-    EXPECT_NEAR(static_cast<double>(part.tally.refused()), 158.7, 3.0 * 11.6);
-    EXPECT_LT(part.tally.statistics(0).max, 1.0);
-    EXPECT_EQ(part.basis.departures[0].kind, Departure::Kind::refused);
+    EXPECT_EQ(part.tally.solved() + count_of(part.tally.refusals()), 1000U);
+    EXPECT_NEAR(static_cast<double>(count_of(part.tally.refusals())), 158.7, 3.0 * 11.6);
+    EXPECT_LT(statistics(part).max, 1.0);
 }
 
-TEST(Study, SaysWhereWithTheUnit) {
-    const Departure corner{Departure::Kind::corner, 0, 386.22, 1.0, {}};
-    EXPECT_EQ(
-        departure_text(corner, {.deviation = 0.1}, "/angular_speed_rad_s", units::rad_per_s, 1.0)
-            .english(),
-        "it has a corner where /angular_speed_rad_s is 386.22 rad/s");
-}
-
-TEST(Study, SaysWhyTheLinearAnswerFails) {
-    const auto note = [](const Function& function) {
-        const Part part = whole(problem(normal_study(1, "sobol", 4096, 1), {0.0}, function));
-        const auto notes = notes_of(part);
-        return notes.empty() ? "" : notes.front().english();
+TEST(Study, SaysWhereTheLinearAnswerFails) {
+    const auto note = [](const char* method, const Function& function, double nominal = 0.0) {
+        return notes_text(whole(problem(normal_study(1, method, 4096, 1), {nominal}, function)));
     };
-    EXPECT_EQ(note([](auto x, auto y) {
-                  y[0] = 5.0 - 2.0 * x[0];
-                  return true;
-              }),
-              "");
-    EXPECT_NE(note([](auto x, auto y) {
-                  y[0] = x[0] + (x[0] > 0.7 ? 4.0 : 0.0);
-                  return true;
-              }).find("it jumps by 4 where /x0 is 0.7."),
-              std::string::npos);
-    EXPECT_NE(note([](auto x, auto y) {
-                  y[0] = std::max(x[0], -0.375);
-                  return true;
-              }).find("it has a corner where /x0 is -0.375."),
-              std::string::npos);
-    EXPECT_NE(note([](auto x, auto y) {
-                  y[0] = std::exp(x[0]);
-                  return true;
-              }).find("it is curved along /x0."),
-              std::string::npos);
-}
-
-TEST(Study, OtherLimitsNeedNoOtherSamples) {
-    const auto half = [](const Json& limits) {
-        Json study = normal_study(2, "latin-hypercube", 6000, 3);
-        study["watch"]["/y"] = limits;
-        return problem(study, {0.0, 0.0}, [](auto x, auto y) {
-            y[0] = x[0] + 0.3 * x[1] * x[1];
-            return x[1] < 2.5;
-        });
-    };
-    const Problem first = half({{"max", 0.5}});
-    Part part = begin_part(first, 1, 1, 2);
-    keep_values(part, 6000);
-    // One change while the samples are solved, one when they are.
-    run_part(first, part, 2, [&](const Part&) {
-        return change_limits(part, {{.pointer = "/y", .min = 0.1, .max = {}}});
-    });
-    ASSERT_TRUE(change_limits(part, {{.pointer = "/y", .min = -0.25, .max = 1.5}}));
-    const Part wanted = whole(half({{"min", -0.25}, {"max", 1.5}}));
-    EXPECT_EQ(write_results(part), write_results(wanted));
-    Part without = begin_part(first, 1, 1, 1);
-    keep_values(without, 5999);
-    EXPECT_FALSE(change_limits(without, first.study.watch));
-}
-
-TEST(Study, SaysHowFarItIsByTime) {
-    Json two = normal_study(2, "sobol", 256, 1);
-    two["watch"]["/z"] = Json::object();
-    const Problem slow = problem(two, {0.0, 0.0}, [](auto x, auto y) {
-        std::this_thread::sleep_for(std::chrono::microseconds(500));
-        y[0] = x[0] + x[1];
-        y[1] = 100.0 - y[0];
+    const auto line = [](auto x, auto y) {
+        y[0] = 5.0 - 2.0 * x[0] + 1e-3 * x[0] * x[0];
         return true;
-    });
-    double last = 0.0;
-    int told = 0;
-    std::uint64_t shown = 0;
-    Part part = begin_part(slow, 1, 1, 2, [&](double done, const auto& so_far) {
-        EXPECT_GE(done, last);
-        last = done;
-        ++told;
-        if (so_far) {
-            const Part now = so_far();
-            EXPECT_GE(now.tally.solved(), shown);
-            shown = now.tally.solved();
-            const Json watched = write_results(now).at("watched");
-            if (shown >= 2) {  // each value is told with its own samples
-                EXPECT_NEAR(watched.at("/z").at("mean").get<double>(),
-                            100.0 - watched.at("/y").at("mean").get<double>(), 1e-9);
-            }
+    };
+    const auto jump = [](auto x, auto y) {
+        y[0] = x[0] + (x[0] > 0.7 ? 4.0 : 0.0);
+        return true;
+    };
+    const auto corner = [](auto x, auto y) {
+        y[0] = std::max(x[0], -0.375);
+        return true;
+    };
+    const auto curve = [](auto x, auto y) {
+        y[0] = std::exp(x[0]);
+        return true;
+    };
+    for (const char* method : {"linear", "monte-carlo", "sobol"}) {
+        EXPECT_EQ(note(method, line), "") << method;
+        for (const Function& function : {Function(jump), Function(corner), Function(curve)}) {
+            EXPECT_EQ(note(method, function).substr(0, 31), "The linear answer fails for /y:")
+                << method;
         }
-        return true;
-    });
-    EXPECT_GE(told, 2);
-    EXPECT_GT(shown, 0U);
-    EXPECT_LT(last, 0.7);
-    run_part(slow, part, 2, [&](const Part& now) {
-        EXPECT_GE(share_done(now), last);
-        last = share_done(now);
-        ++told;
-        return true;
-    });
-    EXPECT_GE(told, 4);
-    EXPECT_EQ(last, 1.0);
-    EXPECT_EQ(write_results(part), write_results(whole(slow)));
-    EXPECT_TRUE(
-        begin_part(slow, 1, 1, 2, [](double, const auto&) { return false; }).basis.plan.empty());
-}
-
-std::string notes_text(const Part& part) {
-    std::string text;
-    for (const Message& note : notes_of(part)) {
-        text += note.english() + '\n';
     }
-    return text;
-}
-
-TEST(Study, ExpansionsSayWhatTheyDoNotKnow) {
-    const auto notes = [](const char* method, const Function& function, double nominal = 0.0) {
-        return notes_text(whole(problem(normal_study(1, method, 1, 1), {nominal}, function)));
-    };
-    for (const char* method : {"linear", "second-order"}) {
-        EXPECT_EQ(notes(method,
-                        [](auto x, auto y) {
-                            y[0] = 5.0 - 2.0 * x[0] + 1e-3 * x[0] * x[0];
-                            return true;
-                        }),
-                  "")
-            << method;
-        // Never negative, and a slope that knows nothing of it.
-        const std::string corner = notes(
-            method,
-            [](auto x, auto y) {
-                y[0] = std::abs(x[0]);
-                return true;
-            },
-            0.5);
-        EXPECT_NE(corner.find("it has a corner where /x0 is 0"), std::string::npos) << corner;
-        const std::string refused = notes(method, [](auto x, auto y) {
-            y[0] = x[0];
-            return x[0] > -1.5;
-        });
-        EXPECT_NE(refused.find("it does not exist where /x0 is -1.5 (/x: must"), std::string::npos)
-            << refused;
-        EXPECT_NE(refused.find(" of 64 samples that were tried cannot be solved"),
-                  std::string::npos)
-            << refused;
-        EXPECT_NE(notes(method,
-                        [](auto x, auto y) {
-                            y[0] = x[0] + (x[0] > 1.25 ? 4.0 : 0.0);
-                            return true;
-                        })
-                      .find("it jumps by 4 where /x0 is 1.25."),
-                  std::string::npos);
-    }
-    const auto square = [](auto x, auto y) {
-        y[0] = x[0] * x[0];
-        return true;
-    };
-    EXPECT_NE(notes("linear", square).find("it is curved along /x0."), std::string::npos);
-    EXPECT_EQ(notes("second-order", square), "");
-    // Beyond two standard deviations it is another's business.
-    EXPECT_EQ(notes("linear",
-                    [](auto x, auto y) {
-                        y[0] = x[0];
-                        return x[0] > -4.0;
-                    }),
-              "");
-    const Part part = whole(problem(normal_study(1, "linear", 1, 1), {0.0}, [](auto x, auto y) {
+    EXPECT_NE(note("sobol", curve).find("mean 1 and standard deviation 1 against 1.64"),
+              std::string::npos);
+    const std::string refused = note("linear", [](auto x, auto y) {
         y[0] = x[0];
         return x[0] > -1.5;
-    }));
-    const Json results = write_results(part);
-    EXPECT_GT(results.at("refused")[0].at("count").get<int>(), 0);
-    EXPECT_TRUE(write_results(read_part(Json::parse(write_part(part).dump()))) == results);
+    });
+    EXPECT_NE(refused.find(" of 64 samples that were tried cannot be solved"), std::string::npos)
+        << refused;
+    const std::string isolated = note("linear", [](auto x, auto y) {
+        y[0] = x[0];
+        return x[0] == 0.0;
+    });
+    EXPECT_NE(isolated.find("/y has no linear answer: a derivative does not exist"),
+              std::string::npos);
+}
+
+TEST(Study, AToleranceBelowTheRoundingHasNoDerivative) {
+    for (const double size : {1e-15, 1e-13}) {
+        Json study = normal_study(2, "linear", 1, 1);
+        study["vary"]["/x0"] = {{"plus_minus", size}};
+        const Part part = whole(problem(study, {46.0, 3.0}, [](auto x, auto y) {
+            y[0] = 2.0 * x[0] + x[1];
+            return true;
+        }));
+        const Json linear = write_results(part).at("watched").at("/y").at("linear");
+        EXPECT_TRUE(linear.at("derivatives").at("/x0").is_null());
+        EXPECT_NEAR(linear.at("derivatives").at("/x1").at("value").get<double>(), 1.0, 1e-9);
+        EXPECT_NEAR(linear.at("standard_deviation").get<double>(), 1.0, 1e-9);
+        EXPECT_EQ(linear.at("contributions").at("/x0"), 0.0);
+        EXPECT_EQ(notes_text(part),
+                  "/x0 does not scatter: its tolerance is below the rounding of its value. It has "
+                  "no derivative.\n");
+    }
+}
+
+TEST(Study, SaysHowFarItIs) {
+    const Problem slow =
+        problem(normal_study(2, "sobol", 256, 1), {0.0, 0.0}, [](auto x, auto y) {
+            std::this_thread::sleep_for(std::chrono::microseconds(1500));
+            y[0] = x[0] + x[1];
+            return true;
+        });
+    double last = 0.0;
+    int told = 0;
+    const auto goes_on = [&](double done) {
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, 1.0);
+        last = done;
+        ++told;
+        return true;
+    };
+    Part part = begin_part(slow, 1, 1, 2, goes_on);
+    EXPECT_GE(told, 2);
+    EXPECT_LT(last, 0.7);
+    run_part(slow, part, 2, [&](const Part& now) { return goes_on(share_done(now)); });
+    EXPECT_EQ(last, 1.0);
+    EXPECT_EQ(write_results(part), write_results(whole(slow)));
+    EXPECT_TRUE(begin_part(slow, 1, 1, 2, [](double) { return false; }).basis.plan.empty());
 }
 
 TEST(Study, FewSamplesAreCalledFew) {
@@ -430,38 +410,29 @@ TEST(Study, FewSamplesAreCalledFew) {
     const Part one = whole(problem(normal_study(2, "sobol", 1, 1), {0, 0}, function));
     EXPECT_TRUE(write_results(one).at("watched").at("/y").at("standard_deviation").is_null());
     EXPECT_EQ(notes_text(one), "A standard deviation takes two samples that can be solved.\n");
+    for (const auto& [key, index] : write_results(one).at("watched").at("/y").at("total").items()) {
+        EXPECT_TRUE(index.is_null()) << key;
+    }
     const Part few = whole(problem(normal_study(2, "sobol", 320, 1), {0, 0}, function));
     EXPECT_NE(notes_text(few).find("too few for the sensitivities of /y: standard errors up to"),
               std::string::npos);
     EXPECT_EQ(notes_text(whole(problem(normal_study(2, "sobol", 20'000, 1), {0, 0}, function)))
                   .find("too few"),
               std::string::npos);
-    // Their standard errors are what twenty seeds scatter by: V = 2.09, one of it by x0 alone.
-    double off_first = 0.0;
-    double off_total = 0.0;
-    double first_error = 0.0;
-    double total_error = 0.0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const Statistics found =
-            whole(problem(normal_study(2, "monte-carlo", 2000, seed), {0, 0}, function))
-                .tally.statistics(0);
-        off_first += std::pow(found.first_order[0] - 1.0 / 2.09, 2) / 20.0;
-        off_total += std::pow(found.total[0] - 2.0 / 2.09, 2) / 20.0;
-        first_error += found.first_order_error[0] / 20.0;
-        total_error += found.total_error[0] / 20.0;
-    }
-    EXPECT_NEAR(std::sqrt(off_first) / first_error, 1.0, 0.5);
-    EXPECT_NEAR(std::sqrt(off_total) / total_error, 1.0, 0.5);
 }
 
 TEST(Study, ShardsPrintWhatTheWholePrints) {
-    const auto function = [](auto x, auto y) {
+    std::atomic<int> before_rest{0};  // solutions, before one that takes long
+    const auto function = [&before_rest](auto x, auto y) {
+        if (--before_rest == 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        }
         y[0] = std::exp(x[0]) * (1.0 + x[1]);
         y[1] = std::fmod(360.0 + 20.0 * x[1], 360.0);
         return x[0] < 1.5;
     };
-    for (const char* method : {"monte-carlo", "latin-hypercube", "sobol", "linear", "grid"}) {
-        Json study = normal_study(2, method, 5000, 11);
+    for (const char* method : {"monte-carlo", "sobol", "linear", "grid"}) {
+        Json study = normal_study(2, method, 20'000, 11);
         study["watch"]["/angle_deg"] = {{"max", 10}};
         if (std::string(method) == "grid") {
             study["vary"] = {{"/x0", {{"from", 0}, {"to", 2}, {"steps", 21}}},
@@ -472,19 +443,85 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
         const Json results = write_results(whole(all, 2));
         EXPECT_EQ(results.at("notes").at(0), "a file has changed");
         const std::string expected = results.dump();
-        for (const std::uint64_t shards : {1U, 3U, 7U}) {
+        EXPECT_EQ(write_results(whole(all, 1)).dump(), expected) << method;
+        for (const std::uint64_t shards : {1U, 3U, 64U}) {
             PartMerger merger;
+            int stopped = 0;
             for (std::uint64_t k = shards; k >= 1; --k) {
                 Part part = begin_part(all, k, shards, 1);
-                // Stopped after its first stretch, and taken up by another run.
+                // Stopped in the middle, and taken up by another run.
+                before_rest = shards == 3 ? 7 : 0;
                 run_part(all, part, 1, [](const Part&) { return false; });
+                stopped += part.finished() ? 0 : 1;
                 part = read_part(Json::parse(write_part(part).dump()));
                 run_part(all, part, 1);
                 merger.add(read_part(Json::parse(write_part(part).dump())), std::to_string(k));
             }
             EXPECT_EQ(write_results(merger.finish()).dump(), expected) << method << shards;
+            EXPECT_EQ(stopped, shards == 3 && all.study.method != Method::linear ? 3 : 0) << method;
         }
     }
+}
+
+std::string fault(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Study, APartThatWasChangedIsRefused) {
+    Json study = normal_study(2, "sobol", 600, 3);
+    study["watch"]["/y"]["max"] = 1.0;
+    const Problem all = problem(study, {0.0, 0.0}, [](auto x, auto y) {
+        y[0] = x[0] + x[1] * x[1];
+        return x[0] < 2.0;
+    });
+    Part part = begin_part(all, 2, 3, 1);
+    run_part(all, part, 1);
+    const Json written = write_part(part);
+    EXPECT_EQ(write_part(read_part(written)), written);
+    const Json flat = written.flatten();
+    std::vector<std::string> places;
+    for (const auto& item : flat.items()) {
+        places.push_back(item.key());
+    }
+    const CounterRandom random(1);
+    int survived = 0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        Json changed = written;
+        const std::string& pointer = places[random.bits(i, 0, 0) % places.size()];
+        Json& value = changed[Json::json_pointer(pointer)];
+        if (value.is_string()) {
+            std::string text = value.get<std::string>();
+            text.insert(random.bits(i, 0, 1) % (text.size() + 1), i % 2 == 0 ? "1" : "x");
+            value = text;
+        } else if (value.is_number_float()) {
+            value = i % 2 == 0 ? std::nextafter(value.get<double>(), 1e300) : -1e300;
+        } else if (value.is_number()) {
+            value = i % 2 == 0 ? value.get<std::int64_t>() + 1 : -1;
+        } else if (value.is_boolean()) {
+            value = !value.get<bool>();
+        } else {
+            value = 1;
+        }
+        EXPECT_NE(fault([&] { read_part(changed); }), "") << pointer;
+        // With a sum to fit it may be read, but then it is a part.
+        changed.erase("sha256");
+        changed["sha256"] = sha256(json_text(changed, JsonLayout::one_line));
+        if (fault([&] { write_results(read_part(changed)); }).empty()) {
+            ++survived;
+        }
+    }
+    EXPECT_GT(survived, 0);
+    Json old = written;
+    old["version"] = 1;
+    EXPECT_EQ(fault([&] { read_part(old); }),
+              "/version: must be 2; run the parts of other versions again, got 1");
+    EXPECT_EQ(fault([&] { read_part({{"format", "ravnoves-study-part"}, {"version", 2}}); }),
+              "/sha256: is required and missing");
 }
 
 TEST(Study, PartsThatDoNotFitAreNamed) {
@@ -497,14 +534,6 @@ TEST(Study, PartsThatDoNotFitAreNamed) {
         run_part(all, part, 1);
         return part;
     };
-    const auto fault = [](const auto& work) -> std::string {
-        try {
-            work();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    };
     PartMerger merger;
     merger.add(made(2, 4, 1), "two");
     EXPECT_EQ(fault([&] { merger.add(made(2, 4, 1), "again"); }),
@@ -514,7 +543,7 @@ TEST(Study, PartsThatDoNotFitAreNamed) {
     EXPECT_EQ(fault([&] { merger.add(made(1, 3, 1), "third"); }),
               "third: is one of 3 parts, but two is one of 4");
     Part open = made(3, 4, 1);
-    --open.done;
+    --open.blocks.back().done;
     EXPECT_EQ(fault([&] { merger.add(open, "open"); }),
               "open: is not finished (149 of 150 samples); run it again: --shard 3/4");
     merger.add(made(4, 4, 1), "four");

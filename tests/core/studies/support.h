@@ -46,6 +46,19 @@ inline Part whole(const Problem& problem, int threads = 1) {
     return part;
 }
 
+/// Of a part's only value, or of another.
+inline Statistics statistics(const Part& part, std::size_t watched = 0) {
+    return part.tally.statistics(watched, part.blocks);
+}
+
+inline std::string notes_text(const Part& part) {
+    std::string text;
+    for (const Note& note : noted(part)) {
+        text += note.text.english() + '\n';
+    }
+    return text;
+}
+
 /// So many inputs of mean 0 and deviation 1, one value.
 inline Json normal_study(int inputs, const char* method, std::uint64_t samples, std::uint64_t seed,
                          const char* watched = "/y") {
