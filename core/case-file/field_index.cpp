@@ -29,7 +29,7 @@ class Index final : public FieldWalker {
     void number_or_word(const Field& field, std::optional<double>& si,
                         std::string_view word) override {
         if (wants(field)) {
-            visit_optional(field, si, true);
+            visit_optional(field, si, false);
             entries_.back().word = word;
         }
     }

@@ -30,8 +30,8 @@ void FieldReader::visit_optional(const Field& field, std::optional<double>& si, 
 
 void FieldReader::number_or_word(const Field& field, std::optional<double>& si,
                                  std::string_view word) {
-    if (is_lenient() && !reader().has(field.key)) {
-        return;
+    if (!reader().has(field.key)) {
+        return;  // empty, as by the word
     }
     const Json& value = reader().raw(field.key);
     if (!value.is_string()) {

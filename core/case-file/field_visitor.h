@@ -51,7 +51,7 @@ class FieldVisitor {
     void required(const Field& field, std::optional<double>& si) {
         visit_optional(field, si, true);
     }
-    /// A number that the case must give, or a word that stands for "by formula": then it is empty.
+    /// A number, or a word that stands for "by formula": then it is empty, as where it is left out.
     virtual void number_or_word(const Field& field, std::optional<double>& si,
                                 std::string_view word) = 0;
 

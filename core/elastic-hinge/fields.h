@@ -328,7 +328,7 @@ inline constexpr Field start_speed{
     .hint = CORE_TEXT("elastic-hinge",
                       "A start away from the design speed ω, for comparison: the hinge is exact at "
                       "one speed only."),
-    .if_empty = CORE_TEXT("elastic-hinge", "1.2 ω"),
+    .if_empty = CORE_TEXT("elastic-hinge", "ω; the page compares it with 1.2 ω"),
     .placeholder = CORE_TEXT("elastic-hinge", "1.2 ω"),
 };
 inline constexpr Field start_angle{

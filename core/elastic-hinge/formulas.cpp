@@ -112,7 +112,7 @@ std::vector<Formula> formulas(const Input& input) {
     }
     list.push_back({CORE_TEXT("elastic-hinge", "Moment that a profile error makes"),
                     "|ΔM| ≤ 4cε √(ρ′<sup>2</sup> + n<sup>2</sup> (ℓ<sub>0</sub>/2 − "
-                    "ρ)<sup>2</sup>)",
+                    "ρ)<sup>2</sup>) + 2cnε<sup>2</sup>",
                     "", "", CORE_TEXT("elastic-hinge", "ε amplitude, n waves in a turn")});
     add_rod_hinge(list, input);
     list.push_back(

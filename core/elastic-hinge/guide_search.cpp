@@ -42,21 +42,18 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     GuideProposal proposal;
     proposal.branch = branch;
     proposal.smallest_spring_length = wish.smallest_spring_length.value_or(0.4 * free_length);
-    const auto refuse = [&](SearchProblem problem, Message reason) {
-        proposal.problem = problem;
+    const auto refuse = [&](Message reason) {
         proposal.reason = std::move(reason);
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
         return refuse(
-            SearchProblem::mechanism_locks,
             CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: there is no guide"));
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
-        return refuse(SearchProblem::no_energy,
-                      CORE_TEXT("elastic-hinge",
+        return refuse(CORE_TEXT("elastic-hinge",
                                 "the hinge has no energy to give out: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
@@ -74,32 +71,28 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         low = std::max(low, half - limit);
         high = 0.5 * (free_length - shortest) - relief;
         if (high < 0.1 * relief) {
-            return refuse(SearchProblem::spring_too_short,
-                          {CORE_TEXT("elastic-hinge",
+            return refuse({CORE_TEXT("elastic-hinge",
                                      "a spring of %1 that gets no shorter than %2 leaves no room "
                                      "for a relief of %3; it must be at least %4 long"),
                            millimetres(free_length), millimetres(shortest), millimetres(relief),
                            millimetres(shortest + 2.2 * relief)});
         }
-        proposal.needed_outer_diameter = 2.0 * (half - high + roller_radius);
+        const double needed = 2.0 * (half - high + roller_radius);
         if (low > high) {
-            return refuse(SearchProblem::diameter_too_small,
-                          {CORE_TEXT("elastic-hinge",
+            return refuse({CORE_TEXT("elastic-hinge",
                                      "a compressed spring of %1 that gets no shorter than %2 needs "
                                      "an outer diameter of at least %3 for a relief of %4"),
-                           millimetres(free_length), millimetres(shortest),
-                           millimetres(proposal.needed_outer_diameter), millimetres(relief)});
+                           millimetres(free_length), millimetres(shortest), millimetres(needed),
+                           millimetres(relief)});
         }
     } else {
         high = limit - half - relief;
-        proposal.needed_outer_diameter = 2.0 * (half + 1.1 * relief + roller_radius);
+        const double needed = 2.0 * (half + 1.1 * relief + roller_radius);
         if (low > high) {
-            return refuse(SearchProblem::diameter_too_small,
-                          {CORE_TEXT("elastic-hinge",
+            return refuse({CORE_TEXT("elastic-hinge",
                                      "a stretched spring of %1 with a relief of %2 needs an outer "
                                      "diameter of at least %3"),
-                           millimetres(free_length), millimetres(relief),
-                           millimetres(proposal.needed_outer_diameter)});
+                           millimetres(free_length), millimetres(relief), millimetres(needed)});
         }
     }
 
@@ -126,8 +119,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         ++first;
     }
     if (first > looks) {
-        return refuse(SearchProblem::undercut,
-                      {CORE_TEXT("elastic-hinge",
+        return refuse({CORE_TEXT("elastic-hinge",
                                  "a roller of radius %1 undercuts every guide with a relief of %2; "
                                  "a smaller roller or less relief is needed"),
                        millimetres(roller_radius), millimetres(relief)});
@@ -143,7 +135,6 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         check_fields(proposal.spring);
     } catch (const InputError&) {
         return refuse(
-            SearchProblem::stiffness_out_of_range,
             {CORE_TEXT("elastic-hinge", "the stiffness that would be needed, %1, is out of range"),
              Number{proposal.spring.stiffness, units::N_per_m}});
     }

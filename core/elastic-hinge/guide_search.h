@@ -10,23 +10,10 @@
 
 namespace ravnoves::elastic_hinge {
 
-/// Why no guide was found.
-enum class SearchProblem {
-    none,
-    mechanism_locks,     ///< λ = 1
-    no_energy,           ///< the hinge has nothing to give out
-    spring_too_short,    ///< a compressed spring would get shorter than it may at any diameter
-    diameter_too_small,  ///< see needed_outer_diameter
-    undercut,            ///< the roller is too large for every guide of that relief
-    stiffness_out_of_range,
-};
-
 /// A spring whose guide has the wanted relief and fits, or why there is none.
 struct GuideProposal {
     bool found = false;
-    SearchProblem problem = SearchProblem::none;
-    Message reason;                      ///< why not, as a sentence; empty where found
-    double needed_outer_diameter = 0.0;  ///< m, where the diameter is too small
+    Message reason;  ///< why not, as a sentence; empty where found
     Branch branch = Branch::compressed;
     Spring spring;                        ///< the free length that was given, with new c and ρ₀
     double relief = 0.0;                  ///< m

@@ -339,14 +339,11 @@ class Run {
                                        "must give the crank and the rod together some mass for a "
                                        "motion"));
         }
-        if (!(longest_ > 0.0)) {
-            // A time in which something happens: of one radian at the start's speed or
-            // acceleration.
-            const double rate =
-                std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
-                          1e-6 * design.angular_speed(), 1e-9});
-            longest_ = 50.0 * (setup.turns * two_pi + 1.0) / rate;
-        }
+        // A time in which something happens: of one radian at the start's speed or acceleration.
+        const double rate =
+            std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
+                      1e-6 * design.angular_speed(), 1e-9});
+        longest_ = 50.0 * (setup.turns * two_pi + 1.0) / rate;
         motion_.min_speed = setup.start_speed;
         motion_.max_speed = setup.start_speed;
         record(0.0, setup.start_angle, setup.start_speed, acceleration);
@@ -368,12 +365,12 @@ class Run {
             const double shortest_cell = forced_ * std::max(1e-11, 64.0 * rounding);
             // Cells end at whole turns.
             const double slack = 1e-12 + rounding;
-            const double gone = std::abs(phi_ - base_) / two_pi;
+            const double gone = std::abs(phi_ - setup_.start_angle) / two_pi;
             const double to_turn = (std::floor(gone + slack) + 1.0 - gone) * two_pi;
             const double to_stop = std::isnan(stop_) ? 2.0 * to_turn : side_ * (stop_ - phi_);
             if (!(to_stop > 0.0) && !at_rest_) {
-                stand();
-                continue;
+                stop();
+                break;
             }
             cell.to_rest = std::min(span_, to_turn) > 0.999 * to_stop;
             if (cell.to_rest && at_rest_) {  // not at both ends
@@ -398,13 +395,11 @@ class Run {
                     continue;
                 }
                 if (!filled && !at_rest_) {
-                    stand();
-                    continue;
+                    stop();
+                    break;
                 }
                 if (!filled) {  // nothing drives it
-                    record(longest_, phi_, 0.0, 0.0);
-                    motion_.end =
-                        setup_.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+                    motion_.end = MotionEnd::too_slow;
                     break;
                 }
                 forced_ *= 2.0;
@@ -421,8 +416,8 @@ class Run {
                 break;
             }
             if (cell.to_rest) {
-                stand();
-                continue;
+                stop();
+                break;
             }
             if (setup_.crank_torque != 0.0) {
                 continue;  // else every turn is like the first
@@ -529,7 +524,7 @@ class Run {
                       time_ - longest_, time_ + cell.seconds(end) - longest_,
                       boost::math::tools::eps_tolerance<double>(50), tries)
                       .second;
-            motion_.end = setup_.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+            motion_.end = MotionEnd::too_slow;
             done_ = true;
         }
         if (turns_before == 0.0) {
@@ -568,21 +563,10 @@ class Run {
         }
     }
 
-    /// The crank has stopped: that ends the motion, or it goes where it is accelerated to.
-    void stand() {
-        const Place place = system_.at(phi_);
-        side_ = place.moment < 0.0 ? -1.0 : 1.0;
-        level_ = {0.0, place.potential};
-        at_rest_ = true;
-        base_ = phi_;
-        turn_.clear();
-        last_node_.reset();
-        stop_ = nowhere;
-        span_ = longest_cell;
-        if (setup_.stop_at_reversal) {
-            motion_.end = MotionEnd::reversed;
-            done_ = true;
-        }
+    /// The crank has stopped and would turn back.
+    void stop() {
+        motion_.end = MotionEnd::reversed;
+        done_ = true;
     }
 
     /// Where the crank stops on the way through a cell: after the last point that moves.
@@ -658,7 +642,7 @@ class Run {
     System system_;
     Motion motion_;
     double wanted_ = setup_.turns * two_pi;
-    double longest_ = setup_.longest_time;  ///< time, s
+    double longest_ = 0.0;  ///< time, s
     double sample_angle_ = two_pi / std::max(setup_.samples_per_turn, 4);
     Level level_{};
     double start_potential_ = 0.0;
@@ -674,7 +658,6 @@ class Run {
     std::vector<Cell> turn_;
     double span_ = two_pi / 8.0;
     double stop_ = nowhere;  ///< the angle at which the crank will stop, where that is known
-    double base_ = phi_;     ///< the angle from which it goes this way
     double forced_ = 1.0;    ///< grows where even the shortest cells are not smooth
 };
 

@@ -25,9 +25,7 @@ struct MotionSetup {
     double start_angle = 0.0;   ///< rad
     double start_speed = 0.0;   ///< rad/s, any sign
     double crank_torque = 0.0;  ///< constant, N·m
-    double turns = 5.0;         ///< stops after so many turns either way…
-    double longest_time = 0.0;  ///< … or after that time, s; 0: chosen from turns and speed
-    bool stop_at_reversal = true;
+    double turns = 5.0;         ///< stops after so many turns either way
     double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
     int profile_error_waves = 1;
     int samples_per_turn = 180;  ///< at least

@@ -30,32 +30,40 @@ struct ArticulatedOrders : CylinderOrders<double> {
 /// Exact orders by a discrete Fourier transform.
 ///
 /// The force is −m_j s̈; its torque on the crank follows from virtual work, F ds/dφ. For the couple
-/// ΔJ the same with the rod's angle ψ.
+/// ΔJ the same with the rod's angle ψ. What is sampled are s′ and s′²/2, whose derivatives these
+/// are: they stay finite up to locking, where s″ does not.
 /// @param crank     in units of R: {1, 1/λ, K}; must not lock
 /// @param transform its length by transform_length(crank.harmonic_decay(), …)
 /// @param rod       also the rod's couple; else its two lists stay empty
-template <typename Scalar>
-CylinderOrders<Scalar> exact_cylinder_orders(const SliderCrank<Scalar>& crank, int max_order,
-                                             const UniformTransform<Scalar>& transform, bool rod) {
+inline CylinderOrders<double> exact_cylinder_orders(const SliderCrank<double>& crank, int max_order,
+                                                    const UniformTransform<double>& transform,
+                                                    bool rod) {
     const std::size_t n = transform.size();
-    std::vector<Scalar> force(n);
-    std::vector<Scalar> torque(n);
-    for (std::size_t j = 0; j < n; ++j) {
-        const auto motion = crank.at(transform.node_sin()[j], transform.node_cos()[j]);
-        force[j] = -motion.d2s;
-        torque[j] = -motion.d2s * motion.ds;
-    }
-    CylinderOrders<Scalar> result;
-    result.force = transform.orders(force, max_order);
-    result.torque = transform.orders(torque, max_order);
-    if (rod) {
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto swing = crank.rod_at(transform.node_sin()[j], transform.node_cos()[j]);
-            force[j] = -swing.d2psi;
-            torque[j] = -swing.d2psi * swing.dpsi;
+    std::vector<double> rate(n);
+    std::vector<double> half_square(n);
+    const auto minus_derivative = [&](const std::vector<double>& values) {
+        auto orders = transform.orders(values, max_order);
+        double k = 0.0;
+        for (Harmonic<double>& order : orders) {
+            order = {-k * order.sin, k * order.cos};
+            k += 1.0;
         }
-        result.rod_roll = transform.orders(force, max_order);
-        result.rod_torque = transform.orders(torque, max_order);
+        return orders;
+    };
+    const auto sample = [&](const auto& rate_at) {
+        for (std::size_t j = 0; j < n; ++j) {
+            rate[j] = rate_at(transform.node_sin()[j], transform.node_cos()[j]);
+            half_square[j] = 0.5 * rate[j] * rate[j];
+        }
+    };
+    CylinderOrders<double> result;
+    sample([&](double sine, double cosine) { return crank.at(sine, cosine).ds; });
+    result.force = minus_derivative(rate);
+    result.torque = minus_derivative(half_square);
+    if (rod) {
+        sample([&](double sine, double cosine) { return crank.rod_at(sine, cosine).dpsi; });
+        result.rod_roll = minus_derivative(rate);
+        result.rod_torque = minus_derivative(half_square);
     }
     return result;
 }

@@ -7,12 +7,7 @@
 
 namespace ravnoves::inertia_moments {
 
-namespace {
-
-/// Nearer to locking than this share of the rod, rounding decides whether the crank passes.
-constexpr double locking_margin = 1e-12;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
     const auto round = [](double& si, const Field& field) {
@@ -49,7 +44,7 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
             return Locking{i, crank.locking_angles()};
         }
         const double margin = crank.rod_length - 1.0 - std::abs(crank.offset);
-        if (margin < locking_margin * crank.rod_length) {
+        if (margin < nearest_to_locking * crank.rod_length) {
             // As good as locked: the angle is that of the mechanism that just locks.
             const SliderCrank<double> just{1.0, 1.0 + std::abs(crank.offset), crank.offset};
             return Locking{i, just.locking_angles()};
@@ -62,7 +57,9 @@ std::optional<Locking> find_articulated_locking(const Engine& engine) {
     for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
         if (engine.knuckles[i]) {
             const ArticulatedCrank crank = engine.articulated(i);
-            if (!(crank.rod_length - crank.reach() > locking_margin * crank.rod_length)) {
+            // Nearer to locking, rounding decides whether the crank passes.
+            constexpr double margin = 1e-12;
+            if (!(crank.rod_length - crank.reach() > margin * crank.rod_length)) {
                 return Locking{i, crank.locking_angles()};
             }
         }

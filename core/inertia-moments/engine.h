@@ -57,6 +57,10 @@ struct Engine {
 /// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders);
 
+/// The least 1 − λ(1 + |K|): nearer to locking, the exact orders would take more than a million
+/// samples a turn, and a mechanism counts as locked.
+inline constexpr double nearest_to_locking = 4e-9;
+
 /// A cylinder whose mechanism locks.
 struct Locking {
     std::size_t cylinder = 0;  ///< index in the table
@@ -65,8 +69,8 @@ struct Locking {
     std::optional<LockingAngles<double>> angles;
 };
 
-/// The first cylinder with a rod on its crankpin whose mechanism locks, λ(1 + |K|) ≥ 1, if any
-/// does.
+/// The first cylinder with a rod on its crankpin whose mechanism locks or is nearer to it than
+/// nearest_to_locking, if any is.
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders);
 

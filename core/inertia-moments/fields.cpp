@@ -93,7 +93,10 @@ void visit_layout(FieldVisitor& visitor, Layout& layout, double crank_radius) {
     if (vr || visitor.has(field::firing_order.key, true)) {
         visitor.integers(field::firing_order, layout.firing_order);
     }
-    size(field::first_position, layout.first_position);
+    visitor.number(field::first_position, layout.first_position);
+    if (visitor.is_reading() && layout.first_position == centred_position(layout)) {
+        layout.first_position.reset();  // as older cases have it: it follows the spacing
+    }
 }
 
 /// The mass of one cylinder or that of one throw.

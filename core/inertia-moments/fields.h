@@ -237,7 +237,8 @@ inline constexpr Field first_position{
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments",
                       "Axial position z of cylinder 1. Volkswagen VR5: 3 a + l = 204.8 mm, with "
-                      "the centre of mass at z = 0.")};
+                      "the centre of mass at z = 0."),
+    .if_empty = CORE_TEXT("inertia-moments", "z = 0 in the middle")};
 
 // Of the object "rod".
 inline constexpr Field rod{

@@ -47,33 +47,43 @@ void check_table(const Input& input) {
     }
 }
 
+/// A bound with the digits that tell it from what was found.
+Number bound(double limit, double found) {
+    return {.value = limit, .digits = std::abs(limit - found) < 1e-4 * std::abs(limit) ? 11 : 6};
+}
+
 void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     const auto locking = find_locking(input.crank_radius, input.ratio(), cylinders);
     if (!locking) {
         return;
     }
-    const double limit = (input.rod_length() - input.crank_radius) / units::mm;  // of |e|
+    const double limit =  // of |e|
+        (input.rod_length() * (1.0 - nearest_to_locking) - input.crank_radius) / units::mm;
     if (!(limit > 0.0) && input.given_rod_length) {
         throw InputError(
             "/input/rod_length_mm",
             {CORE_TEXT("inertia-moments", "must be greater than the crank radius, %1; %2"),
-             from_si(field::crank_radius, input.crank_radius), describe(*locking)},
+             bound(from_si(field::crank_radius, input.crank_radius / (1.0 - nearest_to_locking)),
+                   from_si(field::rod_length, input.rod_length())),
+             describe(*locking)},
             Number{from_si(field::rod_length, input.rod_length())});
     }
     if (!(limit > 0.0)) {
         throw InputError(
             "/input/lambda",
-            {CORE_TEXT("inertia-moments", "must be less than 1; %1"), describe(*locking)},
+            {CORE_TEXT("inertia-moments", "must be at most %1; %2"),
+             Number{.value = 1.0 - nearest_to_locking, .digits = 9}, describe(*locking)},
             Number{input.lambda});
     }
+    const double offset = cylinders[locking->cylinder].offset / units::mm;
     const std::string pointer =
         input.layout ? "/input/layout/offset_mm"
                      : "/input/cylinders/" + std::to_string(locking->cylinder) + "/offset_mm";
     throw InputError(pointer,
                      {CORE_TEXT("inertia-moments",
                                 "must be less than %1 in size (rod length less crank radius); %2"),
-                      Number{.value = limit, .digits = 6}, describe(*locking)},
-                     Number{.value = cylinders[locking->cylinder].offset / units::mm, .digits = 6});
+                      bound(limit, std::abs(offset)), describe(*locking)},
+                     bound(offset, std::copysign(limit, offset)));
 }
 
 /// What joins articulated rods with the rest: a rod as a rigid body, the rotating mass, locking.

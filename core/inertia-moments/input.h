@@ -58,7 +58,7 @@ struct Layout {
     double offset = 0.0;            ///< e, m: +e in bank 1, −e in bank 2
     double spacing = 0.0;           ///< a, m, between neighbouring stations along the crank
     double stagger = 0.0;           ///< m, from bank 1's cylinder to bank 2's at one station
-    double first_position = 0.0;    ///< z of cylinder 1, m
+    std::optional<double> first_position;  ///< z of cylinder 1, m; empty: z = 0 in the middle
     std::vector<int> firing_order;  ///< numbers from 1
     bool operator==(const Layout&) const = default;
 };

@@ -140,7 +140,6 @@ Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
     layout.offset = rounded(spec.relative_offset * crank_radius, field::layout_offset, 6);
     layout.spacing = rounded(spec.relative_spacing * crank_radius, field::spacing, 6);
     layout.stagger = rounded(spec.relative_stagger * crank_radius, field::stagger, 6);
-    layout.first_position = centred_position(layout);
     layout.firing_order.assign(spec.firing_order.begin(), spec.firing_order.end());
     return layout;
 }
@@ -165,6 +164,7 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
     const int count = cylinder_count(layout);
     const LayoutSpec* spec = layout.name == "vr" ? nullptr : &require_layout(layout.name);
     const double side = spec == nullptr ? 1.0 : spec->first_bank_side;
+    const double first = layout.first_position.value_or(centred_position(layout));
 
     std::vector<Cylinder> cylinders;
     cylinders.reserve(static_cast<std::size_t>(count));
@@ -173,7 +173,7 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
         const double bank = place.bank == 0 ? side : -side;
         const double row = place.row == 0 ? 1.0 : -1.0;
         Cylinder cylinder;
-        cylinder.axial_position = layout.first_position - place.station * layout.spacing;
+        cylinder.axial_position = first - place.station * layout.spacing;
         cylinder.bank_angle = bank * layout.bank_angle / 2.0;
         switch (arrangement) {
             case in_line:

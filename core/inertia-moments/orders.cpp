@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "case-file/input_error.h"
 #include "inertia-moments/cylinder_orders.h"
+#include "inertia-moments/fields.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -28,13 +30,6 @@ Harmonic<double>& operator+=(Harmonic<double>& sum, const Complex& c) {
 
 /// Samples beyond which a transform for an articulated rod does not grow.
 constexpr std::size_t longest_transform = 1U << 14U;
-
-/// The orders of one cylinder, kept with the |K| that they were made for: the cylinders of an
-/// engine share one or two.
-struct CachedOrders {
-    double offset;  ///< |K|
-    CylinderOrders<double> orders;
-};
 
 /// The force of a mass at the knuckle pin instead of the crankpin, its moment about the crank axis
 /// and its torque on the crank, in units of m_k and R: −m a of the pin's own motion, less what the
@@ -104,11 +99,11 @@ double relative_difference(const CylinderOrders<double>& a, const CylinderOrders
 /// Exact orders of a cylinder with an articulated rod: the transform is doubled until that changes
 /// nothing.
 /// @param transforms  of so many samples, twice, four times…; grows as needed
-/// @param result      notes the samples, and an accuracy that is not reached
-ArticulatedOrders exact_articulated_orders(const ArticulatedCrank& crank, int max_order,
-                                           double accuracy,
-                                           std::vector<UniformTransform<double>>& transforms,
-                                           EngineOrders& result) {
+/// @param result      notes the samples
+/// @return none where that accuracy is not reached
+std::optional<ArticulatedOrders> exact_articulated_orders(
+    const ArticulatedCrank& crank, int max_order, double accuracy,
+    std::vector<UniformTransform<double>>& transforms, EngineOrders& result) {
     const auto motion_at = [&](double sin_theta, double cos_theta) {
         return crank.at(sin_theta, cos_theta);
     };
@@ -122,21 +117,20 @@ ArticulatedOrders exact_articulated_orders(const ArticulatedCrank& crank, int ma
         ArticulatedOrders finer = articulated_orders(motion_at, max_order, transforms[i]);
         const bool settled = i > 0 && relative_difference(finer, orders) <= accuracy;
         orders = std::move(finer);
-        if (settled || samples >= longest_transform) {
-            result.accurate = result.accurate && settled;
+        if (settled) {
             result.transform_samples = std::max(result.transform_samples, samples);
             return orders;
+        }
+        if (samples >= longest_transform) {
+            return std::nullopt;
         }
     }
 }
 
 /// Adds the cylinders' orders up.
-/// @param orders_of  gives the orders for |K| of a rod on the crankpin; a negative offset is the
-///                   mirror image (force and torque at −θ)
-/// @param articulated_of  those of a cylinder by its index, with its offset as it is
-template <typename OrdersOf, typename ArticulatedOf>
-std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& orders_of,
-                                ArticulatedOf&& articulated_of) {
+/// @param orders_of  those of a cylinder by its index
+template <typename OrdersOf>
+std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& orders_of) {
     std::vector<EngineOrder> result(static_cast<std::size_t>(max_order));
     for (std::size_t k = 0; k < result.size(); ++k) {
         result[k].order = static_cast<int>(k) + 1;
@@ -148,27 +142,14 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
         engine.rod_couple_inertia * engine.angular_speed * engine.angular_speed;
     for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
         const Cylinder& cylinder = engine.cylinders[i];
-        std::optional<ArticulatedOrders> articulated;
-        if (engine.knuckles[i]) {
-            articulated = articulated_of(i);
-        }
-        const CylinderOrders<double>& own =
-            articulated ? *articulated : orders_of(std::abs(cylinder.offset));
-        const bool mirror = !articulated && cylinder.offset < 0.0;
-        // Even functions of (θ, e) keep their cosines, odd ones their sines.
-        const auto even = [&](const Harmonic<double>& h) {
-            return mirror ? Complex(h.cos, h.sin) : coefficient(h);
-        };
-        const auto odd = [&](const Harmonic<double>& h) {
-            return mirror ? Complex(-h.cos, -h.sin) : coefficient(h);
-        };
+        const ArticulatedOrders own = orders_of(i);
         const Complex u = axis_direction(cylinder);
         const double lever = cylinder.axial_position - engine.reference_position;
         const double phase = engine.crank_phase(cylinder);
         for (std::size_t k = 1; k <= result.size(); ++k) {
             EngineOrder& order = result[k - 1];
             const Complex turn = std::polar(1.0, static_cast<double>(k) * phase);
-            const Complex force = force_unit * even(own.force[k]) * turn;
+            const Complex force = force_unit * coefficient(own.force[k]) * turn;
             const RotatingPair pair = RotatingPair::of(u, force);
             order.force += pair;
             order.moment += {pair.forward * lever, pair.backward * lever};
@@ -176,25 +157,24 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
             order.force_scale += scale;
             order.moment_scale += scale * std::abs(lever);
             Complex roll = -cylinder.offset * force;
-            Complex torque = torque_unit * odd(own.torque[k]) * turn;
+            Complex torque = torque_unit * coefficient(own.torque[k]) * turn;
             if (couple_unit != 0.0) {
-                roll += couple_unit * odd(own.rod_roll[k]) * turn;
-                torque += couple_unit * odd(own.rod_torque[k]) * turn;
+                roll += couple_unit * coefficient(own.rod_roll[k]) * turn;
+                torque += couple_unit * coefficient(own.rod_torque[k]) * turn;
             }
-            if (articulated && engine.knuckles[i]->knuckle_mass > 0.0) {
+            if (engine.knuckles[i] && engine.knuckles[i]->knuckle_mass > 0.0) {
                 const double share = engine.knuckles[i]->knuckle_mass / engine.reciprocating_mass;
-                const Complex along =
-                    share * force_unit * coefficient(articulated->knuckle_along[k]) * turn;
+                const Complex along = share * force_unit * coefficient(own.knuckle_along[k]) * turn;
                 const Complex across =
-                    share * force_unit * coefficient(articulated->knuckle_across[k]) * turn;
+                    share * force_unit * coefficient(own.knuckle_across[k]) * turn;
                 RotatingPair knuckle = RotatingPair::of(u, along);
                 knuckle += RotatingPair::of(u * Complex(0.0, 1.0), across);
                 order.force += knuckle;
                 order.moment += {knuckle.forward * lever, knuckle.backward * lever};
                 order.force_scale += std::abs(along) + std::abs(across);
                 order.moment_scale += (std::abs(along) + std::abs(across)) * std::abs(lever);
-                roll += share * torque_unit * coefficient(articulated->knuckle_roll[k]) * turn;
-                torque += share * torque_unit * coefficient(articulated->knuckle_torque[k]) * turn;
+                roll += share * torque_unit * coefficient(own.knuckle_roll[k]) * turn;
+                torque += share * torque_unit * coefficient(own.knuckle_torque[k]) * turn;
             }
             order.inertia_roll += roll;
             order.reaction_torque += -torque;
@@ -202,17 +182,6 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
         }
     }
     return result;
-}
-
-/// Looks |K| up among the few kept, or makes it.
-template <typename Make>
-const CylinderOrders<double>& cached(std::vector<CachedOrders>& kept, double offset, Make&& make) {
-    const auto found = std::find_if(kept.begin(), kept.end(),
-                                    [&](const CachedOrders& c) { return c.offset == offset; });
-    if (found != kept.end()) {
-        return found->orders;
-    }
-    return kept.emplace_back(CachedOrders{offset, make()}).orders;
 }
 
 /// What the mechanisms of an engine need at every φ.
@@ -308,30 +277,32 @@ void store(WrenchCurves& curves, std::size_t i, const Wrench& wrench) {
 EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) {
     EngineOrders result;
     const bool rod = engine.rod_couple_inertia != 0.0;
-    std::vector<CachedOrders> kept;
-    kept.reserve(engine.cylinders.size());
     std::optional<UniformTransform<double>> transform;
     std::vector<UniformTransform<double>> doubling;  // for articulated rods
-    result.orders = add_up(
-        engine, max_order,
-        [&](double offset) -> const auto& {
-            return cached(kept, offset, [&] {
-                const SliderCrank<double> crank{1.0, 1.0 / engine.lambda,
-                                                offset / engine.crank_radius};
-                const TransformLength length =
-                    transform_length(crank.harmonic_decay(), max_order, accuracy);
-                result.accurate = result.accurate && length.sufficient;
-                result.transform_samples = std::max(result.transform_samples, length.samples);
-                if (!transform || transform->size() < length.samples) {
-                    transform.emplace(length.samples);
-                }
-                return exact_cylinder_orders(crank, max_order, *transform, rod);
-            });
-        },
-        [&](std::size_t i) {
-            return exact_articulated_orders(engine.articulated(i), max_order, accuracy, doubling,
-                                            result);
-        });
+    result.orders = add_up(engine, max_order, [&](std::size_t i) {
+        if (!engine.knuckles[i]) {
+            const SliderCrank<double> crank = engine.mechanism(engine.cylinders[i]);
+            const std::size_t samples =
+                transform_length(crank.harmonic_decay(), max_order, accuracy).samples;
+            result.transform_samples = std::max(result.transform_samples, samples);
+            if (!transform || transform->size() < samples) {
+                transform.emplace(samples);
+            }
+            return ArticulatedOrders{
+                exact_cylinder_orders(crank, max_order, *transform, rod), {}, {}, {}, {}};
+        }
+        auto orders =
+            exact_articulated_orders(engine.articulated(i), max_order, accuracy, doubling, result);
+        if (!orders) {
+            throw InputError(
+                "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_radius_mm",
+                CORE_TEXT("inertia-moments",
+                          "must keep the articulated rod farther from locking: its exact orders "
+                          "cannot be computed to the digits shown"),
+                Number{from_si(field::knuckle_radius, engine.knuckles[i]->knuckle_radius)});
+        }
+        return *std::move(orders);
+    });
     return result;
 }
 
@@ -339,29 +310,29 @@ EngineOrders two_term_orders(const Engine& engine) {
     EngineOrders result;
     // A trigonometric polynomial: so many nodes are exact.
     static const UniformTransform<double> four_orders(4 * highest_two_term_order);
-    std::vector<CachedOrders> kept;
-    kept.reserve(engine.cylinders.size());
-    result.orders = add_up(
-        engine, highest_two_term_order,
-        [&](double offset) -> const auto& {
-            return cached(kept, offset, [&] {
-                return two_term_cylinder_orders(engine.lambda, offset / engine.crank_radius,
-                                                engine.rod_couple_inertia != 0.0);
-            });
-        },
-        [&](std::size_t i) {
-            const ArticulatedCrank crank = engine.articulated(i);
-            ArticulatedOrders orders = articulated_orders(
-                [&](double sin_theta, double cos_theta) {
-                    return crank.two_term_at(sin_theta, cos_theta);
-                },
-                highest_two_term_order, four_orders);
-            // Forces have two orders; what rounding leaves of the others is nothing.
-            for (auto* list : {&orders.force, &orders.knuckle_along, &orders.knuckle_across}) {
-                std::fill(list->begin() + 3, list->end(), Harmonic<double>{});
-            }
-            return orders;
-        });
+    result.orders = add_up(engine, highest_two_term_order, [&](std::size_t i) {
+        if (!engine.knuckles[i]) {
+            return ArticulatedOrders{
+                two_term_cylinder_orders(engine.lambda,
+                                         engine.cylinders[i].offset / engine.crank_radius,
+                                         engine.rod_couple_inertia != 0.0),
+                {},
+                {},
+                {},
+                {}};
+        }
+        const ArticulatedCrank crank = engine.articulated(i);
+        ArticulatedOrders orders = articulated_orders(
+            [&](double sin_theta, double cos_theta) {
+                return crank.two_term_at(sin_theta, cos_theta);
+            },
+            highest_two_term_order, four_orders);
+        // Forces have two orders; what rounding leaves of the others is nothing.
+        for (auto* list : {&orders.force, &orders.knuckle_along, &orders.knuckle_across}) {
+            std::fill(list->begin() + 3, list->end(), Harmonic<double>{});
+        }
+        return orders;
+    });
     return result;
 }
 

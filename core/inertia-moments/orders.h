@@ -94,21 +94,16 @@ struct EngineOrder {
 struct EngineOrders {
     std::vector<EngineOrder> orders;    ///< [k − 1] holds order k
     std::size_t transform_samples = 0;  ///< longest transform used; 0 for the two-term form
-    bool accurate = true;  ///< false where a mechanism is too near locking for the accuracy asked
 
     const EngineOrder& order(int k) const& { return orders[static_cast<std::size_t>(k) - 1]; }
     /// Of orders that end with the statement a copy.
     EngineOrder order(int k) && { return orders[static_cast<std::size_t>(k) - 1]; }
 };
 
-/// The note on orders that are not accurate.
-inline constexpr Text less_accurate =
-    CORE_TEXT("inertia-moments",
-              "a mechanism is so near locking that the exact orders are less accurate than usual");
-
 /// Exact orders 1…max_order of forces and moments. Where rods are articulated, the transform grows
 /// until twice its samples change nothing.
 /// @param accuracy  of the orders relative to m R ω² (sets the transform's length)
+/// @throws InputError where an articulated rod is too near locking for that
 EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
                           double accuracy = order_accuracy);
 

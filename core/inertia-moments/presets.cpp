@@ -77,8 +77,6 @@ void follow_sizes(Input& input, const Input& before) {
             now = usual_now;
         }
     };
-    follow(input.layout->first_position, before.layout->first_position,
-           centred_position(*before.layout), centred_position(*input.layout));
     const auto cylinders_of = [](const Input& each) {
         return make_cylinders(*each.layout, each.crank_radius, each.ratio(), each.cycle());
     };

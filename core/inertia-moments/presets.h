@@ -36,8 +36,7 @@ EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radi
 std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius);
 
 /// After another spacing, stagger or crank radius of a layout: what stood at its usual place
-/// before, cylinder 1 with z = 0 in the middle, end webs and weights of the shafts, goes to where
-/// that is now.
+/// before, end webs and weights of the shafts, goes to where that is now.
 void follow_sizes(Input& input, const Input& before);
 
 }  // namespace ravnoves::inertia_moments

@@ -22,15 +22,19 @@ struct Result {
     RotatingMasses rotating;
     std::vector<ShaftDesign> shafts;
     std::optional<CounterweightDesign> counterweights;
-    /// Exact orders with the rotating masses, the enabled counterweights and the enabled shafts:
-    /// what is left over.
+    /// Exact orders and the two-term form with the rotating masses: what there is before balancing.
+    EngineOrders unbalanced;
+    EngineOrders two_term_unbalanced;
+    /// The same exact orders with the enabled counterweights and the enabled shafts: what is left
+    /// over.
     EngineOrders remaining;
     std::vector<Difference> differences;
     std::vector<FiringEvent> firing;  ///< empty without a firing order that fits
     Message firing_trouble;           ///< why the order does not fit; empty where it does
     std::vector<Message> notes;       ///< what the model leaves out of this engine, sentences
     WrenchCurves curves;              ///< exact, reciprocating parts
-    WrenchCurves remaining_curves;    ///< with rotating masses, counterweights and shafts
+    WrenchCurves unbalanced_curves;   ///< with the rotating masses
+    WrenchCurves remaining_curves;    ///< with counterweights and shafts too
 };
 
 }  // namespace ravnoves::inertia_moments

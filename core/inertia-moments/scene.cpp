@@ -227,9 +227,6 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (wanted.wants("/difference")) {
         json["difference"] = write_differences(result);
     }
-    if (!result.exact.accurate && wanted.wants("/difference")) {
-        json["difference"]["warnings"].push_back(less_accurate.english);
-    }
     if (!result.firing.empty()) {
         Json firing = Json::array();
         for (const FiringEvent& event : result.firing) {
@@ -254,9 +251,13 @@ Json write_wanted(const Input& input, const Result& result, const Wanted& wanted
     if (result.counterweights) {
         json["counterweights"] = write_counterweights(*result.counterweights);
     }
+    put_orders("unbalanced", result.unbalanced);
     put_orders("remaining", result.remaining);
     if (input.step && wanted.wants("/curves")) {
         json["curves"] = write_curves(result.curves);
+    }
+    if (input.step && wanted.wants("/unbalanced_curves")) {
+        json["unbalanced_curves"] = write_curves(result.unbalanced_curves);
     }
     if (input.step && wanted.wants("/remaining_curves")) {
         json["remaining_curves"] = write_curves(result.remaining_curves);

@@ -41,6 +41,24 @@ WrenchCurves balanced_curves(const WrenchCurves& curves, const EngineOrders& ord
     return sum;
 }
 
+/// What is left over: with the counterweights and shafts that are on.
+EngineOrders with_balancing(EngineOrders orders,
+                            const std::optional<CounterweightDesign>& counterweights,
+                            const std::vector<ShaftDesign>& shafts) {
+    if (counterweights) {
+        orders.orders.front().force.forward += counterweights->force;
+        orders.orders.front().moment.forward += counterweights->moment;
+    }
+    for (const ShaftDesign& design : shafts) {
+        if (design.shaft.enabled) {
+            EngineOrder& order = orders.orders[static_cast<std::size_t>(design.shaft.order) - 1];
+            order.force += design.force;
+            order.moment += design.moment;
+        }
+    }
+    return orders;
+}
+
 /// Masses follow from forces by division by ω²: the last place where numbers could overflow.
 void check_designs(const Result& result) {
     bool finite = true;
@@ -64,25 +82,12 @@ void check_designs(const Result& result) {
 
 }  // namespace
 
-EngineOrders with_balancing(const Engine& engine, EngineOrders orders,
-                            const RotatingMasses& rotating,
-                            const std::optional<CounterweightDesign>& counterweights,
-                            bool counterweights_enabled, const std::vector<ShaftDesign>& shafts) {
+EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
+                           const RotatingMasses& rotating) {
     const Complex pin = crankpin_direction(engine);
     EngineOrder& first = orders.orders.front();
     first.force.forward += rotating.force() * pin;
     first.moment.forward += rotating.moment_about(engine.reference_position) * pin;
-    if (counterweights && counterweights_enabled) {
-        first.force.forward += counterweights->force;
-        first.moment.forward += counterweights->moment;
-    }
-    for (const ShaftDesign& design : shafts) {
-        if (design.shaft.enabled && design.shaft.order <= static_cast<int>(orders.orders.size())) {
-            EngineOrder& order = orders.orders[static_cast<std::size_t>(design.shaft.order) - 1];
-            order.force += design.force;
-            order.moment += design.moment;
-        }
-    }
     return orders;
 }
 
@@ -106,18 +111,16 @@ Result solve(const Input& input) {
             design_counterweights(engine, result.rotating, basis.order(1), *input.end_webs);
     }
     // Counterweights may take the forward part of order 1 over: shafts are made for the rest.
-    EngineOrders for_shafts = basis;
-    if (result.counterweights && input.end_webs->enabled) {
-        EngineOrder& first = for_shafts.orders.front();
-        const Complex pin = crankpin_direction(engine);
-        first.force.forward += result.counterweights->force + result.rotating.force() * pin;
-        first.moment.forward += result.counterweights->moment +
-                                result.rotating.moment_about(engine.reference_position) * pin;
-    }
+    const bool weighted = result.counterweights && input.end_webs->enabled;
+    const auto counted = weighted ? result.counterweights : std::nullopt;
+    const EngineOrders for_shafts =
+        weighted ? with_balancing(with_rotating(engine, basis, result.rotating), counted, {})
+                 : basis;
     result.shafts = design_shafts(engine, for_shafts, input.shafts);
     check_designs(result);
-    result.remaining = with_balancing(engine, result.exact, result.rotating, result.counterweights,
-                                      input.end_webs && input.end_webs->enabled, result.shafts);
+    result.unbalanced = with_rotating(engine, result.exact, result.rotating);
+    result.two_term_unbalanced = with_rotating(engine, result.two_term, result.rotating);
+    result.remaining = with_balancing(result.unbalanced, counted, result.shafts);
     const auto& order = input.layout ? input.layout->firing_order : input.firing_order;
     result.firing = firing_events(engine, order, input.cycle());
     if (result.firing.empty() && !order.empty()) {
@@ -137,6 +140,7 @@ Result solve(const Input& input) {
     const double step = input.step.value_or(usual_step);
     const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
     result.curves = exact_curves(engine, intervals);
+    result.unbalanced_curves = balanced_curves(result.curves, result.exact, result.unbalanced);
     result.remaining_curves = balanced_curves(result.curves, result.exact, result.remaining);
     return result;
 }

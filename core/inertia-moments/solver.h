@@ -13,10 +13,8 @@ namespace ravnoves::inertia_moments {
 /// @throws InputError as check_input()
 Result solve(const Input& input);
 
-/// The sums of the orders with rotating masses, counterweights and shafts added.
-EngineOrders with_balancing(const Engine& engine, EngineOrders orders,
-                            const RotatingMasses& rotating,
-                            const std::optional<CounterweightDesign>& counterweights,
-                            bool counterweights_enabled, const std::vector<ShaftDesign>& shafts);
+/// The orders with the rotating masses added.
+EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
+                           const RotatingMasses& rotating);
 
 }  // namespace ravnoves::inertia_moments

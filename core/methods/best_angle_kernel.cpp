@@ -1,6 +1,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/method_choices.h"
@@ -20,28 +20,22 @@ struct ShaftAngles {
     MomentPlane plane;
     double amplitude;
 
-    MomentPlane::Extrema operator()(double alpha) const {
-        return plane(balance_shaft::shaft_at(amplitude, alpha));
+    double range(double alpha) const {
+        return plane.range(balance_shaft::shaft_at(amplitude, alpha));
     }
-    double range(double alpha) const { return (*this)(alpha).range(); }
 };
 
 /// The α with the least range. The range at an α is prepared as the scene prepares it.
 struct AngleCase : TorqueCycle {
     std::size_t outputs() const { return 1; }
     double evaluations() const { return 1.0; }
-    ShaftAngles extrema() const { return {MomentPlane(interpolant<double>()), amplitude}; }
-    double range_operations() const {
-        const double knots = static_cast<double>(moment.size() - 1) / 2.0;
-        return 7.0 * knots + 4.0 * (cubic ? 600.0 : 40.0) + 40.0;
-    }
+    ShaftAngles extrema() const { return {MomentPlane(interpolant()), amplitude}; }
 };
 
-/// A search that counts how often it asks for a range.
-using Search = double (*)(const ShaftAngles& extrema, const Setting& setting, int& asked);
+using Search = double (*)(const ShaftAngles& extrema, double setting);
 
-double scan(const ShaftAngles& extrema, const Setting& setting, int& asked) {
-    const int steps = static_cast<int>(std::round(360.0 / setting.value));
+double scan(const ShaftAngles& extrema, double step_deg) {
+    const int steps = static_cast<int>(std::round(360.0 / step_deg));
     double best = 0.0;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < steps; ++i) {
@@ -52,71 +46,31 @@ double scan(const ShaftAngles& extrema, const Setting& setting, int& asked) {
             best = alpha;
         }
     }
-    asked += steps;
     return best;
 }
 
-double brent(const ShaftAngles& extrema, const Setting& setting, int& asked) {
-    const auto range = [&](double alpha) {
-        ++asked;
-        return extrema.range(alpha);
-    };
+double brent(const ShaftAngles& extrema, double scan_step) {
+    const auto range = [&](double alpha) { return extrema.range(alpha); };
     constexpr int bits = 40;
-    if (setting.value == 0.0) {
+    if (scan_step == 0.0) {
         return boost::math::tools::brent_find_minima(range, 0.0, two_pi, bits).first;
     }
-    const double start = scan(extrema, setting, asked);
-    const double step = setting.value * degree;
+    const double start = scan(extrema, scan_step);
+    const double step = scan_step * degree;
     return boost::math::tools::brent_find_minima(range, start - step, start + step, bits).first;
 }
 
-/// Steepest descent from the best of a scan: the step is halved where it does not go down.
-double descent(const ShaftAngles& extrema, const Setting& setting, int& asked) {
-    constexpr double scan_step = 30.0;
-    const double amplitude = extrema.amplitude;
-    double alpha = scan(extrema, {"", scan_step}, asked);
-    double range = extrema.range(alpha);
-    double step = scan_step / 2.0 * degree;
-    ++asked;
-    for (int i = 0; i < static_cast<int>(setting.value); ++i) {
-        const auto found = extrema(alpha);
-        const double slope = amplitude * (std::cos(found.max.angle_deg * degree + alpha) -
-                                          std::cos(found.min.angle_deg * degree + alpha));
-        const double next = alpha - step * slope / (2.0 * amplitude);
-        const double there = extrema.range(next);
-        asked += 2;
-        if (there < range) {
-            alpha = next;
-            range = there;
-        } else {
-            step /= 2.0;
-        }
-    }
-    return alpha;
-}
-
-double cutting_planes(const ShaftAngles& extrema, const Setting&, int& asked) {
-    const auto best = balance_shaft::minimise_range(extrema.plane, extrema.amplitude);
-    asked += best.evaluations;
-    return best.alpha;
+double cutting_planes(const ShaftAngles& extrema, double) {
+    return balance_shaft::minimise_range(extrema.plane, extrema.amplitude).alpha;
 }
 
 Method<AngleCase> method_of(MethodInfo info, Search search) {
-    Method<AngleCase> method;
-    method.info = std::move(info);
-    method.prepare = [search](const AngleCase& cycle, const Setting& setting) -> Run {
-        return [search, setting, extrema = cycle.extrema()](std::span<double> out) {
-            int asked = 0;
-            out[0] = search(extrema, setting, asked);
-            return Message();
-        };
-    };
-    method.operations = [search](const AngleCase& cycle, const Setting& setting) {
-        int asked = 0;
-        search(cycle.extrema(), setting, asked);
-        return asked * cycle.range_operations();
-    };
-    return method;
+    return {std::move(info), [search](const AngleCase& cycle, double setting) -> Run {
+                return [search, setting, extrema = cycle.extrema()](std::span<double> out) {
+                    out[0] = search(extrema, setting);
+                    return Message();
+                };
+            }};
 }
 
 std::vector<Expected> reference(const AngleCase& cycle) {
@@ -130,12 +84,6 @@ double measure(const AngleCase& cycle, std::span<const double> out,
     return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
 }
 
-/// The method in use: its bounds prove that no angle is better.
-std::optional<double> check(const AngleCase& cycle, const std::vector<Expected>& reference) {
-    const double least = balance_shaft::minimise_range(cycle.extrema().plane, cycle.amplitude).value;
-    return static_cast<double>(abs(Real50(least - reference[0].value))) / reference[0].scale;
-}
-
 }  // namespace
 
 Kernel best_angle_kernel() {
@@ -147,9 +95,8 @@ Kernel best_angle_kernel() {
     kernel.error_measure =
         CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
     kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
-    kernel.check_text = CORE_TEXT(
-        "methods", "the crossing of the two branches that rise from it, against the method in use");
-    kernel.check_tolerance = 1e-12;
+    kernel.reference = CORE_TEXT(
+        "methods", "every angle of a scan where the slope turns, halved until it is found");
     kernel.choice = balance_shaft::best_angle_choice;
     definition.methods = {
         method_of({"scan",
@@ -168,12 +115,6 @@ Kernel best_angle_kernel() {
               counted(CORE_TEXT("methods", "from a scan of %1°"), 10)},
              false},
             brent),
-        method_of(
-            {"descent", CORE_TEXT("methods", "steepest descent from a scan of 30°"),
-             CORE_TEXT("methods",
-                       "stalls at a kink, where the slope does not go to zero but changes sign"),
-             counted(CORE_TEXT("methods", "%1 steps"), {10, 40}), false},
-            descent),
         method_of({"cutting-planes",
                    CORE_TEXT("methods", "cutting planes"),
                    CORE_TEXT("methods", "exact: the bounds prove that no angle is better"),
@@ -205,7 +146,6 @@ Kernel best_angle_kernel() {
     };
     definition.reference = reference;
     definition.measure = measure;
-    definition.check = check;
     return make_kernel(std::move(definition));
 }
 

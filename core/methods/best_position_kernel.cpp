@@ -21,24 +21,19 @@ using Place = Eigen::Vector2d;
 struct PlaceCase : TorqueCycle {
     std::size_t outputs() const { return 2; }
     double evaluations() const { return 1.0; }
-    MomentPlane plane() const { return MomentPlane(interpolant<double>()); }
-    double range_operations() const {
-        const double knots = static_cast<double>(moment.size() - 1) / 2.0;
-        return 10.0 * knots + 200.0;
-    }
+    MomentPlane plane() const { return MomentPlane(interpolant()); }
 };
 
-/// A search that counts how often it asks for a range.
-using Search = Place (*)(const MomentPlane& plane, const Setting& setting, int& asked);
+using Search = Place (*)(const MomentPlane& plane, double setting);
 
 /// The best place is no farther than this.
 double reach_of(const MomentPlane& plane) {
     return plane.range({0.0, 0.0});
 }
 
-Place grid(const MomentPlane& plane, const Setting& setting, int& asked) {
+Place grid(const MomentPlane& plane, double side) {
     const double reach = reach_of(plane);
-    const int steps = static_cast<int>(setting.value);
+    const int steps = static_cast<int>(side);
     Place best(0.0, 0.0);
     double least = reach;
     for (int i = 0; i < steps; ++i) {
@@ -52,23 +47,19 @@ Place grid(const MomentPlane& plane, const Setting& setting, int& asked) {
             }
         }
     }
-    asked += steps * steps + 1;
     return best;
 }
 
 /// Nelder and Mead's simplex with the usual factors, from the crank's axis.
-Place nelder_mead(const MomentPlane& plane, const Setting& setting, int& asked) {
+Place nelder_mead(const MomentPlane& plane, double steps) {
     struct Corner {
         Place at;
         double range;
     };
-    const auto corner = [&](const Place& at) {
-        ++asked;
-        return Corner{at, plane.range(at)};
-    };
+    const auto corner = [&](const Place& at) { return Corner{at, plane.range(at)}; };
     const double size = reach_of(plane) / 4.0;
     std::array<Corner, 3> simplex{corner({0.0, 0.0}), corner({size, 0.0}), corner({0.0, size})};
-    for (int i = 0; i < static_cast<int>(setting.value); ++i) {
+    for (int i = 0; i < static_cast<int>(steps); ++i) {
         std::sort(simplex.begin(), simplex.end(),
                   [](const Corner& a, const Corner& b) { return a.range < b.range; });
         const Place middle = (simplex[0].at + simplex[1].at) / 2.0;
@@ -98,75 +89,29 @@ Place nelder_mead(const MomentPlane& plane, const Setting& setting, int& asked) 
         ->at;
 }
 
-/// Steps of falling length against a subgradient; the best place on the way.
-Place subgradient(const MomentPlane& plane, const Setting& setting, int& asked) {
-    const double reach = reach_of(plane);
-    Place at(0.0, 0.0);
-    Place best = at;
-    double least = reach;
-    for (int i = 0; i < static_cast<int>(setting.value); ++i) {
-        const MomentPlane::Extrema found = plane(at);
-        ++asked;
-        if (found.range() < least) {
-            least = found.range();
-            best = at;
-        }
-        const Place slope = found.slope();
-        const double steep = slope.norm();
-        if (!(steep > 0.0)) {
-            break;
-        }
-        at -= slope / steep * (0.5 * reach / std::sqrt(i + 1.0));
-    }
-    return best;
-}
-
-Place cutting_planes(const MomentPlane& plane, const Setting&, int& asked) {
-    const auto best = balance_shaft::minimise_range(plane);
-    asked += best.evaluations;
-    return best.place;
+Place cutting_planes(const MomentPlane& plane, double) {
+    return balance_shaft::minimise_range(plane).place;
 }
 
 Method<PlaceCase> method_of(MethodInfo info, Search search) {
-    Method<PlaceCase> method;
-    method.info = std::move(info);
-    method.prepare = [search](const PlaceCase& cycle, const Setting& setting) -> Run {
-        return [search, setting, plane = cycle.plane()](std::span<double> out) {
-            int asked = 0;
-            const Place found = search(plane, setting, asked);
-            out[0] = found.x();
-            out[1] = found.y();
-            return Message();
-        };
-    };
-    method.operations = [search](const PlaceCase& cycle, const Setting& setting) {
-        int asked = 0;
-        search(cycle.plane(), setting, asked);
-        return asked * cycle.range_operations();
-    };
-    return method;
+    return {std::move(info), [search](const PlaceCase& cycle, double setting) -> Run {
+                return [search, setting, plane = cycle.plane()](std::span<double> out) {
+                    const Place found = search(plane, setting);
+                    out[0] = found.x();
+                    out[1] = found.y();
+                    return Message();
+                };
+            }};
 }
 
 /// Where the first order of the moments vanishes: the best place for the RMS.
-Method<PlaceCase> first_order() {
-    Method<PlaceCase> method;
-    method.info = {"first-order",
-                   CORE_TEXT("methods", "place without first order"),
-                   CORE_TEXT("methods", "the best place for the RMS, not for the range"),
-                   {{CORE_TEXT("methods", "closed form"), 0}},
-                   false};
-    method.prepare = [](const PlaceCase& cycle, const Setting&) -> Run {
-        return [moment = cycle.interpolant<double>()](std::span<double> out) {
-            const FourierPair order = moment.fourier(degree);
-            out[0] = -order.a;
-            out[1] = -order.b;
-            return Message();
-        };
+Run first_order(const PlaceCase& cycle, double) {
+    return [moment = cycle.interpolant()](std::span<double> out) {
+        const FourierPair order = moment.fourier(degree);
+        out[0] = -order.a;
+        out[1] = -order.b;
+        return Message();
     };
-    method.operations = [](const PlaceCase& cycle, const Setting&) {
-        return 20.0 * static_cast<double>(cycle.moment.size());
-    };
-    return method;
 }
 
 std::vector<Expected> reference(const PlaceCase& cycle) {
@@ -178,13 +123,6 @@ double measure(const PlaceCase& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
     const Real50 range = TorqueReference(cycle).range(Real50(out[0]), Real50(out[1]));
     return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
-}
-
-/// The bounds of the method in use, in double: the least range lies between them.
-std::optional<double> check(const PlaceCase& cycle, const std::vector<Expected>& reference) {
-    const auto best = balance_shaft::minimise_range(cycle.plane());
-    const double least = static_cast<double>(reference[0].value);
-    return std::max({best.value - best.gap - least, least - best.value, 0.0}) / reference[0].scale;
 }
 
 }  // namespace
@@ -199,13 +137,15 @@ Kernel best_position_kernel() {
         CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
     kernel.evaluation =
         CORE_TEXT("methods", "one search over all places, the table being prepared");
-    kernel.check_text = CORE_TEXT(
-        "methods",
-        "the extrema that hold each other at rest, against the bounds of the method in use");
-    kernel.check_tolerance = 1e-11;
+    kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, halved by slopes");
     kernel.choice = balance_shaft::best_position_choice;
     definition.methods = {
-        first_order(),
+        {{"first-order",
+          CORE_TEXT("methods", "place without first order"),
+          CORE_TEXT("methods", "the best place for the RMS, not for the range"),
+          {{CORE_TEXT("methods", "closed form"), 0}},
+          false},
+         first_order},
         method_of({"grid", CORE_TEXT("methods", "grid"),
                    CORE_TEXT("methods", "as good as its step, for the price of its square"),
                    counted(CORE_TEXT("methods", "%1 a side"), {21, 81, 201}), false},
@@ -216,12 +156,6 @@ Kernel best_position_kernel() {
                              "that is not the best, and it does not know"),
                    counted(CORE_TEXT("methods", "%1 steps"), {30, 60, 120}), false},
                   nelder_mead),
-        method_of({"subgradient", CORE_TEXT("methods", "subgradient steps"),
-                   CORE_TEXT("methods",
-                             "jumps from side to side of a kink: the error falls with the root of "
-                             "the steps alone"),
-                   counted(CORE_TEXT("methods", "%1 steps"), {100, 1000}), false},
-                  subgradient),
         method_of({"cutting-planes",
                    CORE_TEXT("methods", "cutting planes"),
                    CORE_TEXT("methods", "exact: the planes prove that no place is better"),
@@ -245,7 +179,6 @@ Kernel best_position_kernel() {
     };
     definition.reference = reference;
     definition.measure = measure;
-    definition.check = check;
     return make_kernel(std::move(definition));
 }
 

@@ -27,8 +27,7 @@ struct Expected {
 template <typename Case>
 struct Method {
     MethodInfo info;
-    std::function<Run(const Case&, const Setting&)> prepare;
-    std::function<double(const Case&, const Setting&)> operations;
+    std::function<Run(const Case&, double setting)> prepare;
 };
 
 template <typename Case>
@@ -48,7 +47,6 @@ struct Definition {
     std::function<double(const Case&, std::span<const double>, const std::vector<Expected>&)>
         measure;
     std::function<Message(const Case&)> refusal;
-    std::function<std::optional<double>(const Case&, const std::vector<Expected>&)> check;
 };
 
 template <typename Case>
@@ -61,11 +59,7 @@ class ProblemOf final : public Problem {
     double evaluations() const override { return case_.evaluations(); }
     Run prepare(std::size_t method, std::size_t setting) const override {
         const Method<Case>& chosen = definition_->methods.at(method);
-        return chosen.prepare(case_, chosen.info.settings.at(setting));
-    }
-    double operations(std::size_t method, std::size_t setting) const override {
-        const Method<Case>& chosen = definition_->methods.at(method);
-        return chosen.operations(case_, chosen.info.settings.at(setting));
+        return chosen.prepare(case_, chosen.info.settings.at(setting).value);
     }
     double error(std::span<const double> out) const override {
         if (definition_->measure) {
@@ -80,9 +74,6 @@ class ProblemOf final : public Problem {
     }
     Message scene_refusal() const override {
         return definition_->refusal ? definition_->refusal(case_) : Message();
-    }
-    std::optional<double> check() const override {
-        return definition_->check ? definition_->check(case_, reference()) : std::nullopt;
     }
 
   private:

@@ -53,9 +53,6 @@ double SweepInfo::at(double place) const {
         case Spacing::towards_end:
             part = approach(place, end_gap);
             break;
-        case Spacing::towards_start:
-            part = 1.0 - approach(1.0 - place, end_gap);
-            break;
     }
     return std::lerp(from, to, part);
 }
@@ -70,8 +67,6 @@ double SweepInfo::place(double value) const {
             return std::log(value / from) / std::log(to / from);
         case Spacing::towards_end:
             return place_of_approach(part, end_gap);
-        case Spacing::towards_start:
-            return 1.0 - place_of_approach(1.0 - part, end_gap);
     }
     return part;
 }

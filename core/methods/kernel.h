@@ -31,9 +31,9 @@ std::vector<Setting> counted(Text label, std::initializer_list<double> values);
 
 /// What a method says of itself.
 struct MethodInfo {
-    std::string id;  ///< "trapezoid"
-    Text title;      ///< "trapezoid rule"
-    Text limits;     ///< where it stops being trustworthy and why, as a sentence
+    std::string id;                 ///< "trapezoid"
+    Text title;                     ///< "trapezoid rule"
+    Text limits;                    ///< where it stops being trustworthy and why, as a sentence
     std::vector<Setting> settings;  ///< the finest last: it stands in the stability map
     /// True where Setting::value counts nodes, steps or terms, so that an order of convergence
     /// −d log(error) / d log(value) can be found.
@@ -44,8 +44,7 @@ struct MethodInfo {
 enum class Spacing {
     linear,
     logarithmic,
-    towards_end,    ///< linear at first, then the distance from `to` shrinks by equal ratios
-    towards_start,  ///< its mirror image
+    towards_end,  ///< linear at first, then the distance from `to` shrinks by equal ratios
 };
 
 /// A hard parameter: one number that carries a kernel's problems from easy to hard.
@@ -56,7 +55,7 @@ struct SweepInfo {
     double from = 0.0;
     double to = 1.0;
     Spacing spacing = Spacing::linear;
-    double end_gap = 1e-4;  ///< towards_end/start: smallest distance from the end, part of the span
+    double end_gap = 1e-4;  ///< towards_end: smallest distance from the end, part of the span
     /// The part of from…to in which the scene answers for its tolerance.
     double scene_from = 0.0;
     double scene_to = 1.0;
@@ -69,14 +68,12 @@ struct SweepInfo {
     /// The place of a value, 0…1; values outside the sweep lie at its ends.
     double place(double value) const;
     /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included (with towards_end the
-    /// last value is `to` less the smallest distance, likewise at the start).
+    /// last value is `to` less the smallest distance).
     std::vector<double> values(std::size_t n) const;
     /// True where a value can stand on a logarithmic axis.
     bool logarithmic() const { return spacing == Spacing::logarithmic; }
-    /// True where the values crowd towards an end that is a limit.
-    bool crowded() const {
-        return spacing == Spacing::towards_end || spacing == Spacing::towards_start;
-    }
+    /// True where the values crowd towards their end, which is a limit.
+    bool crowded() const { return spacing == Spacing::towards_end; }
 };
 
 /// Runs a method on the problem it was prepared for and writes the outputs.
@@ -94,16 +91,10 @@ class Problem {
     /// The method made ready for this problem: what the scene prepares once is prepared here. The
     /// run lives no longer than the problem.
     virtual Run prepare(std::size_t method, std::size_t setting) const = 0;
-    /// Arithmetic of one evaluation: additions and multiplications; a division or a square root
-    /// counts 5, a sine, logarithm or the like 15, a look-up in a table 4.
-    virtual double operations(std::size_t method, std::size_t setting) const = 0;
     /// Largest error of the outputs against 50 digits, in the kernel's measure.
     virtual double error(std::span<const double> out) const = 0;
     /// What the scene says instead of numbers for this input, as a sentence; empty where it solves.
     virtual Message scene_refusal() const = 0;
-    /// Largest difference of the reference from the check that shares no code with it, in the
-    /// kernel's measure; empty where the check does not apply.
-    virtual std::optional<double> check() const = 0;
 };
 
 /// A quantity that scenes compute, with all the methods that could compute it.
@@ -113,8 +104,7 @@ struct Kernel {
     Text quantity;       ///< what is computed
     Text error_measure;  ///< what the error is relative to
     Text evaluation;     ///< what one evaluation is, for the time axis
-    Text check_text;     ///< what the reference is checked by
-    double check_tolerance = 0.0;
+    Text reference;      ///< how the 50 digits come about, by none of the scene's formulas
     MethodChoice choice;
     std::vector<MethodInfo> methods;
     std::vector<SweepInfo> sweeps;  ///< the first is the one that charts begin with

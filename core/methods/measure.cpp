@@ -117,8 +117,7 @@ WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
             report(static_cast<double>(work.points.size()) / static_cast<double>(total));
-            WorkPoint point{method, setting, {}, 0.0, evaluate(*problem, method, setting)};
-            point.operations = problem->operations(method, setting);
+            WorkPoint point{method, setting, {}, evaluate(*problem, method, setting)};
             point.timing = time_run(problem->prepare(method, setting), problem->outputs(),
                                     problem->evaluations(), options);
             work.points.push_back(std::move(point));

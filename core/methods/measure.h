@@ -38,8 +38,7 @@ Timing time_run(const Run& run, std::size_t outputs, double evaluations,
 struct WorkPoint {
     std::size_t method = 0;
     std::size_t setting = 0;
-    Timing timing;            ///< ns per evaluation
-    double operations = 0.0;  ///< of one evaluation, see Problem::operations()
+    Timing timing;  ///< ns per evaluation
     Result result;
 };
 

@@ -33,7 +33,6 @@ MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* cons
     row.title = method.title;
     row.label = method.settings[point.setting].label;
     row.timing = point.timing;
-    row.operations = point.operations;
     row.result = point.result;
     row.order = work.order(point.method);
     row.in_use = point.method == kernel.chosen_method() && point.setting == kernel.chosen_setting();
@@ -146,7 +145,6 @@ std::string write_text(const KernelReport& report) {
                         {"quartiles", true},
                         {"error", true},
                         {"order", true},
-                        {"operations", true},
                         {"not trustworthy"}});
     for (const MethodRow& row : report.rows) {
         table.add({row.in_use  ? "●"
@@ -155,7 +153,7 @@ std::string write_text(const KernelReport& report) {
                    row.title.english, row.label.english(), plain_digits(row.timing.median),
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.refused() ? "refused" : digits(row.result.error),
-                   row.order ? format_number(*row.order, 2) : "", plain_digits(row.operations),
+                   row.order ? format_number(*row.order, 2) : "",
                    failing_summary(kernel, row, SweepName::id).english()});
     }
     const std::string tolerance = digits(kernel.choice.tolerance);
@@ -183,21 +181,20 @@ std::string write_text(const KernelReport& report) {
 
 std::string write_csv(std::span<const KernelReport> reports) {
     std::string text = csv_line({"kernel", "sweep", "value", "method", "setting", "in_use",
-                                 "tolerance", "median_ns", "low_ns", "high_ns", "operations",
-                                 "error", "order", "holds", "fails", "refusal", "limits"});
+                                 "tolerance", "median_ns", "low_ns", "high_ns", "error", "order",
+                                 "holds", "fails", "refusal", "limits"});
     for (const KernelReport& report : reports) {
         const Kernel& kernel = *report.kernel;
         for (const MethodRow& row : report.rows) {
-            text +=
-                csv_line({kernel.id, kernel.sweeps[report.sweep].id, format_number(report.value),
-                          kernel.methods[row.method].id, row.label.english(),
-                          row.in_use ? "yes" : "no", format_number(kernel.choice.tolerance),
-                          format_number(row.timing.median), format_number(row.timing.low),
-                          format_number(row.timing.high), format_number(row.operations),
-                          row.result.refused() ? "" : format_number(row.result.error),
-                          optional_number(row.order), row.holds ? "yes" : "no",
-                          failing_summary(kernel, row, SweepName::id).english(),
-                          row.result.refusal.english(), row.limits.english});
+            text += csv_line(
+                {kernel.id, kernel.sweeps[report.sweep].id, format_number(report.value),
+                 kernel.methods[row.method].id, row.label.english(), row.in_use ? "yes" : "no",
+                 format_number(kernel.choice.tolerance), format_number(row.timing.median),
+                 format_number(row.timing.low), format_number(row.timing.high),
+                 row.result.refused() ? "" : format_number(row.result.error),
+                 optional_number(row.order), row.holds ? "yes" : "no",
+                 failing_summary(kernel, row, SweepName::id).english(),
+                 row.result.refusal.english(), row.limits.english});
         }
     }
     return text;

@@ -23,7 +23,6 @@ struct MethodRow {
     Text title;               ///< of the method
     Message label;            ///< of the setting
     Timing timing;            ///< ns per evaluation
-    double operations = 0.0;  ///< of one evaluation
     Result result;            ///< error at the measured value, or why there is none
     /// Order of convergence found over the method's settings; the same in all its rows.
     std::optional<double> order;
@@ -71,7 +70,7 @@ std::string choice_paragraph(const Kernel& kernel);
 /// The report as aligned text (UTF-8): title, table, paragraph.
 std::string write_text(const KernelReport& report);
 /// As CSV with a header, one line per method and setting: kernel, sweep, value, method, setting,
-/// in_use, tolerance, median_ns, low_ns, high_ns, operations, error, order, holds, fails, refusal,
+/// in_use, tolerance, median_ns, low_ns, high_ns, error, order, holds, fails, refusal,
 /// limits. Empty where there is none; decimal point, full precision.
 std::string write_csv(std::span<const KernelReport> reports);
 

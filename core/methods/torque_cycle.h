@@ -18,13 +18,9 @@ struct TorqueCycle {
     double amplitude = 0.0;         ///< A = P₁ l, N·m
     double alpha = 0.0;             ///< α, rad
 
-    /// The interpolant in double or in 50 digits; the same rows.
-    template <typename Scalar>
-    BasicPeriodicPiecewise<Scalar> interpolant() const {
-        const std::vector<Scalar> x(angle_deg.begin(), angle_deg.end());
-        const std::vector<Scalar> y(moment.begin(), moment.end());
-        return cubic ? BasicPeriodicPiecewise<Scalar>::cubic(x, y)
-                     : BasicPeriodicPiecewise<Scalar>::linear(x, y);
+    PeriodicPiecewise interpolant() const {
+        return cubic ? PeriodicPiecewise::cubic(angle_deg, moment)
+                     : PeriodicPiecewise::linear(angle_deg, moment);
     }
     /// Largest |M| of the rows + A: what errors are relative to.
     double size() const;

@@ -33,7 +33,7 @@ struct TransformLength {
 /// @param tolerance  0 < tolerance < 1
 /// @param longest    upper limit of the length
 inline TransformLength transform_length(double decay, int max_order, double tolerance,
-                                        std::size_t longest = std::size_t{1} << 16U) {
+                                        std::size_t longest = std::size_t{1} << 20U) {
     const double least = 2.0 * max_order + 2.0;  // Nyquist
     if (!(decay > 0.0)) {
         return {longest, false};

@@ -36,8 +36,7 @@ struct LockingAngles {
 /// rotation; e is positive on the side to which the crankpin moves first. Source:
 /// [chainov-vallejo-maldonado] (exact position of the piston pin); e = 0 is the centred mechanism.
 ///
-/// A template so that the 50-digit references run the same code. Scale-free: lengths in any one
-/// unit; SliderCrank{1, 1/λ, K} gives s/R.
+/// Scale-free: lengths in any one unit; SliderCrank{1, 1/λ, K} gives s/R.
 template <typename Scalar>
 struct SliderCrank {
     Scalar crank_radius;        ///< R, m, > 0
@@ -158,33 +157,6 @@ struct SliderCrank {
         using std::cos;
         using std::sin;
         return rod_at(Scalar(sin(theta)), Scalar(cos(theta)));
-    }
-};
-
-/// The paper's two-term form of the piston's motion: −s″ = R(cos θ + K λ sin θ + λ cos 2θ) and its
-/// integrals, s up to the constant L. Source: [chainov-vallejo-maldonado]. Good for small λ
-/// and K; the error of s″ is of order R λ³.
-template <typename Scalar>
-struct TwoTermSliderCrank {
-    Scalar crank_radius;        ///< R, m, > 0
-    Scalar rod_length;          ///< L, m
-    Scalar offset = Scalar(0);  ///< e, m
-
-    PistonMotion<Scalar> at(const Scalar& sin_theta, const Scalar& cos_theta) const {
-        const Scalar lambda = crank_radius / rod_length;
-        const Scalar k_lambda = offset / rod_length;
-        const Scalar cos_2 = (cos_theta - sin_theta) * (cos_theta + sin_theta);
-        const Scalar sin_2 = Scalar(2) * sin_theta * cos_theta;
-        return {rod_length +
-                    crank_radius * (cos_theta + k_lambda * sin_theta + lambda / Scalar(4) * cos_2),
-                -crank_radius * (sin_theta - k_lambda * cos_theta + lambda / Scalar(2) * sin_2),
-                -crank_radius * (cos_theta + k_lambda * sin_theta + lambda * cos_2)};
-    }
-
-    PistonMotion<Scalar> at(const Scalar& theta) const {
-        using std::cos;
-        using std::sin;
-        return at(Scalar(sin(theta)), Scalar(cos(theta)));
     }
 };
 

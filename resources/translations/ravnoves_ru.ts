@@ -5521,6 +5521,10 @@
         <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only.</source>
         <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости.</translation>
     </message>
+    <message>
+        <source>ω; the page compares it with 1.2 ω</source>
+        <translation>ω; модуль сравнивает её с 1,2 ω</translation>
+    </message>
 </context>
 <context>
     <name>inertia-moments</name>
@@ -5833,10 +5837,6 @@
         <translation>цилиндров должно быть от 1 до %1</translation>
     </message>
     <message>
-        <source>must be less than 1; %1</source>
-        <translation>должно быть меньше 1; %1</translation>
-    </message>
-    <message>
         <source>must be less than %1 in size (rod length less crank radius); %2</source>
         <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
     </message>
@@ -5943,10 +5943,6 @@
     <message>
         <source>nothing</source>
         <translation>ничего</translation>
-    </message>
-    <message>
-        <source>a mechanism is so near locking that the exact orders are less accurate than usual</source>
-        <translation>механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно</translation>
     </message>
     <message>
         <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
@@ -6368,6 +6364,18 @@
         <source>only mρ is given</source>
         <translation>известно только mρ</translation>
     </message>
+    <message>
+        <source>z = 0 in the middle</source>
+        <translation>z = 0 посередине</translation>
+    </message>
+    <message>
+        <source>must be at most %1; %2</source>
+        <translation>не больше %1; %2</translation>
+    </message>
+    <message>
+        <source>must keep the articulated rod farther from locking: its exact orders cannot be computed to the digits shown</source>
+        <translation>прицепной шатун должен быть дальше от заклинивания: его точные порядки нельзя вычислить с показанными знаками</translation>
+    </message>
 </context>
 <context>
     <name>matching</name>
@@ -6611,14 +6619,6 @@
         <translation>после перебора через %1°</translation>
     </message>
     <message>
-        <source>steepest descent from a scan of 30°</source>
-        <translation>наискорейший спуск после перебора через 30°</translation>
-    </message>
-    <message>
-        <source>stalls at a kink, where the slope does not go to zero but changes sign</source>
-        <translation>застревает на изломе, где наклон не стремится к нулю, а меняет знак</translation>
-    </message>
-    <message>
         <source>%1 steps</source>
         <translation>%1 шагов</translation>
     </message>
@@ -6723,10 +6723,6 @@
         <translation>пик уже шага попадает в узел или пропадает случайно; изломы на строках оставляют порядок 2</translation>
     </message>
     <message>
-        <source>Simpson&apos;s rule</source>
-        <translation>формула Симпсона</translation>
-    </message>
-    <message>
         <source>shaft angle α, the paper&apos;s engine</source>
         <translation>угол вала α, двигатель статьи</translation>
     </message>
@@ -6757,10 +6753,6 @@
     <message>
         <source>ρ at one crank angle</source>
         <translation>ρ при одном угле кривошипа</translation>
-    </message>
-    <message>
-        <source>energy of the spring against that of the bars, speeds by differences of positions</source>
-        <translation>энергия пружины против энергии звеньев, скорости — разностями положений</translation>
     </message>
     <message>
         <source>closed form as printed</source>
@@ -6805,14 +6797,6 @@
     <message>
         <source>its steps shrink to nothing where ρ comes near ℓ₀/2</source>
         <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
-    </message>
-    <message>
-        <source>Rosenbrock 4, implicit, with step control</source>
-        <translation>Розенброк 4, неявный, с управлением шагом</translation>
-    </message>
-    <message>
-        <source>the same place stops it: what is singular is not stiff</source>
-        <translation>останавливается там же: особенность — это не жёсткость</translation>
     </message>
     <message>
         <source>preload above the least one, part of it</source>
@@ -6927,18 +6911,6 @@
         <translation>преобразование Фурье нужной длины</translation>
     </message>
     <message>
-        <source>the mechanism is too near locking for the accuracy asked</source>
-        <translation>механизм слишком близок к заклиниванию для заданной точности</translation>
-    </message>
-    <message>
-        <source>exact series</source>
-        <translation>точный ряд</translation>
-    </message>
-    <message>
-        <source>terms fall as (λ(1 + K))^2n only: near locking thousands are needed, and their number grows into the square of the cost</source>
-        <translation>члены убывают лишь как (λ(1 + K))^2n: вблизи заклинивания их нужны тысячи, а стоимость растёт как квадрат их числа</translation>
-    </message>
-    <message>
         <source>2 terms</source>
         <translation>2 члена</translation>
     </message>
@@ -6949,14 +6921,6 @@
     <message>
         <source>%1 terms</source>
         <translation>%1 членов</translation>
-    </message>
-    <message>
-        <source>32 terms</source>
-        <translation>32 члена</translation>
-    </message>
-    <message>
-        <source>64 terms</source>
-        <translation>64 члена</translation>
     </message>
     <message>
         <source>Inertia orders</source>
@@ -6973,10 +6937,6 @@
     <message>
         <source>all the orders of one cylinder</source>
         <translation>все порядки одного цилиндра</translation>
-    </message>
-    <message>
-        <source>the binomial series of the rod&apos;s root, term by term</source>
-        <translation>биномиальный ряд корня шатуна, член за членом</translation>
     </message>
     <message>
         <source>crank ratio λ, K = 0</source>
@@ -7071,26 +7031,6 @@
         <translation>double</translation>
     </message>
     <message>
-        <source>exact, sines by recurrence</source>
-        <translation>точная, синусы по рекурсии</translation>
-    </message>
-    <message>
-        <source>rounding adds up over the points since the last fresh sine</source>
-        <translation>округления накапливаются по точкам с последнего заново вычисленного синуса</translation>
-    </message>
-    <message>
-        <source>fresh every %1</source>
-        <translation>заново каждые %1</translation>
-    </message>
-    <message>
-        <source>never fresh</source>
-        <translation>без обновления</translation>
-    </message>
-    <message>
-        <source>float, never fresh</source>
-        <translation>float, без обновления</translation>
-    </message>
-    <message>
         <source>exact, sines kept</source>
         <translation>точная, синусы хранятся</translation>
     </message>
@@ -7109,10 +7049,6 @@
     <message>
         <source>s, s′ and s″ at one crank angle</source>
         <translation>s, s′ и s″ при одном угле кривошипа</translation>
-    </message>
-    <message>
-        <source>points of one turn at λ = 0.265</source>
-        <translation>точек на оборот при λ = 0,265</translation>
     </message>
     <message>
         <source>reproduced</source>
@@ -7161,10 +7097,6 @@
     <message>
         <source>relative offset K</source>
         <translation>относительный дезаксаж K</translation>
-    </message>
-    <message>
-        <source>e / R.</source>
-        <translation>e / R.</translation>
     </message>
     <message>
         <source>crank angle at top dead centre</source>
@@ -7679,100 +7611,12 @@
         <translation>Неравномерность отсчитывают до миллионных долей, после тысячи оборотов: отсюда погрешность 1e-7 на оборот. Энергия даёт скорость при каждом угле, интегрируется одно время, и уходить нечему. Ряды на отрезках, которые делятся пополам, где нужно, сами находят крутые места оборота и годятся при моменте на кривошипе, из покоя и до обратного хода, где обороты не повторяются.</translation>
     </message>
     <message>
-        <source>the crossing of the two branches that rise from it, against the method in use</source>
-        <translation>пересечение двух ветвей, поднимающихся от него, против применяемого метода</translation>
-    </message>
-    <message>
-        <source>Gauss-Legendre on the table&apos;s pieces</source>
-        <translation>Гаусс–Лежандр на участках таблицы</translation>
-    </message>
-    <message>
-        <source>a piece has no kink, so few points are as good as exact where rows are close; pieces of a hundred degrees have to be parted for that</source>
-        <translation>на участке нет изломов, поэтому при частых строках нескольких точек довольно для точного ответа; участки в сотню градусов для этого надо делить</translation>
-    </message>
-    <message>
-        <source>%1 points, at most %2° apart</source>
-        <translation>%1 точек не реже чем на каждые %2°</translation>
-    </message>
-    <message>
-        <source>%1 points a piece</source>
-        <translation>%1 точек на участок</translation>
-    </message>
-    <message>
         <source>all of these, from the table</source>
         <translation>все эти величины, из таблицы</translation>
     </message>
     <message>
-        <source>jumps at the rows after integrating by parts, against the method in use</source>
-        <translation>скачки в строках после интегрирования по частям, против применяемого метода</translation>
-    </message>
-    <message>
-        <source>its alternate weights make it up to half as far off again as the trapezoid rule of as many steps, as long as kinks lie between its even nodes; only where every row is on one does its order 4 show</source>
-        <translation>из-за чередующихся весов погрешность до полутора раз больше, чем у формулы трапеций с тем же числом шагов, пока изломы лежат между чётными узлами; порядок 4 виден только там, где на них попадает каждая строка</translation>
-    </message>
-    <message>
-        <source>Chebyshev interpolant on eighths of the turn</source>
-        <translation>чебышёвский интерполянт на восьмых оборота</translation>
-    </message>
-    <message>
-        <source>half the price of the closed form for a smooth guide; but a corner, which the guide gets as the spring comes to give out all that it stores, and λ near 1 leave it two or three digits</source>
-        <translation>для плавной направляющей вдвое дешевле замкнутой формы; но излом, который появляется, когда пружина отдаёт почти всё запасённое, и λ вблизи 1 оставляют два-три знака</translation>
-    </message>
-    <message>
-        <source>closed form, existence proved by intervals</source>
-        <translation>замкнутая форма, существование доказано интервалами</translation>
-    </message>
-    <message>
-        <source>the only one that proves the guide for the angles between those looked at; where little preload is to spare, boxes that are too large cannot decide, and it says so</source>
-        <translation>единственный доказывает направляющую и для углов между рассмотренными; при малом запасе преднатяга слишком крупные отрезки решить не могут, и он это говорит</translation>
-    </message>
-    <message>
-        <source>boxes to %1 rad</source>
-        <translation>отрезки до %1 рад</translation>
-    </message>
-    <message>
-        <source>cannot prove that the guide exists</source>
-        <translation>не может доказать, что направляющая существует</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta of order 4 for (ℓ₀/2 − ρ)²</source>
-        <translation>Рунге–Кутта порядка 4 для (ℓ₀/2 − ρ)²</translation>
-    </message>
-    <message>
-        <source>nothing is singular in the square: it is an integral, and the order holds everywhere; but its root halves the digits where ρ comes to ℓ₀/2</source>
-        <translation>в квадрате нет особенности: это интеграл, и порядок всюду сохраняется; но корень вдвое уменьшает число знаков там, где ρ доходит до ℓ₀/2</translation>
-    </message>
-    <message>
-        <source>Dormand-Prince for (ℓ₀/2 − ρ)²</source>
-        <translation>Дорман–Принс для (ℓ₀/2 − ρ)²</translation>
-    </message>
-    <message>
-        <source>long steps everywhere, but the same root; and the energy whose slope it integrates is known in closed form</source>
-        <translation>всюду длинные шаги, но тот же корень; а энергия, чью производную он интегрирует, известна в замкнутой форме</translation>
-    </message>
-    <message>
         <source>its steps shrink to nothing</source>
         <translation>его шаги уменьшаются до нуля</translation>
-    </message>
-    <message>
-        <source>energy, time by the trapezoid rule</source>
-        <translation>энергия, время формулой трапеций</translation>
-    </message>
-    <message>
-        <source>converges geometrically and never drifts, but only where every turn is like the last: not with a moment on the crank, not from rest and not to a reversal; a slow start takes thousands of nodes</source>
-        <translation>сходится геометрически и не уходит, но только там, где каждый оборот таков же, как прежний: не при моменте на кривошипе, не из покоя и не до обратного хода; медленный пуск требует тысяч узлов</translation>
-    </message>
-    <message>
-        <source>%1 nodes</source>
-        <translation>%1 узлов</translation>
-    </message>
-    <message>
-        <source>doubled until %1</source>
-        <translation>удвоение до %1</translation>
-    </message>
-    <message>
-        <source>with a moment on the crank no turn is like another</source>
-        <translation>при моменте на кривошипе обороты не похожи один на другой</translation>
     </message>
     <message>
         <source>energy, time by Chebyshev series</source>
@@ -7787,68 +7631,8 @@
         <translation>угол и скорость кривошипа в девять моментов последнего оборота при нерасчётной скорости</translation>
     </message>
     <message>
-        <source>speeds by the energy of bars and spring, from differences of positions, and the times that follow from them</source>
-        <translation>скорости по энергии стержней и пружины, из разностей положений, и времена, которые из них следуют</translation>
-    </message>
-    <message>
-        <source>implicit midpoint rule, symplectic</source>
-        <translation>неявное правило средней точки, симплектическое</translation>
-    </message>
-    <message>
-        <source>half the error of Störmer-Verlet for as much work, but order 2 all the same: nothing here is stiff enough to repay an implicit rule</source>
-        <translation>половина погрешности Штёрмера–Верле за тот же труд, но порядок всё равно 2: здесь нет такой жёсткости, чтобы неявное правило окупилось</translation>
-    </message>
-    <message>
-        <source>Gauss of order 6, symplectic</source>
-        <translation>Гаусс порядка 6, симплектический</translation>
-    </message>
-    <message>
-        <source>neither its energy drifts nor does it lag, but each step solves for three accelerations; near λ = 1 a step spans the steep place</source>
-        <translation>энергия не уходит, и он не отстаёт, но каждый шаг решает уравнения для трёх ускорений; вблизи λ = 1 шаг длиннее крутого места</translation>
-    </message>
-    <message>
-        <source>Radau IIA of order 5</source>
-        <translation>Радо IIA порядка 5</translation>
-    </message>
-    <message>
-        <source>as dear as Gauss&apos;s method, and it damps: the energy drifts; made for stiff equations, which this is not</source>
-        <translation>дорог, как метод Гаусса, и гасит: энергия уходит; создан для жёстких уравнений, а это не жёсткое</translation>
-    </message>
-    <message>
-        <source>Dormand-Prince of order 8 with step control</source>
-        <translation>Дорман–Принс порядка 8 с управлением шагом</translation>
-    </message>
-    <message>
-        <source>fewer and longer steps than order 5 for ten digits, and the same drift without end</source>
-        <translation>для десяти знаков шагов меньше и они длиннее, чем при порядке 5, но тот же бесконечный уход</translation>
-    </message>
-    <message>
         <source>moment on the crank, 5 turns</source>
         <translation>момент на кривошипе, 5 оборотов</translation>
-    </message>
-    <message>
-        <source>interval bounds, halved</source>
-        <translation>интервальные границы, деление пополам</translation>
-    </message>
-    <message>
-        <source>cannot miss a peak however narrow, and says how far off it is at most; the price is thousands of times that of the closed form</source>
-        <translation>не пропустит самый узкий пик и говорит, насколько ошибается самое большее; цена в тысячи раз выше замкнутой формулы</translation>
-    </message>
-    <message>
-        <source>to %1</source>
-        <translation>до %1</translation>
-    </message>
-    <message>
-        <source>extrema of every degree by Newton&apos;s method, against the method in use</source>
-        <translation>экстремумы каждого градуса методом Ньютона, против применяемого метода</translation>
-    </message>
-    <message>
-        <source>Chebyshev interpolant of the rod&apos;s root</source>
-        <translation>чебышёвский интерполянт корня шатуна</translation>
-    </message>
-    <message>
-        <source>spreads its error over all angles: one digit more than the series with four terms and two with six, but no convergence at locking either, where the root has no slope</source>
-        <translation>распределяет погрешность по всем углам: при четырёх членах на знак больше ряда, при шести на два, но при заклинивании, где у корня нет касательной, тоже не сходится</translation>
     </message>
     <message>
         <source>given</source>
@@ -7975,10 +7759,6 @@
         <translation>один поиск по всем местам, таблица подготовлена</translation>
     </message>
     <message>
-        <source>the extrema that hold each other at rest, against the bounds of the method in use</source>
-        <translation>экстремумы, уравновешивающие друг друга, — с границами используемого метода</translation>
-    </message>
-    <message>
         <source>grid</source>
         <translation>сетка</translation>
     </message>
@@ -7997,14 +7777,6 @@
     <message>
         <source>goes without slopes, but on a kink the simplex may shrink to a place that is not the best, and it does not know</source>
         <translation>обходится без наклонов, но на изломе симплекс может стянуться не к лучшему месту и не узнать об этом</translation>
-    </message>
-    <message>
-        <source>subgradient steps</source>
-        <translation>субградиентные шаги</translation>
-    </message>
-    <message>
-        <source>jumps from side to side of a kink: the error falls with the root of the steps alone</source>
-        <translation>прыгает с одной стороны излома на другую: погрешность падает лишь как корень из числа шагов</translation>
     </message>
     <message>
         <source>exact: the planes prove that no place is better</source>
@@ -8163,10 +7935,6 @@
         <translation>одно исследование, без того, чего стоит сам результат</translation>
     </message>
     <message>
-        <source>closed forms, against Gauss&apos;s quadrature between the kinks</source>
-        <translation>замкнутые формулы против квадратуры Гаусса между изломами</translation>
-    </message>
-    <message>
         <source>%1 samples</source>
         <translation>%1 проб</translation>
     </message>
@@ -8183,28 +7951,12 @@
         <translation>не знает ничего вдали от номинала: ни скачка, ни излома, ни кривизны</translation>
     </message>
     <message>
-        <source>slopes and curvatures</source>
-        <translation>наклоны и кривизны</translation>
-    </message>
-    <message>
-        <source>follows a curve, but neither a jump nor a corner</source>
-        <translation>следует кривизне, но не скачку и не излому</translation>
-    </message>
-    <message>
         <source>Monte Carlo</source>
         <translation>Монте-Карло</translation>
     </message>
     <message>
         <source>always right in the end, but a digit costs a hundred times the samples</source>
         <translation>в конце всегда прав, но цифра стоит стократного числа проб</translation>
-    </message>
-    <message>
-        <source>Latin hypercube</source>
-        <translation>латинский гиперкуб</translation>
-    </message>
-    <message>
-        <source>better than Monte Carlo where the inputs act by themselves; what they do together it leaves to chance</source>
-        <translation>лучше Монте-Карло, где входы действуют порознь; то, что они делают вместе, оставляет случаю</translation>
     </message>
     <message>
         <source>scrambled Sobol points</source>
@@ -8231,10 +7983,6 @@
         <translation>То, что рассеивается, само известно до нескольких цифр, так что пяти тысячных стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
     </message>
     <message>
-        <source>the number of points grows as 1/√(1 − λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
-        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
-    </message>
-    <message>
         <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 − λ(1 + K)</source>
         <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
     </message>
@@ -8243,8 +7991,56 @@
         <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
     </message>
     <message>
-        <source>the closure |crankpin − pin| = L solved by Newton&apos;s method, derivatives by differences</source>
-        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
+        <source>every angle of a scan where the slope turns, halved until it is found</source>
+        <translation>каждый угол перебора, где наклон меняет знак, с делением пополам</translation>
+    </message>
+    <message>
+        <source>ellipsoids around the place, halved by slopes</source>
+        <translation>эллипсоиды вокруг искомого положения, отсекаемые по наклонам</translation>
+    </message>
+    <message>
+        <source>Gauss-Legendre sums over the pieces, the spline by its bends</source>
+        <translation>суммы Гаусса — Лежандра по участкам, сплайн — по вторым производным</translation>
+    </message>
+    <message>
+        <source>the energy that the spring has left beside the energy of the three bodies</source>
+        <translation>оставшаяся энергия пружины рядом с энергией трёх тел</translation>
+    </message>
+    <message>
+        <source>speeds by the energy of the three bodies, times by Gauss-Legendre sums</source>
+        <translation>скорости по энергии трёх тел, времена — суммами Гаусса — Лежандра</translation>
+    </message>
+    <message>
+        <source>integrals of s″ over half turns by the double exponential rule</source>
+        <translation>интегралы s″ по полуоборотам по двойному экспоненциальному правилу</translation>
+    </message>
+    <message>
+        <source>the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than 4·10⁻⁹ the scene rejects the mechanism</source>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); ближе к заклиниванию, чем 4·10⁻⁹, программа механизм не принимает</translation>
+    </message>
+    <message>
+        <source>extrema of every half degree by Newton&apos;s method</source>
+        <translation>экстремумы на каждой половине градуса методом Ньютона</translation>
+    </message>
+    <message>
+        <source>closed forms of mean and variance</source>
+        <translation>среднее и дисперсия в замкнутом виде</translation>
+    </message>
+    <message>
+        <source>the closure |crankpin − pin| = L, differentiated</source>
+        <translation>замыкание |шатунная шейка − палец| = L и его производные</translation>
+    </message>
+    <message>
+        <source>The paper states it; the program was told 12.51 mm, which makes K the printed 0.278.</source>
+        <translation>Задано в статье; программе задано 12,51 мм, при котором K равно напечатанному 0,278.</translation>
+    </message>
+    <message>
+        <source>e / R, both as printed.</source>
+        <translation>e / R, оба по статье.</translation>
+    </message>
+    <message>
+        <source>The paper prints no m_p of this engine: it was found from this number.</source>
+        <translation>В статье нет m_p этого двигателя: она найдена из этого числа.</translation>
     </message>
 </context>
 <context>
@@ -12660,10 +12456,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Погрешность</translation>
     </message>
     <message>
-        <source>Operations</source>
-        <translation>Операции</translation>
-    </message>
-    <message>
         <source>Order</source>
         <translation>Порядок</translation>
     </message>
@@ -12674,10 +12466,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Median of repeated runs; the tips of the cells have the quartiles</source>
         <translation>Медиана повторных прогонов; квартили — в подсказках ячеек</translation>
-    </message>
-    <message>
-        <source>Additions and multiplications of one evaluation; a division or a root counts 5, a sine or the like 15</source>
-        <translation>Сложения и умножения одного вычисления; деление или корень считается за 5, синус и подобное — за 15</translation>
     </message>
     <message>
         <source>Order of convergence found: the error falls as this power of the number of steps</source>
@@ -12722,10 +12510,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>What it is measured against</source>
         <translation>С чем сравнивается</translation>
-    </message>
-    <message>
-        <source>The same quantity in 50 digits, and that by a way that shares no code: %1.</source>
-        <translation>Та же величина с 50 знаками, а она проверена способом без общего кода: %1.</translation>
     </message>
     <message>
         <source>One evaluation</source>
@@ -12778,6 +12562,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Largest error against 50 digits, in the kernel&apos;s own measure</source>
         <translation>Наибольшая погрешность против 50 знаков, в мере этого ядра</translation>
+    </message>
+    <message>
+        <source>The same quantity in 50 digits, by none of the scene&apos;s formulas: %1.</source>
+        <translation>Та же величина с 50 знаками, не по формулам программы: %1.</translation>
     </message>
 </context>
 <context>

@@ -424,7 +424,7 @@ void InertiaMomentsCharts::showCursor(double crankAngle) {
     const Result& result = model_->result();
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
         const auto member = [&](int k) {
-            return engine_curves::vectorAt(result.exact.order(k), i == 0, k * phi);
+            return engine_curves::vectorAt(result.unbalanced.order(k), i == 0, k * phi);
         };
         const auto first = member(1);
         const auto second = member(2);

@@ -54,9 +54,9 @@ void OrderBars::setLogarithmic(bool logarithmic) {
 
 std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
     const Result& result = model_->result();
-    std::vector<std::array<Group, 3>> all(result.exact.orders.size());
+    std::vector<std::array<Group, 3>> all(result.unbalanced.orders.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const EngineOrder& exact = result.exact.orders[i];
+        const EngineOrder& exact = result.unbalanced.orders[i];
         const EngineOrder& left = result.remaining.orders[i];
         auto& [force, moment, roll] = all[i];
         force.exact = exact.force.max();
@@ -65,8 +65,8 @@ std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
         moment.left = left.moment.max();
         roll.exact = inertia_moments::amplitude(exact.roll());
         roll.left = inertia_moments::amplitude(left.roll());
-        if (i < result.two_term.orders.size()) {
-            const EngineOrder& two = result.two_term.orders[i];
+        if (i < result.two_term_unbalanced.orders.size()) {
+            const EngineOrder& two = result.two_term_unbalanced.orders[i];
             force.twoTerm = two.force.max();
             moment.twoTerm = two.moment.max();
             roll.twoTerm = inertia_moments::amplitude(two.roll());

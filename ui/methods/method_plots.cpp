@@ -44,14 +44,13 @@ QColor shade(QColor colour, float alpha) {
 /// the limit.
 std::vector<double> crowdedTicks(const SweepInfo& sweep) {
     const double span = sweep.to - sweep.from;
-    const bool atEnd = sweep.spacing == methods::Spacing::towards_end;
-    std::vector<double> ticks{sweep.at(atEnd ? 0.0 : 1.0)};
+    std::vector<double> ticks{sweep.at(0.0)};
     // Powers of ten of the value itself, so that 1 − λ is one.
     const int decades = static_cast<int>(std::ceil(-std::log10(0.5 * sweep.end_gap * span)));
     for (int decade = 0; decade < decades; ++decade) {
         const double distance = std::pow(10.0, -decade);
         if (distance < 0.2 * span) {
-            ticks.push_back(atEnd ? sweep.to - distance : sweep.from + distance);
+            ticks.push_back(sweep.to - distance);
         }
     }
     const double step = niceStep(span, 5);

@@ -45,7 +45,7 @@ namespace {
 constexpr int progressHeight = 6;  ///< pixels
 
 /// Columns of the table.
-enum Column { Method, SettingColumn, Time, Error, Operations, Order, Fails };
+enum Column { Method, SettingColumn, Time, Error, Order, Fails };
 
 QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -71,7 +71,6 @@ ResultRow cells(const Kernel& kernel, const MethodRow& row) {
             methodText(method.settings[row.setting].label),
             nanosecondsText(row.timing.median),
             resultText(row.result),
-            QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
             failingText(kernel, row)};
 }
@@ -270,9 +269,6 @@ QWidget* MethodsPage::buildResults() {
          {tr("Setting"), tr("Steps, terms or samples that the method takes")},
          {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
          {tr("Error"), tr("Largest error against 50 digits, in the kernel's own measure")},
-         {tr("Operations"),
-          tr("Additions and multiplications of one evaluation; a division or a root counts 5, a "
-             "sine or the like 15")},
          {tr("Order"), tr("Order of convergence found: the error falls as this power of the number "
                           "of steps")},
          {tr("Beyond the tolerance"),
@@ -355,9 +351,8 @@ void MethodsPage::showWords() {
                      errorNumber(kernel.choice.tolerance), shownText(kernel.error_measure)) +
             QLatin1Char(' ') + shownText(kernel.choice.reason));
     html += paragraph(tr("What it is measured against"),
-                      tr("The same quantity in 50 digits, and that by a way that shares no code: "
-                         "%1.")
-                          .arg(shownText(kernel.check_text)));
+                      tr("The same quantity in 50 digits, by none of the scene's formulas: %1.")
+                          .arg(shownText(kernel.reference)));
     html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
     words_->setText(html);
 }
@@ -450,7 +445,7 @@ void MethodsPage::fitTable() {
     // same columns are seen.
     const int room = table_->width() - table_->verticalScrollBar()->sizeHint().width();
     bool changed = false;
-    for (const int column : {Fails, Order, Operations}) {
+    for (const int column : {Fails, Order}) {
         const bool hidden = std::accumulate(least.begin(), least.end(), 0) > room;
         changed = changed || hidden != table_->isColumnHidden(column);
         table_->setColumnHidden(column, hidden);

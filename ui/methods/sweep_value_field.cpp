@@ -28,9 +28,6 @@ double roundedForHand(const methods::SweepInfo& sweep, double value) {
     double rounded = rounded_to_digits(value, digits);
     if (sweep.spacing == methods::Spacing::towards_end && sweep.to - value < 0.1 * span) {
         rounded = sweep.to - rounded_to_digits(sweep.to - value, digits);
-    } else if (sweep.spacing == methods::Spacing::towards_start &&
-               value - sweep.from < 0.1 * span) {
-        rounded = sweep.from + rounded_to_digits(value - sweep.from, digits);
     }
     return std::clamp(rounded, sweep.at(0.0), sweep.at(1.0));
 }

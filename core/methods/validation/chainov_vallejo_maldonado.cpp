@@ -47,10 +47,15 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
     rows.at(in_text(CORE_TEXT("methods", "parameters of the engine")));
     rows.given(CORE_TEXT("methods", "angle between the banks γ"), "°", "15",
                input.layout->bank_angle / degree);
-    rows.given(CORE_TEXT("methods", "offset e"), "mm", "12.5", input.layout->offset / units::mm);
+    constexpr const char* offset = "12.5";  // mm
+    rows.given(CORE_TEXT("methods", "offset e"), "mm", offset, input.layout->offset / units::mm,
+               CORE_TEXT("methods",
+                         "The paper states it; the program was told 12.51 mm, which makes K the "
+                         "printed 0.278."));
     rows.given("λ", "", "0.265", input.lambda);
     rows.reproduced(CORE_TEXT("methods", "relative offset K"), "", "0.278",
-                    input.layout->offset / input.crank_radius, CORE_TEXT("methods", "e / R."));
+                    read_printed(offset).value * units::mm / input.crank_radius,
+                    CORE_TEXT("methods", "e / R, both as printed."));
     rows.reproduced(CORE_TEXT("methods", "crank angle at top dead centre"), "°", "3°20′",
                     *result.tdc_angle / degree, CORE_TEXT("methods", "arcsin(λK / (1 + λ))."));
     rows.reproduced(CORE_TEXT("methods", "shift of the crankpins of bank 2"), "°", "21°40′",

@@ -121,8 +121,15 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
                                         "From k_y and the constant part as the tables print them; "
                                         "unrounded ones move it by up to 0.003 g.");
     rows.at(table(3));
-    rows.reproduced(of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
-                    from_printed);
+    if (c.also > 0.0) {
+        rows.reproduced(of("Δm_yra (12)", c), "g", c.aluminium,
+                        constant(OptionId::steel_to_aluminium), from_printed);
+    } else {
+        rows.given(of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
+                   CORE_TEXT("methods",
+                             "The paper prints no m_p of this engine: it was found from this "
+                             "number."));
+    }
     rows.reproduced(of("Δm_yhr (13)", c), "g", c.new_steel, constant(OptionId::new_steel_to_steel),
                     from_printed);
     rows.reproduced(of("Δm_yna (14)", c), "g", c.new_aluminium,

@@ -95,73 +95,33 @@ Message upper_end(Text quantity) {
     return joined(quantity, CORE_TEXT("methods", "to"));
 }
 
-ValidationRow PaperRows::row(Message quantity, std::string unit, Message reason) const {
+void PaperRows::add(Claim claim, Message quantity, std::string unit, std::string_view printed,
+                    std::optional<double> ours, std::optional<double> by_slip, Message reason,
+                    double tolerance) {
+    const Printed number = read_printed(printed);
     ValidationRow row;
     row.scene = scene_;
     row.place = place_;
     row.quantity = std::move(quantity);
     row.unit = std::move(unit);
-    row.reason = std::move(reason);
-    return row;
-}
-
-void PaperRows::add(Claim claim, ValidationRow row, std::string_view printed, double tolerance) {
-    const Printed number = read_printed(printed);
     row.printed_text = printed;
     row.printed = number.value;
     row.last_digit = number.last_digit;
     row.tolerance = tolerance > 0.0 ? tolerance : 0.5 * number.last_digit;
-    row.verdict = decide(claim, row.printed, row.tolerance, row.ours, row.by_slip);
+    row.ours = ours;
+    row.by_slip = by_slip;
+    row.verdict = decide(claim, row.printed, row.tolerance, ours, by_slip);
+    row.reason = std::move(reason);
     rows_.push_back(std::move(row));
-}
-
-void PaperRows::reproduced(Message quantity, std::string unit, std::string_view printed,
-                           double ours, Message reason, double tolerance) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    add(Claim::reproduced, std::move(added), printed, tolerance);
-}
-
-void PaperRows::artefact(Message quantity, std::string unit, std::string_view printed,
-                         std::optional<double> ours, double by_slip, Message reason,
-                         double tolerance) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    added.by_slip = by_slip;
-    add(Claim::artefact, std::move(added), printed, tolerance);
-}
-
-void PaperRows::slip(Message quantity, std::string unit, std::string_view printed,
-                     std::optional<double> ours, double by_slip, Message reason, double tolerance) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    added.by_slip = by_slip;
-    add(Claim::slip, std::move(added), printed, tolerance);
 }
 
 void PaperRows::slip_shown(Message quantity, std::string unit, std::string_view printed,
                            double ours, bool shown, Message reason) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    add(Claim::reproduced, std::move(added), printed, 0.0);
+    reproduced(std::move(quantity), std::move(unit), printed, ours, std::move(reason));
     ValidationRow& last = rows_.back();
     if (last.verdict == Verdict::differs && std::isfinite(ours) && shown) {
         last.verdict = Verdict::slip;
     }
-}
-
-void PaperRows::not_derivable(Message quantity, std::string unit, std::string_view printed,
-                              Message reason, std::optional<double> ours) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    add(Claim::not_derivable, std::move(added), printed, 0.0);
-}
-
-void PaperRows::given(Message quantity, std::string unit, std::string_view printed,
-                      std::optional<double> ours, Message reason) {
-    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
-    added.ours = ours;
-    add(Claim::given, std::move(added), printed, 0.0);
 }
 
 Message PaperRows::stated() {

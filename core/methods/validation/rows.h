@@ -43,28 +43,43 @@ class PaperRows {
 
     /// @param tolerance  in the row's unit; 0: half a unit of the last printed digit
     void reproduced(Message quantity, std::string unit, std::string_view printed, double ours,
-                    Message reason, double tolerance = 0.0);
+                    Message reason, double tolerance = 0.0) {
+        add(Claim::reproduced, std::move(quantity), std::move(unit), printed, ours, {},
+            std::move(reason), tolerance);
+    }
     void artefact(Message quantity, std::string unit, std::string_view printed,
                   std::optional<double> ours, double by_slip, Message reason,
-                  double tolerance = 0.0);
+                  double tolerance = 0.0) {
+        add(Claim::artefact, std::move(quantity), std::move(unit), printed, ours, by_slip,
+            std::move(reason), tolerance);
+    }
     void slip(Message quantity, std::string unit, std::string_view printed,
-              std::optional<double> ours, double by_slip, Message reason, double tolerance = 0.0);
+              std::optional<double> ours, double by_slip, Message reason, double tolerance = 0.0) {
+        add(Claim::slip, std::move(quantity), std::move(unit), printed, ours, by_slip,
+            std::move(reason), tolerance);
+    }
     /// A slip that no number but a comparison shows.
     void slip_shown(Message quantity, std::string unit, std::string_view printed, double ours,
                     bool shown, Message reason);
     void not_derivable(Message quantity, std::string unit, std::string_view printed, Message reason,
-                       std::optional<double> ours = std::nullopt);
-
+                       std::optional<double> ours = std::nullopt) {
+        add(Claim::not_derivable, std::move(quantity), std::move(unit), printed, ours, {},
+            std::move(reason));
+    }
     /// What the paper states and nothing is tested by. @param ours  that the program was told
     void given(Message quantity, std::string unit, std::string_view printed,
-               std::optional<double> ours, Message reason = stated());
+               std::optional<double> ours, Message reason = stated()) {
+        add(Claim::given, std::move(quantity), std::move(unit), printed, ours, {},
+            std::move(reason));
+    }
 
     std::vector<ValidationRow> take() { return std::move(rows_); }
 
   private:
     static Message stated();  ///< why a row is given that needs no other words
-    void add(Claim claim, ValidationRow row, std::string_view printed, double tolerance);
-    ValidationRow row(Message quantity, std::string unit, Message reason) const;
+    void add(Claim claim, Message quantity, std::string unit, std::string_view printed,
+             std::optional<double> ours, std::optional<double> by_slip, Message reason,
+             double tolerance = 0.0);
 
     std::string scene_;
     Message place_;

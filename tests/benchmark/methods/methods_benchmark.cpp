@@ -31,7 +31,6 @@ using namespace ravnoves::methods;
                         state.counters["evaluations"] = benchmark::Counter(
                             static_cast<double>(state.iterations()) * problem->evaluations(),
                             benchmark::Counter::kIsRate);
-                        state.counters["operations"] = problem->operations(method, setting);
                         const Result result = evaluate(*problem, method, setting);
                         if (result.refused()) {
                             state.SetLabel(result.refusal.english());

@@ -205,5 +205,47 @@ TEST(ElasticHingeCase, AnyInputInRangeHasAFiniteAnswerOrAWordedRefusal) {
     EXPECT_GT(solved, 200);
 }
 
+/// What the help says of an empty field is what the program takes for it.
+TEST(ElasticHingeCase, AnEmptyFieldStandsForWhatTheHelpSays) {
+    Json json = example("zotov-counterweight");
+    json["guide_search"] = {{"relief_mm", 1.0}, {"outer_diameter_mm", 250.0}};
+    json["motion"] = {{"turns", 1.0}};
+    const auto solved = [](const Json& input) { return solve_scene(input, {}, {}); };
+    const Json empty = solved(json);
+    const double r = json.at("crank_radius_mm");
+    const double length = r / json.at("lambda").get<double>();
+    const Json& weights = json.at("weights_N");
+    const double by_10 =
+        (weights.at("slider").get<double>() + weights.at("rod").get<double>() / 2) * length /
+        json.at("rod_counterweight").at("distance_mm").get<double>();
+    const std::pair<const char*, Json> defaults[] = {
+        {"/motion/start_speed_rad_s", json.at("angular_speed_rad_s")},
+        {"/guide_search/smallest_spring_length_mm",
+         0.4 * json.at("spring").at("free_length_mm").get<double>()},
+        {"/rod_counterweight/weight_N", "solve"}};
+    for (const auto& [pointer, value] : defaults) {
+        Json without = json;
+        Json::json_pointer at(pointer);
+        without.at(at.parent_pointer()).erase(at.back());
+        Json with = json;
+        with[at] = value;
+        EXPECT_EQ(solved(with), solved(without)) << pointer;
+    }
+    EXPECT_NEAR(empty.at("counterweight_weight_N").get<double>(), by_10, 1e-9 * by_10);
+}
+
+/// A key that belongs to weights is named itself where masses are given.
+TEST(ElasticHingeCase, AWeightBesideMassesIsNamed) {
+    Json json = full_case(false);
+    json["rod_counterweight"].erase("mass_kg");
+    json["rod_counterweight"]["weight_N"] = 3.0;
+    try {
+        static_cast<void>(read_input(json));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where(), "/input/rod_counterweight/weight_N");
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves::elastic_hinge

@@ -228,7 +228,6 @@ TEST(ArticulatedRods, ForcesAreThoseOfMomentumAndEnergy) {
 TEST(ArticulatedRods, OrdersAddUpToTheForces) {
     const Engine engine = make_engine(irregular_star());
     const EngineOrders orders = exact_orders(engine, 40);
-    EXPECT_TRUE(orders.accurate);
     const double unit = engine.force_unit();
     double mean_roll = 0.0;  // the orders have none
     for (int k = 0; k < 64; ++k) {
@@ -629,9 +628,7 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
         make_engine(input).articulated(1).reach() * input.crank_radius;  // of the knuckle pin
     EXPECT_GT(reach, 0.9 * input.crank_radius);
     input.cylinders[1].articulated->rod_length = reach * (1.0 + 1e-6);
-    const Result near = solve(input);
-    EXPECT_FALSE(near.exact.accurate);
-    EXPECT_TRUE(std::isfinite(near.exact.order(2).force.max()));
+    EXPECT_THROW(static_cast<void>(solve(input)), InputError);  // its orders need too many samples
     input.cylinders[1].articulated->rod_length = 0.9 * reach;
     Json json = write_input(input);
     const std::string why = articulated_refusal(json);

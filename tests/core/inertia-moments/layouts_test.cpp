@@ -159,7 +159,7 @@ TEST(LayoutLibrary, WhatStoodAtItsUsualPlaceFollowsTheSpacing) {
     Input after = before;
     after.layout->spacing *= 1.25;
     follow_sizes(after, before);
-    EXPECT_NEAR(after.layout->first_position, 1.5 * after.layout->spacing, 1e-12);
+    EXPECT_NEAR(cylinders(after).front().axial_position, 1.5 * after.layout->spacing, 1e-12);
     EXPECT_EQ(*after.end_webs, usual_end_webs(cylinders(after), after.crank_radius));
     EXPECT_EQ(after.shafts, usual_shafts(cylinders(after), after.crank_radius));
     // The second order is a force alone, whatever the spacing.
@@ -170,7 +170,7 @@ TEST(LayoutLibrary, WhatStoodAtItsUsualPlaceFollowsTheSpacing) {
     EXPECT_EQ(wider.end_webs->front_position,
               usual_end_webs(cylinders(wider), wider.crank_radius).front_position);
     // What was put elsewhere stays there.
-    before.layout->first_position += 0.01;
+    before.layout->first_position = cylinders(before).front().axial_position + 0.01;
     before.end_webs->front_position += 0.01;
     before.shafts[0].weight_distance += 0.01;
     after = before;

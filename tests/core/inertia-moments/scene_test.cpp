@@ -211,8 +211,8 @@ TEST(CaseIo, LockingMechanismsAreRefusedWithTheAngle) {
 
     json["lambda"] = 1.25;
     json["layout"]["offset_mm"] = 0;
-    EXPECT_NE(error_in(json).find("/input/lambda: must be less than 1; the mechanism of cylinder 1 "
-                                  "locks with the crank at 53.13°"),
+    EXPECT_NE(error_in(json).find("/input/lambda: must be at most 0.999999996; the mechanism of "
+                                  "cylinder 1 locks with the crank at 53.13°"),
               std::string::npos)
         << error_in(json);
 
@@ -308,6 +308,75 @@ TEST(CaseIo, ExtremeNumbersGiveFiniteResultsOrAWordedRefusal) {
             }
         }
         attempt(changed.unflatten());
+    }
+}
+
+/// A layout of the library stays centred whatever its spacing: an even in-line engine or V-8 has no
+/// second-order moment that its lever alone would make.
+TEST(CaseIo, ALayoutOfTheLibraryStaysCentred) {
+    Json json = vr5_json();
+    json["layout"] = {{"type", "library"}};
+    for (const LayoutSpec& spec : layout_library()) {
+        json["layout"]["name"] = std::string(spec.name);
+        for (const double spacing : {80.0, 137.5}) {
+            json["layout"]["spacing_mm"] = spacing;
+            const Result result = solve(read_input(json));
+            double low = 0.0;
+            double high = 0.0;
+            for (const Cylinder& cylinder : result.engine.cylinders) {
+                low = std::min(low, cylinder.axial_position);
+                high = std::max(high, cylinder.axial_position);
+            }
+            EXPECT_NEAR(low + high, 0.0, 1e-12) << spec.name;
+            if (spec.name == "i4" || spec.name == "v8-flat-plane") {
+                EXPECT_LT(result.exact.order(2).moment.max(),
+                          1e-9 * result.exact.order(2).moment_scale)
+                    << spec.name;
+            }
+        }
+    }
+    // A position that is given stays, and one that only repeats the middle does not.
+    json["layout"] = {{"type", "library"}, {"name", "i4"}, {"spacing_mm", 80}};
+    json["layout"]["first_position_mm"] = 150;
+    EXPECT_EQ(read_input(json).layout->first_position, 150 * units::mm);
+    json["layout"]["first_position_mm"] = 120;
+    EXPECT_FALSE(read_input(json).layout->first_position);
+}
+
+/// Before and after balancing are of the same parts: without weights and shafts nothing differs.
+TEST(CaseIo, BeforeAndAfterHaveTheRotatingMasses) {
+    const Json result = solve_scene(vr5_json(), {}, {});
+    EXPECT_EQ(result.at("unbalanced"), result.at("remaining"));
+    EXPECT_NE(result.at("unbalanced").at("order_1"), result.at("exact").at("order_1"));
+    EXPECT_EQ(result.at("unbalanced").at("order_2"), result.at("exact").at("order_2"));
+}
+
+/// What the help says of an empty field is what the program takes for it.
+TEST(CaseIo, AnEmptyFieldStandsForWhatTheHelpSays) {
+    Json json = table_json();
+    json["reference_position_mm"] = 12.0;
+    json["rotating_mass_kg"] = 0.5;
+    json["cylinders"].push_back(json["cylinders"][0]);
+    json["cylinders"][2]["bank_angle_deg"] = 60;
+    json["cylinders"][2]["articulated"] = {{"knuckle_radius_mm", 30}};
+    json["balance_shafts"] = {{{"order", 1}, {"direction", "forward"}, {"balances", "force"}}};
+    const std::pair<const char*, Json> defaults[] = {
+        {"/cylinders/2/articulated/knuckle_angle_deg", 60},
+        {"/cylinders/2/articulated/rod_length_mm", 40 / 0.3 - 30},
+        {"/cylinders/2/articulated/master", 1},
+        {"/balance_shafts/0/axial_position_mm", 12},
+    };
+    const Result empty = solve(read_input(json));
+    for (const auto& [pointer, value] : defaults) {
+        Json with = json;
+        with[Json::json_pointer(pointer)] = value;
+        const Result given = solve(read_input(with));
+        for (const int order : {1, 2}) {
+            EXPECT_NEAR(std::abs(given.remaining.order(order).moment.forward -
+                                 empty.remaining.order(order).moment.forward),
+                        0.0, 1e-9 * empty.remaining.order(order).moment_scale)
+                << pointer;
+        }
     }
 }
 

@@ -87,7 +87,7 @@ TEST(Throws, CounterweightsAreThoseOfTheMassOnEachPin) {
     Complex moment;
     for (const int pin : {0, 1, 2, 3}) {
         constexpr std::array angles{0.0, 90.0, 270.0, 180.0};
-        const double z = input.layout->first_position - pin * input.layout->spacing;
+        const double z = *input.layout->first_position - pin * input.layout->spacing;
         const Complex at =
             std::polar(1.6 * 0.045, angles.at(static_cast<std::size_t>(pin)) * degree);
         force += at;

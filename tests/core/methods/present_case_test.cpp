@@ -28,19 +28,6 @@ double preset(const char* kernel_id, const char* sweep) {
     return kernel.sweeps[kernel.find_sweep(sweep)].present;
 }
 
-/// A torque that is one bell of the given standard deviation.
-balance_shaft::Input bell(double width_deg, double step_deg) {
-    balance_shaft::Input input = balance_shaft::preset_tmz_650d();
-    balance_shaft::TorqueTable& table = input.torque.table;
-    table = {};
-    for (double a = 0.0; a <= 720.0; a += step_deg) {
-        const double u = (a - 400.0) / width_deg;
-        table.crank_angle_deg.push_back(a);
-        table.torque.push_back(300.0 * std::exp(-0.5 * u * u));
-    }
-    return input;
-}
-
 /// The sweeps begin at the papers' mechanisms, which are the presets of the scenes.
 TEST(PresentCase, ThePapersCasesLieWhereTheSweepsSay) {
     const Json engine = balance_shaft::write_input(balance_shaft::preset_tmz_650d());
@@ -50,7 +37,7 @@ TEST(PresentCase, ThePapersCasesLieWhereTheSweepsSay) {
     EXPECT_NEAR(*present("best-angle", "amplitude", engine), preset("best-angle", "amplitude"),
                 1e-9);
     const Json hinge = elastic_hinge::write_input(elastic_hinge::preset_zotov());
-    for (const char* sweep : {"preload", "stiffness", "speed", "lambda"}) {
+    for (const char* sweep : {"stiffness", "speed", "lambda"}) {
         const double stated = preset("guide", sweep);
         EXPECT_NEAR(*present("guide", sweep, hinge), stated, 1e-9 * std::abs(stated)) << sweep;
     }
@@ -85,46 +72,12 @@ TEST(PresentCase, FollowsTheInput) {
                 2.0 * preset("moment-range", "amplitude"), 1e-9);
 }
 
-TEST(PresentCase, ThePreloadIsMeasuredFromTheLeastOne) {
-    elastic_hinge::Input hinge = elastic_hinge::preset_zotov();
-    const double margin = *present("guide", "preload", elastic_hinge::write_input(hinge));
-    elastic_hinge::Spring& spring = *hinge.spring;
-    spring.guide_radius_at_zero = spring.free_length / 2.0 - 2.0 * spring.preload();
-    EXPECT_NEAR(*present("guide", "preload", elastic_hinge::write_input(hinge)) + 1.0,
-                2.0 * (margin + 1.0), 1e-6 * margin);
-}
-
-TEST(PresentCase, FindsTheWidthOfThePeak) {
-    for (const double width : {4.0, 15.0, 40.0}) {
-        const Json input = balance_shaft::write_input(bell(width, 1.0));
-        EXPECT_NEAR(*present("moment-range", "peak-width", input), width, 0.02 * width + 0.05);
-    }
-    balance_shaft::Input silent = bell(10.0, 15.0);
-    std::fill(silent.torque.table.torque.begin(), silent.torque.table.torque.end(), 0.0);
-    EXPECT_FALSE(present("moment-range", "peak-width", balance_shaft::write_input(silent)));
-}
-
-TEST(PresentCase, CountsRowsWhereTheTableIsOfThatKind) {
-    balance_shaft::Input input = bell(20.0, 15.0);
-    const auto rows = [&](const char* sweep) {
-        return present("cycle-mean", sweep, balance_shaft::write_input(input));
-    };
-    EXPECT_FALSE(rows("spline-rows"));     // straight lines
-    EXPECT_FALSE(rows("irregular-rows"));  // equal steps
-    input.interpolation = balance_shaft::Interpolation::periodic_cubic;
-    EXPECT_EQ(rows("spline-rows"), 48.0);
-    input.interpolation = balance_shaft::Interpolation::linear;
-    input.torque.table.crank_angle_deg[3] += 2.0;
-    EXPECT_EQ(rows("irregular-rows"), 48.0);
-}
-
 TEST(PresentCase, MadeUpProblemsHaveNoPlaceForACase) {
     const Json engine = balance_shaft::write_input(balance_shaft::preset_tmz_650d());
     EXPECT_FALSE(present("best-angle", "second-minimum", engine));
     const Json hinge = elastic_hinge::write_input(elastic_hinge::preset_zotov());
     EXPECT_FALSE(present("hinge-motion", "start-speed", hinge));  // at the design speed
-    const Json vr5 = inertia_moments::write_input(inertia_moments::preset_vw_vr5());
-    EXPECT_FALSE(present("slider-crank", "points", vr5));
+    EXPECT_FALSE(present("guide", "preload", hinge));
 }
 
 TEST(PresentCase, BadInputIsRefusedByName) {

@@ -34,7 +34,6 @@ TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
         EXPECT_EQ(row.limits.english, kernel.methods[row.method].limits.english);
         EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
         EXPECT_GT(row.timing.median, 0.0);
-        EXPECT_GT(row.operations, 0.0);
         with_limit += row.fails.empty() ? 0 : 1;
         if (row.in_use) {
             EXPECT_TRUE(row.holds);
@@ -63,7 +62,7 @@ TEST(MethodsReport, ShowsThePapersMeanForWhatItIs) {
 /// A method that the first hard parameter does not trouble may fail along another: every one is
 /// looked along, and the row names it.
 TEST(MethodsReport, TellsWhereMethodsFailAlongEveryHardParameter) {
-    const Kernel& kernel = *find_kernel("cycle-mean");
+    const Kernel& kernel = *find_kernel("guide");
     const KernelReport report = measure_kernel(kernel, quick);
     const std::string text = write_text(report);
     bool only_along_another = false;
@@ -85,7 +84,7 @@ TEST(MethodsReport, TellsWhereMethodsFailAlongEveryHardParameter) {
         const std::string by_id = failing_summary(kernel, row, SweepName::id).english();
         EXPECT_TRUE(says(text, by_id.substr(0, by_id.find(' ')))) << by_id;
     }
-    EXPECT_TRUE(only_along_another);  // Simpson's rule, on a narrow peak
+    EXPECT_TRUE(only_along_another);  // the closed form, at speeds that no spring here allows
 }
 
 TEST(MethodsReport, TheParagraphNamesSceneMethodAndWhy) {

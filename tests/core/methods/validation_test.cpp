@@ -129,6 +129,19 @@ TEST(Validation, WhatIsGivenIsNotReproduced) {
     all_given("v8-plugs", "Δm_am", 2);
     all_given("v8-plugs", "largest shift Δr, to", 1);
     all_given("inertia-moments", "offset e", 1);
+    // m_p of the 4.25 l engine was found from (12), so (13) alone is a test.
+    const auto verdict_of = [](const char* quantity, const char* engine) {
+        const auto rows = rows_of("v8-plugs", quantity);
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const ValidationRow& each) {
+            return says(each.quantity.english(), engine);
+        });
+        return row == rows.end() ? Verdict::differs : row->verdict;
+    };
+    EXPECT_EQ(verdict_of("Δm_yra (12)", "4.25 l"), Verdict::given);
+    EXPECT_EQ(verdict_of("Δm_yhr (13)", "4.25 l"), Verdict::reproduced);
+    EXPECT_EQ(verdict_of("Δm_yra (12)", "6 and 7 l"), Verdict::reproduced);
+    // Told otherwise than printed, and it says so.
+    EXPECT_TRUE(says(rows_of("inertia-moments", "offset e").front().reason.english(), "12.51"));
     // What they are inverted from is computed.
     for (const ValidationRow& row : rows_of("inertia-moments", "relative offset K")) {
         EXPECT_EQ(row.verdict, Verdict::reproduced);

@@ -91,6 +91,7 @@ TEST(TransformLengthTest, IsShortForRealEnginesAndSaysWhenItIsCut) {
     const SliderCrank<double> vr5{45.0, 45.0 / 0.265, 12.5};
     EXPECT_LE(transform_length(vr5.harmonic_decay(), 12, 1e-13).samples, 64U);
     EXPECT_GE(transform_length(50.0, 12, 1e-13).samples, 26U);
+    EXPECT_TRUE(transform_length(9e-5, 12, 1e-13).sufficient);
     EXPECT_FALSE(transform_length(1e-6, 12, 1e-13).sufficient);
     EXPECT_FALSE(transform_length(0.0, 12, 1e-13).sufficient);
     EXPECT_EQ(transform_length(1e-6, 12, 1e-13, 1024).samples, 1024U);

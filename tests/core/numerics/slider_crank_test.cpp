@@ -146,35 +146,5 @@ TEST(SliderCrank, HarmonicDecayIsTheDistanceOfTheBranchPoint) {
     EXPECT_NEAR(static_cast<double>(Decimal50(cosh(fifty.harmonic_decay()))), 3.75, 1e-15);
 }
 
-// The two-term form leaves out terms of third order in λ: halving λ (and with it Kλ) divides the
-// error of s″ against the mean motion by about eight.
-TEST(TwoTermSliderCrank, ErrorIsOfThirdOrder) {
-    const auto error = [](double lambda, double k) {
-        const SliderCrank<double> exact{1.0, 1.0 / lambda, k};
-        const TwoTermSliderCrank<double> two{1.0, 1.0 / lambda, k};
-        double worst = 0.0;
-        for (double theta = 0.0; theta < two_pi; theta += 0.01) {
-            worst = std::max(worst, std::abs(exact.at(theta).d2s - two.at(theta).d2s));
-        }
-        return worst;
-    };
-    EXPECT_NEAR(error(0.1, 0.0) / error(0.05, 0.0), 8.0, 0.3);
-    EXPECT_NEAR(error(0.1, 0.3) / error(0.05, 0.3), 8.0, 0.3);
-}
-
-TEST(TwoTermSliderCrank, IsItsOwnDerivative) {
-    const TwoTermSliderCrank<Decimal50> m{1, 4, Decimal50("0.3")};
-    const Decimal50 h("1e-12");
-    for (double theta = 0.05; theta < two_pi; theta += 0.61) {
-        const Decimal50 t(theta);
-        const auto before = m.at(Decimal50(t - h));
-        const auto after = m.at(Decimal50(t + h));
-        EXPECT_NEAR(static_cast<double>(Decimal50((after.s - before.s) / (2 * h))),
-                    static_cast<double>(m.at(t).ds), 1e-15);
-        EXPECT_NEAR(static_cast<double>(Decimal50((after.ds - before.ds) / (2 * h))),
-                    static_cast<double>(m.at(t).d2s), 1e-15);
-    }
-}
-
 }  // namespace
 }  // namespace ravnoves

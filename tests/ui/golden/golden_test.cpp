@@ -84,7 +84,7 @@ class PictureTest : public ::testing::Test {
         }
         QApplication::processEvents();
     }
-    /// No machine measures twice the same: the operations stand in for the times.
+    /// No machine measures twice the same: their numbers stand in for the times.
     void holdTimesStill() {
         auto* page = qobject_cast<MethodsPage*>(window->currentPage());
         if (page == nullptr || window->isAtStart()) {
@@ -98,7 +98,8 @@ class PictureTest : public ::testing::Test {
         settle();
         auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
         for (methods::WorkPoint& point : still->work.points) {
-            const double time = std::max(point.operations, 1.0);
+            const double time =
+                20.0 * static_cast<double>(point.method + 1) * std::exp2(2.0 * point.setting);
             point.timing = {time, 0.9 * time, 1.2 * time, 9};
         }
         const methods::StabilityMap* map = still->map.get();

@@ -34,12 +34,8 @@ class Looking : public methods::Problem {
             return Message();
         };
     }
-    double operations(std::size_t /*method*/, std::size_t /*setting*/) const override {
-        return 1.0;
-    }
     double error(std::span<const double> out) const override { return out[0]; }
     Message scene_refusal() const override { return {}; }
-    std::optional<double> check() const override { return std::nullopt; }
 
   private:
     Seen& seen_;

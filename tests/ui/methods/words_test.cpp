@@ -36,7 +36,7 @@ std::vector<Message> kernelTexts() {
     std::vector<Message> texts;
     for (const Kernel& kernel : methods::kernels()) {
         texts.insert(texts.end(), {kernel.title, kernel.quantity, kernel.error_measure,
-                                   kernel.evaluation, kernel.check_text, kernel.choice.reason});
+                                   kernel.evaluation, kernel.reference, kernel.choice.reason});
         for (const auto& method : kernel.methods) {
             texts.insert(texts.end(), {method.title, method.limits});
             for (const auto& setting : method.settings) {

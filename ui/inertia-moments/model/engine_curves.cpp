@@ -56,13 +56,13 @@ double Trace::reach() const {
 bool hasForcesOnly(const Result& result) {
     bool force = false;
     for (int k = 1; k <= 2; ++k) {
-        const EngineOrder& exact = result.exact.order(k);
+        const EngineOrder& exact = result.unbalanced.order(k);
         // A moment of the balancing masses may have no scale but the forces'.
         const double rounding =
             zero_share *
             std::max(exact.moment_scale, exact.force_scale * result.engine.crank_radius);
         if (exact.moment.max() > rounding || result.remaining.order(k).moment.max() > rounding ||
-            result.two_term.order(k).moment.max() > rounding) {
+            result.two_term_unbalanced.order(k).moment.max() > rounding) {
             return false;
         }
         force = force || exact.force.max() > zero_share * exact.force_scale;
@@ -79,7 +79,7 @@ OrderMoments orderMoments(const Result& result, int order, bool force) {
     for (std::size_t i = 0; i < points; ++i) {
         moments.crankAngleDeg.push_back(static_cast<double>(i) * plotStep);
     }
-    const EngineOrder& exact = result.exact.order(order);
+    const EngineOrder& exact = result.unbalanced.order(order);
     const double rounding = zero_share * (force ? exact.force_scale : exact.moment_scale);
     // What is nothing but rounding is drawn as nothing.
     const auto trace = [&](const RotatingPair& pair) {
@@ -93,7 +93,7 @@ OrderMoments orderMoments(const Result& result, int order, bool force) {
         return curve;
     };
     moments.exact = trace(pairOf(exact));
-    moments.twoTerm = trace(pairOf(result.two_term.order(order)));
+    moments.twoTerm = trace(pairOf(result.two_term_unbalanced.order(order)));
     moments.isSomething = pairOf(exact).max() > rounding;
     const RotatingPair& left = pairOf(result.remaining.order(order));
     if ((left - pairOf(exact)).max() > rounding) {
@@ -116,7 +116,7 @@ double roundingOf(const EngineOrder& order, bool force) {
 /// Of all orders together.
 double rounding(const Result& result, bool force) {
     double sum = 0.0;
-    for (const EngineOrder& order : result.exact.orders) {
+    for (const EngineOrder& order : result.unbalanced.orders) {
         sum += roundingOf(order, force);
     }
     return sum;
@@ -135,10 +135,10 @@ Trace turnOf(const WrenchCurves& curves, bool force, double nothing) {
     return trace;
 }
 
-/// True where rotating masses, counterweights or shafts change something.
+/// True where counterweights or shafts change something.
 bool isBalanced(const Result& result, bool force) {
-    for (std::size_t i = 0; i < result.exact.orders.size(); ++i) {
-        const EngineOrder& before = result.exact.orders[i];
+    for (std::size_t i = 0; i < result.unbalanced.orders.size(); ++i) {
+        const EngineOrder& before = result.unbalanced.orders[i];
         if ((vectorOf(result.remaining.orders[i], force) - vectorOf(before, force)).max() >
             roundingOf(before, force)) {
             return true;
@@ -150,7 +150,7 @@ bool isBalanced(const Result& result, bool force) {
 /// Moments about the crank are moments too: a four in line has no others.
 void addRoll(Course& picture, const Result& result) {
     double nothing = 0.0;
-    for (const EngineOrder& order : result.exact.orders) {
+    for (const EngineOrder& order : result.unbalanced.orders) {
         nothing += zero_share * order.roll_scale;
     }
     const auto& alone = result.curves.roll;
@@ -192,9 +192,9 @@ Course course(const Result& result, bool force) {
         return Trace{twice(turn.x), twice(turn.y)};
     };
     Course picture;
-    picture.exact = trace(result.curves);
+    picture.exact = trace(result.unbalanced_curves);
     picture.twoTerm = trace(
-        inertia_moments::curves_of_orders(result.two_term, result.curves.crank_angle.size() - 1));
+        inertia_moments::curves_of_orders(result.two_term_unbalanced, result.curves.crank_angle.size() - 1));
     if (isBalanced(result, force)) {
         picture.left = trace(result.remaining_curves);
     }
@@ -213,9 +213,9 @@ Hodograph hodograph(const Result& result, bool force) {
         return ellipse(pair.max() > roundingOf(order, force) ? pair : RotatingPair{});
     };
     Hodograph picture;
-    picture.first = ofOrder(result.exact.order(1));
-    picture.second = ofOrder(result.exact.order(2));
-    picture.all = turnOf(result.curves, force, nothing);
+    picture.first = ofOrder(result.unbalanced.order(1));
+    picture.second = ofOrder(result.unbalanced.order(2));
+    picture.all = turnOf(result.unbalanced_curves, force, nothing);
     if (isBalanced(result, force)) {
         picture.left = turnOf(result.remaining_curves, force, nothing);
     }
@@ -224,7 +224,7 @@ Hodograph hodograph(const Result& result, bool force) {
         include(picture.y, trace->y);
     }
     // Rounding of a balanced engine is not a picture.
-    const double least = std::max(1e3 * roundingOf(result.exact.order(1), force), 1e-9);
+    const double least = std::max(1e3 * roundingOf(result.unbalanced.order(1), force), 1e-9);
     if (std::max(picture.x.span(), picture.y.span()) <= least) {
         const double reach = std::max(1.0, least);
         picture.x = picture.y = {-reach, reach};

@@ -274,29 +274,19 @@ Results InertiaMomentsModel::remainingResults() const {
         return QVector<ResultCell>{figure(was, scale, unit), figure(is, scale, unit),
                                    isZero ? ResultCell(dash) : percent(is / was)};
     };
-    for (std::size_t i = 0; i < result().exact.orders.size(); ++i) {
-        const EngineOrder& before = result().exact.orders[i];
+    for (std::size_t i = 0; i < result().unbalanced.orders.size(); ++i) {
+        const EngineOrder& before = result().unbalanced.orders[i];
         const EngineOrder& after = result().remaining.orders[i];
-        // Of the rotating masses too, in order 1: they count as there from the start.
-        RotatingPair force = before.force;
-        RotatingPair moment = before.moment;
-        if (before.order == 1) {
-            const Complex pin = inertia_moments::crankpin_direction(result().engine);
-            force.forward += result().rotating.force() * pin;
-            moment.forward += result().rotating.moment_about(input().reference_position) * pin;
-        }
-        addOrder(rows, before.order,
-                 cells(force.max(), after.force.max(), before.force_scale, units::newton),
-                 cells(moment.max(), after.moment.max(), before.moment_scale, units::N_m));
+        addOrder(
+            rows, before.order,
+            cells(before.force.max(), after.force.max(), before.force_scale, units::newton),
+            cells(before.moment.max(), after.moment.max(), before.moment_scale, units::N_m));
     }
     return results;
 }
 
 QString InertiaMomentsModel::warningText() const {
     QStringList lines;
-    if (!result().exact.accurate) {
-        lines << shownText(inertia_moments::less_accurate);
-    }
     for (const Message& note : result().notes) {
         lines << messageText(note);
     }

@@ -81,8 +81,7 @@ Json MethodsModel::resultJson() const {
             Json entry{{"method", method.id},
                        {"setting", method.settings[row.setting].label.english()},
                        {"in_use", row.in_use},
-                       {"median_ns", row.timing.median},
-                       {"operations", row.operations}};
+                       {"median_ns", row.timing.median}};
             if (row.result.refused()) {
                 entry["refusal"] = row.result.refusal.english();
             } else {

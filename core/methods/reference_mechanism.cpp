@@ -1,0 +1,44 @@
+#include "methods/reference_mechanism.h"
+
+namespace ravnoves::methods {
+
+PistonMotion<Real50> reference_piston(const SliderCrank<double>& crank, const Real50& theta) {
+    const Real50 R(crank.crank_radius);
+    const Real50 L(crank.rod_length);
+    const Real50 x = R * cos(theta);
+    const Real50 dy = x;
+    const Real50 y = R * sin(theta) - Real50(crank.offset);
+    const Real50 dx = -R * sin(theta);
+    const Real50 ahead = sqrt(Real50(L * L - y * y));  // s − x
+    const Real50 dahead = -y * dy / ahead;
+    const Real50 d2ahead = -(dy * dy + y * dx + dahead * dahead) / ahead;  // y″ = x′
+    return {x + ahead, dx + dahead, -x + d2ahead};
+}
+
+ReferenceBars::ReferenceBars(const elastic_hinge::Input& input)
+    : crank_mass_(input.crank_mass),
+      rod_mass_(input.rod_mass),
+      slider_mass_(input.slider_mass),
+      gravity_(input.gravity),
+      radius_(input.crank_radius),
+      length_(radius_ / Real50(input.lambda)) {}
+
+Real50 ReferenceBars::inertia(const Real50& phi) const {
+    // Crankpin A, slider pin B, the rod's middle between them.
+    const Real50 ax = radius_ * cos(phi);
+    const Real50 ay = radius_ * sin(phi);
+    const Real50 along = sqrt(Real50(length_ * length_ - ay * ay));  // B − A on the slider's line
+    const Real50 bx_speed = -ay - ay * ax / along;
+    const Real50 middle_x = (bx_speed - ay) / 2;
+    const Real50 middle_y = ax / 2;
+    const Real50 turning = ax / along;  // cos ψ ψ′ = y′/ℓ
+    return crank_mass_ * radius_ * radius_ / 3 + slider_mass_ * bx_speed * bx_speed +
+           rod_mass_ * (middle_x * middle_x + middle_y * middle_y +
+                        length_ * length_ * turning * turning / 12);
+}
+
+Real50 ReferenceBars::potential(const Real50& phi) const {
+    return gravity_ * (crank_mass_ + rod_mass_) * radius_ * sin(phi) / 2;
+}
+
+}  // namespace ravnoves::methods
