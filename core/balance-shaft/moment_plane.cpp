@@ -143,7 +143,7 @@ void MomentPlane::find_branches(const PeriodicPiecewise& moment, Side& side) con
             if (std::abs(offset) < 1e-10) {
                 offset = 0.0;  // keeps the table's own value at its knot
             }
-            const PiecewiseCubic<double> piece = moment.pieces()[place.piece].shifted(offset);
+            const PiecewiseCubic piece = moment.pieces()[place.piece].shifted(offset);
             branch.cubic = {side.sign * piece.y, side.sign * piece.c1 / degree,
                             side.sign * piece.c2 / (degree * degree),
                             side.sign * piece.c3 / (degree * degree * degree)};
@@ -170,7 +170,7 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
     const Branch& branch = side.branches[turns_ * interval + turn];
     const auto j = static_cast<Eigen::Index>(interval);
     const auto next = interval + 1 < count_ ? j + 1 : 0;
-    const PiecewiseCubic<double>& cubic = branch.cubic;
+    const PiecewiseCubic& cubic = branch.cubic;
     const double sine = at.a * cos_[j] + at.b * sin_[j];
     const double left = cubic.y + sine;
     if (left > best.value) {
@@ -229,8 +229,7 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
         return;  // convex: an end is highest
     }
     // sine cos t + slope sin t = A sin(t + phase)
-    for (const double t :
-         stationary_points<double>(cubic, at.size, 1.0, std::atan2(sine, slope), width)) {
+    for (const double t : stationary_points(cubic, at.size, 1.0, std::atan2(sine, slope), width)) {
         offer(t);
     }
 }
@@ -267,9 +266,9 @@ MomentPlane::Place MomentPlane::highest(const Side& side, const At& at,
                       block_peaks.data())};
     for (std::size_t k = 0; k < blocks; ++k) {
         const auto of_block = static_cast<Eigen::Index>(k);
-        if (search.beaten(block_peaks[k] + side.block_above[of_block] +
-                              at.size * block_chord_[of_block],
-                          at)) {
+        if (search.beaten(
+                block_peaks[k] + side.block_above[of_block] + at.size * block_chord_[of_block],
+                at)) {
             continue;
         }
         for (std::size_t j = k * block; j < std::min((k + 1) * block, count_); ++j) {
@@ -335,11 +334,10 @@ void MomentPlane::add_highest(const Side& side, std::span<const Moment> shafts,
         for (std::size_t j = k * block; j < std::min((k + 1) * block, count_); ++j) {
             const auto row = static_cast<Eigen::Index>(j);
             const double below = reached - side.peak[row] - middle.a * cos_[row] -
-                                 middle.b * sin_[row] - side.above[row] -
-                                 size * chord_beside_[row];
-            if (below > 0.0 && below * below > 2.0 * square *
-                                                   (1.0 + 1e-9 - best.cos * cos_[row] -
-                                                    best.sin * sin_[row])) {
+                                 middle.b * sin_[row] - side.above[row] - size * chord_beside_[row];
+            if (below > 0.0 &&
+                below * below >
+                    2.0 * square * (1.0 + 1e-9 - best.cos * cos_[row] - best.sin * sin_[row])) {
                 continue;
             }
             near.knots.push_back(j);

@@ -58,7 +58,7 @@ class MomentPlane {
   private:
     /// ±M between two folded knots in one revolution: of the angle from the left knot, rad.
     struct Branch {
-        PiecewiseCubic<double> cubic;
+        PiecewiseCubic cubic;
         double last = 0.0;   ///< value at the right knot
         double above = 0.0;  ///< most that it lies above its chord
         double from_deg = 0.0;
@@ -91,13 +91,13 @@ class MomentPlane {
     void add_highest(const Side& side, std::span<const Moment> shafts, std::span<double> to) const;
 
     double period_;
-    std::size_t turns_ = 1;           ///< of the crank in a cycle
-    std::size_t count_ = 0;           ///< folded knots
-    std::vector<double> knot_deg_;    ///< count_ + 1, the last a turn after the first
-    Eigen::ArrayXd cos_, sin_;        ///< of the knots, padded with copies of the first
-    std::vector<double> width_;       ///< of the intervals, rad
-    std::vector<double> chord_;       ///< h²/8 of each interval: a sine's most above its chord
-    Eigen::ArrayXd chord_beside_;     ///< the larger of those beside a knot, padded
+    std::size_t turns_ = 1;         ///< of the crank in a cycle
+    std::size_t count_ = 0;         ///< folded knots
+    std::vector<double> knot_deg_;  ///< count_ + 1, the last a turn after the first
+    Eigen::ArrayXd cos_, sin_;      ///< of the knots, padded with copies of the first
+    std::vector<double> width_;     ///< of the intervals, rad
+    std::vector<double> chord_;     ///< h²/8 of each interval: a sine's most above its chord
+    Eigen::ArrayXd chord_beside_;   ///< the larger of those beside a knot, padded
     Eigen::ArrayXd block_chord_;
     Side up_{1.0, {}, {}, {}, {}};
     Side down_{-1.0, {}, {}, {}, {}};
