@@ -62,7 +62,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     FormSection* sizes = section({});
     number("/layout/spacing_mm");
     number("/layout/stagger_mm");
-    number("/layout/first_position_mm");
+    NumberField* first = number("/layout/first_position_mm");
 
     section(tr("Crank gear"));
     number("/crank_radius_mm");
@@ -74,8 +74,10 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     addRotatingMass();
     addRod();
     fillUp(this);
-    follow([this, sizes, deadCentre] {
+    follow([this, sizes, deadCentre, first] {
         showLayout();
+        first->setPlaceholderText(shownFigures(
+            model_->result().engine.cylinders.front().axial_position, units::mm, 6));
         sizes->setVisible(model_->input().layout.has_value());
         const QLocale locale;
         const auto& engine = model_->result().engine;
