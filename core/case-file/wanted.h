@@ -17,6 +17,7 @@ class Wanted {
     /// @throws InputError for what is no JSON pointer
     explicit Wanted(std::vector<std::string> pointers);
 
+    bool is_all() const { return pointers_.empty(); }
     /// Whether the value at a pointer, something in it or something around it is asked for.
     bool wants(std::string_view pointer) const;
     /// What is asked for of a result, each value whole under its own path; objects around elements

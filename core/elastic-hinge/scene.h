@@ -24,9 +24,6 @@ Json write_input(const Input& input);
 /// exist are null.
 Json write_result(const Input& input, const Result& result);
 
-/// Motion without and, where their guides exist, with hinges: ends, speeds, ripple, drift.
-Json write_motions(const Input& input, const Result& result);
-
 /// The scene as the case file sees it.
 /// @throws InputError
 Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case-file/result_visitor.h"
+
+namespace ravnoves {
+
+/// One number of a result at its place.
+struct ResultEntry {
+    std::string pointer;  ///< below "result", for example "/metrics/M_ups/range_Nm"
+    Message name;         ///< "M_ups, range", from the labels on the way to it
+    Unit unit = units::none;
+    int decimals = 3;
+    std::optional<double> si;
+};
+
+/// Lists the single numbers of a result with their names; curves and lists of numbers are left out.
+class ResultIndex final : public ResultVisitor {
+  public:
+    std::vector<ResultEntry> take() { return std::move(entries_); }
+
+    bool wants(std::string_view /*key*/) const override { return true; }
+    void integer(const ResultField& field, std::optional<long long> value) override;
+    void flag(const ResultField& field, std::optional<bool> value) override;
+    void word(const ResultField& /*field*/, std::string_view /*word*/) override {}
+    void text(const ResultField& /*field*/, const Message& /*text*/) override {}
+    void texts(const ResultField& /*field*/, const std::vector<Message>& /*texts*/) override {}
+    void numbers(const ResultField& /*field*/, const std::vector<double>& /*si*/) override {}
+    void integers(const ResultField& /*field*/, const std::vector<int>& /*values*/) override {}
+    void nothing(const ResultField& /*field*/) override {}
+
+  private:
+    void put_number(const ResultField& field, const std::optional<double>& si) override;
+    bool begin_object(const ResultField& field) override;
+    bool begin_list(const ResultField& field, std::size_t count) override;
+    bool begin_element(std::size_t index) override;
+    void end_object() override;
+    void end_list() override;
+
+    struct Level {
+        std::string pointer;
+        Message name;
+    };
+    Level inside(std::string_view key, const Message& label) const;
+
+    std::vector<Level> levels_{1};
+    std::vector<ResultEntry> entries_;
+};
+
+/// The numbers of a scene's result.
+template <typename Input>
+std::vector<ResultEntry> list_results(const Input& input) {
+    ResultIndex index;
+    visit_results(index, input);
+    return index.take();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "case-file/message.h"
+#include "numerics/units.h"
+
+namespace ravnoves {
+
+/// One value of a result, described once: the file, `--only`, what a study watches, the names in
+/// tables, their tips and the help follow from it.
+struct ResultField {
+    std::string_view key;  ///< in the file, with its unit: "relief_mm"
+    Unit unit = units::none;
+    int decimals = 3;  ///< in a table, in the unit
+    Text label{};      ///< "Relief of the guide"
+    Text hint{};       ///< what it is, a sentence with its formula
+};
+
+/// Goes through the values of a scene's result in the order of its file.
+///
+/// A scene lists them once, in a function found by argument-dependent lookup
+///
+///     void visit_results(ResultVisitor& visitor, const Input& input);
+///
+/// with one call for each value: `visitor.number(result_field::relief, guide.relief)`. Numbers are
+/// SI values here and in the field's unit elsewhere; one that is not finite, or is empty, is null.
+/// What no one wants is neither visited nor computed: a call that takes a function calls it for
+/// what is wanted alone.
+class ResultVisitor {
+  public:
+    virtual ~ResultVisitor() = default;
+
+    /// Whether the value under this key, or a value in it, is asked for.
+    virtual bool wants(std::string_view key) const = 0;
+
+    // --------------------------------------------------------------------------------- values
+
+    void number(const ResultField& field, const std::optional<double>& si) {
+        put_number(field, si);
+    }
+    template <typename Compute>
+    requires std::is_invocable_v<Compute>
+    void number(const ResultField& field, Compute&& compute) {
+        if (wants(field.key)) {
+            put_number(field, std::forward<Compute>(compute)());
+        }
+    }
+    /// A count: written without decimals.
+    virtual void integer(const ResultField& field, std::optional<long long> value) = 0;
+    virtual void flag(const ResultField& field, std::optional<bool> value) = 0;
+    /// One of the file's words, the same in every language; an empty one is null.
+    virtual void word(const ResultField& field, std::string_view word) = 0;
+    /// A sentence. Under the keys "reason" and "note" it says why numbers beside it are null.
+    virtual void text(const ResultField& field, const Message& text) = 0;
+    virtual void texts(const ResultField& field, const std::vector<Message>& texts) = 0;
+    /// A list of numbers; of an empty one null.
+    virtual void numbers(const ResultField& field, const std::vector<double>& si) = 0;
+    virtual void integers(const ResultField& field, const std::vector<int>& values) = 0;
+    /// What the result has no value for.
+    virtual void nothing(const ResultField& field) = 0;
+
+    // ------------------------------------------------------------------------------ structure
+
+    /// An object, whose values `visit` visits.
+    template <typename Visit>
+    void object(const ResultField& field, Visit&& visit) {
+        if (begin_object(field)) {
+            std::forward<Visit>(visit)();
+            end_object();
+        }
+    }
+    /// The same where it is there, else null.
+    template <typename Visit>
+    void object_or_null(const ResultField& field, bool is_there, Visit&& visit) {
+        if (is_there) {
+            object(field, std::forward<Visit>(visit));
+        } else {
+            nothing(field);
+        }
+    }
+    /// A list of objects; `visit(i)` visits the values of one.
+    template <typename Visit>
+    void list(const ResultField& field, std::size_t count, const Visit& visit) {
+        if (begin_list(field, count)) {
+            for (std::size_t i = 0; i < count; ++i) {
+                if (begin_element(i)) {
+                    visit(i);
+                    end_object();
+                }
+            }
+            end_list();
+        }
+    }
+
+  protected:
+    virtual void put_number(const ResultField& field, const std::optional<double>& si) = 0;
+    /// @return whether its values are to be visited; end_object() follows then
+    virtual bool begin_object(const ResultField& field) = 0;
+    virtual bool begin_list(const ResultField& field, std::size_t count) = 0;
+    virtual bool begin_element(std::size_t index) = 0;
+    virtual void end_object() = 0;
+    virtual void end_list() = 0;
+};
+
+}  // namespace ravnoves

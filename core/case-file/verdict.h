@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "case-file/message.h"
+#include "case-file/result_visitor.h"
+
+namespace ravnoves {
+
+/// How good or bad what is said is.
+enum class Severity { good, note, warning, error };
+
+constexpr std::string_view severity_word(Severity severity) {
+    constexpr std::array<std::string_view, 4> words{"good", "note", "warning", "error"};
+    return words[static_cast<std::size_t>(severity)];
+}
+
+/// The first thing that a page, a report, a card or a result says: what the answer is worth.
+struct Verdict {
+    Severity severity = Severity::good;
+    Message text;
+    /// What would help, as the scene's page knows it; empty where there is nothing to do.
+    std::string_view act{};
+};
+
+namespace result_field {
+inline constexpr ResultField verdict{.key = "verdict", .label = CORE_TEXT("core", "Verdict")};
+inline constexpr ResultField severity{.key = "severity", .label = CORE_TEXT("core", "Severity")};
+inline constexpr ResultField text{.key = "text"};
+inline constexpr ResultField reason{.key = "reason", .label = CORE_TEXT("core", "Reason")};
+inline constexpr ResultField note{.key = "note", .label = CORE_TEXT("core", "Note")};
+inline constexpr ResultField notes{.key = "notes", .label = CORE_TEXT("core", "Notes")};
+inline constexpr ResultField feasible{.key = "feasible", .label = CORE_TEXT("core", "Feasible")};
+}  // namespace result_field
+
+/// As every result holds it.
+inline void visit_verdict(ResultVisitor& visitor, const Verdict& verdict) {
+    visitor.object(result_field::verdict, [&] {
+        visitor.word(result_field::severity, severity_word(verdict.severity));
+        visitor.text(result_field::text, verdict.text);
+    });
+}
+
+}  // namespace ravnoves

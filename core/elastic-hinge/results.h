@@ -1,0 +1,19 @@
+#pragma once
+
+#include "case-file/result_visitor.h"
+#include "case-file/verdict.h"
+#include "elastic-hinge/input.h"
+#include "elastic-hinge/result.h"
+
+namespace ravnoves::elastic_hinge {
+
+/// The values of a solved input, in the order of the contract.
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
+/// The same, which solves the input first.
+/// @throws InputError as solve()
+void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// What the crank's guide is worth: none; one that cannot be made; one that can.
+Verdict verdict(const Input& input, const Result& result);
+
+}  // namespace ravnoves::elastic_hinge
