@@ -1,0 +1,20 @@
+#pragma once
+
+#include "case-file/result_visitor.h"
+#include "case-file/verdict.h"
+#include "inertia-moments/input.h"
+#include "inertia-moments/result.h"
+
+namespace ravnoves::inertia_moments {
+
+/// The values of a solved input, in the order of the contract.
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
+/// The same, which solves the input first.
+/// @throws InputError as solve()
+void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// The largest residual force and moment of orders 1 to 4, or a slip of the input that puts them
+/// in doubt.
+Verdict verdict(const Result& result);
+
+}  // namespace ravnoves::inertia_moments
