@@ -31,6 +31,8 @@ class ResultIndex final : public ResultVisitor {
     void texts(const ResultField& /*field*/, const std::vector<Message>& /*texts*/) override {}
     void numbers(const ResultField& /*field*/, const std::vector<double>& /*si*/) override {}
     void integers(const ResultField& /*field*/, const std::vector<int>& /*values*/) override {}
+    void rows(const ResultField& /*field*/, const std::vector<double>& /*si*/,
+              std::size_t /*columns*/) override {}
     void nothing(const ResultField& /*field*/) override {}
 
   private:

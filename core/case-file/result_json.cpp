@@ -1,6 +1,7 @@
 #include "case-file/result_json.h"
 
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace ravnoves {
@@ -13,6 +14,15 @@ Json in_unit(double si, const Unit& unit) {
     }
     const double shown = si / unit;
     return shown == 0.0 ? 0.0 : shown;  // no minus before zero
+}
+
+Json in_unit(std::span<const double> si, const Unit& unit) {
+    Json::array_t list;
+    list.reserve(si.size());
+    for (const double value : si) {
+        list.push_back(in_unit(value, unit));
+    }
+    return list;
 }
 
 }  // namespace
@@ -70,19 +80,20 @@ void ResultJson::texts(const ResultField& field, const std::vector<Message>& tex
 }
 
 void ResultJson::numbers(const ResultField& field, const std::vector<double>& si) {
-    if (!wants(field.key)) {
-        return;
+    if (wants(field.key)) {
+        put(field, si.empty() ? Json() : in_unit(std::span(si), field.unit));
     }
-    if (si.empty()) {
-        put(field, nullptr);
-        return;
+}
+
+void ResultJson::rows(const ResultField& field, const std::vector<double>& si,
+                      std::size_t columns) {
+    if (wants(field.key)) {
+        Json list = Json::array();
+        for (std::size_t at = 0; at + columns <= si.size(); at += columns) {
+            list.push_back(in_unit(std::span(si).subspan(at, columns), field.unit));
+        }
+        put(field, std::move(list));
     }
-    Json::array_t list;
-    list.reserve(si.size());
-    for (const double value : si) {
-        list.push_back(in_unit(value, field.unit));
-    }
-    put(field, std::move(list));
 }
 
 void ResultJson::integers(const ResultField& field, const std::vector<int>& values) {

@@ -25,6 +25,8 @@ class ResultJson final : public ResultVisitor {
     void texts(const ResultField& field, const std::vector<Message>& texts) override;
     void numbers(const ResultField& field, const std::vector<double>& si) override;
     void integers(const ResultField& field, const std::vector<int>& values) override;
+    void rows(const ResultField& field, const std::vector<double>& si,
+              std::size_t columns) override;
     void nothing(const ResultField& field) override;
 
     /// What was visited; to be called once, at the end.

@@ -1,12 +1,14 @@
 #include "case-file/result_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "case-file/json.h"
 
 namespace ravnoves {
 
-ResultNumbers::ResultNumbers(std::span<const std::string> pointers) : nodes_(1) {
+ResultNumbers::ResultNumbers(std::span<const std::string> pointers)
+    : nodes_(1), pointers_(pointers.begin(), pointers.end()) {
     for (const std::string& text : pointers) {
         std::vector<std::string> keys;
         for (Json::json_pointer rest(text); !rest.empty(); rest.pop_back()) {
@@ -14,8 +16,7 @@ ResultNumbers::ResultNumbers(std::span<const std::string> pointers) : nodes_(1) 
         }
         std::size_t node = 0;
         for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
-            at_ = node;
-            std::size_t next = inside(*key);
+            std::size_t next = inside(node, *key);
             if (next == 0) {
                 next = nodes_.size();
                 nodes_[node].inside.emplace_back(*key, next);
@@ -25,7 +26,6 @@ ResultNumbers::ResultNumbers(std::span<const std::string> pointers) : nodes_(1) 
         }
         places_.push_back(node);
     }
-    at_ = 0;
 }
 
 void ResultNumbers::clear() {
@@ -49,8 +49,8 @@ Message ResultNumbers::why(std::size_t i) const {
     return {};
 }
 
-std::size_t ResultNumbers::inside(std::string_view key) const {
-    for (const auto& [name, node] : nodes_[at_].inside) {
+std::size_t ResultNumbers::inside(std::size_t around, std::string_view key) const {
+    for (const auto& [name, node] : nodes_[around].inside) {
         if (name == key) {
             return node;
         }
@@ -59,7 +59,18 @@ std::size_t ResultNumbers::inside(std::string_view key) const {
 }
 
 bool ResultNumbers::wants(std::string_view key) const {
-    return inside(key) != 0;
+    std::size_t node = at_;
+    while (true) {
+        const std::size_t end = std::min(key.find('/'), key.size());
+        node = inside(node, key.substr(0, end));
+        if (node == 0 || end == key.size()) {
+            return node != 0;
+        }
+        if (nodes_[node].inside.empty()) {
+            return true;  // all in it
+        }
+        key.remove_prefix(end + 1);
+    }
 }
 
 void ResultNumbers::set(std::size_t node, const std::optional<double>& value) {
@@ -71,19 +82,19 @@ void ResultNumbers::set(std::size_t node, const std::optional<double>& value) {
 }
 
 void ResultNumbers::put_number(const ResultField& field, const std::optional<double>& si) {
-    set(inside(field.key), si ? std::optional(*si / field.unit) : std::nullopt);
+    set(inside(at_, field.key), si ? std::optional(*si / field.unit) : std::nullopt);
 }
 
 void ResultNumbers::integer(const ResultField& field, std::optional<long long> value) {
-    set(inside(field.key), value ? std::optional(static_cast<double>(*value)) : std::nullopt);
+    set(inside(at_, field.key), value ? std::optional(static_cast<double>(*value)) : std::nullopt);
 }
 
 void ResultNumbers::flag(const ResultField& field, std::optional<bool> value) {
-    set(inside(field.key), value ? std::optional(*value ? 1.0 : 0.0) : std::nullopt);
+    set(inside(at_, field.key), value ? std::optional(*value ? 1.0 : 0.0) : std::nullopt);
 }
 
 void ResultNumbers::word(const ResultField& field, std::string_view /*word*/) {
-    if (const std::size_t node = inside(field.key)) {
+    if (const std::size_t node = inside(at_, field.key)) {
         nodes_[node].found = Found::no_number;
     }
 }
@@ -100,7 +111,7 @@ void ResultNumbers::texts(const ResultField& field, const std::vector<Message>& 
 }
 
 void ResultNumbers::numbers(const ResultField& field, const std::vector<double>& si) {
-    const std::size_t node = inside(field.key);
+    const std::size_t node = inside(at_, field.key);
     if (node == 0) {
         return;
     }
@@ -118,12 +129,24 @@ void ResultNumbers::integers(const ResultField& field, const std::vector<int>& v
     numbers({field.key}, std::vector<double>(values.begin(), values.end()));
 }
 
+void ResultNumbers::rows(const ResultField& field, const std::vector<double>& si,
+                         std::size_t columns) {
+    if (enter(field.key)) {
+        for (std::size_t row = 0; (row + 1) * columns <= si.size(); ++row) {
+            const auto from = si.begin() + static_cast<std::ptrdiff_t>(row * columns);
+            numbers({std::to_string(row), field.unit},
+                    {from, from + static_cast<std::ptrdiff_t>(columns)});
+        }
+        end_object();
+    }
+}
+
 void ResultNumbers::nothing(const ResultField& field) {
-    set(inside(field.key), std::nullopt);
+    set(inside(at_, field.key), std::nullopt);
 }
 
 bool ResultNumbers::enter(std::string_view key) {
-    const std::size_t node = inside(key);
+    const std::size_t node = inside(at_, key);
     if (node == 0) {
         return false;
     }

@@ -24,7 +24,7 @@ class ResultNumbers final : public ResultVisitor {
     /// To be called before each visit but the first.
     void clear();
 
-    std::size_t size() const { return places_.size(); }
+    const std::string& pointer(std::size_t i) const { return pointers_[i]; }
     Found found(std::size_t i) const { return nodes_[places_[i]].found; }
     /// In the unit of the key; empty where there is none.
     std::optional<double> value(std::size_t i) const { return nodes_[places_[i]].value; }
@@ -39,6 +39,8 @@ class ResultNumbers final : public ResultVisitor {
     void texts(const ResultField& field, const std::vector<Message>& texts) override;
     void numbers(const ResultField& field, const std::vector<double>& si) override;
     void integers(const ResultField& field, const std::vector<int>& values) override;
+    void rows(const ResultField& field, const std::vector<double>& si,
+              std::size_t columns) override;
     void nothing(const ResultField& field) override;
 
   private:
@@ -58,11 +60,12 @@ class ResultNumbers final : public ResultVisitor {
     void end_object() override;
     void end_list() override;
 
-    std::size_t inside(std::string_view key) const;  ///< 0: not wanted
+    std::size_t inside(std::size_t around, std::string_view key) const;  ///< 0: not wanted
     bool enter(std::string_view key);
     void set(std::size_t node, const std::optional<double>& value);
 
     std::vector<Node> nodes_;
+    std::vector<std::string> pointers_;
     std::vector<std::size_t> places_;  ///< nodes of the pointers
     std::size_t at_ = 0;
 };

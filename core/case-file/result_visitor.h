@@ -38,6 +38,7 @@ class ResultVisitor {
     virtual ~ResultVisitor() = default;
 
     /// Whether the value under this key, or a value in it, is asked for.
+    /// @param key  or several: "metrics/M_ups/rms_Nm"
     virtual bool wants(std::string_view key) const = 0;
 
     // --------------------------------------------------------------------------------- values
@@ -63,6 +64,9 @@ class ResultVisitor {
     /// A list of numbers; of an empty one null.
     virtual void numbers(const ResultField& field, const std::vector<double>& si) = 0;
     virtual void integers(const ResultField& field, const std::vector<int>& values) = 0;
+    /// A list of lists of so many numbers each.
+    virtual void rows(const ResultField& field, const std::vector<double>& si,
+                      std::size_t columns) = 0;
     /// What the result has no value for.
     virtual void nothing(const ResultField& field) = 0;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -22,6 +23,14 @@ struct Verdict {
     Message text;
     /// What would help, as the scene's page knows it; empty where there is nothing to do.
     std::string_view act{};
+
+    /// Says a warning behind what is said already; nothing where it is empty.
+    void warn(const Message& warning) {
+        if (!warning.empty()) {
+            text = text.empty() ? warning : Message(Text{"", "%1 %2"}, text, warning);
+            severity = std::max(severity, Severity::warning);
+        }
+    }
 };
 
 namespace result_field {

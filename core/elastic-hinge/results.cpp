@@ -21,6 +21,8 @@ namespace field = result_field;
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
 constexpr double most_relative_error = 0.05;
+/// Of the preload: less than this beyond the minimum is lost to the spring's own tolerance.
+constexpr double least_preload_margin = 0.005;
 
 std::string_view word_of(Branch branch) {
     return branch == Branch::compressed ? "compressed" : "stretched";
@@ -212,11 +214,13 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
     visit_results(visitor, input, solve(input));
 }
 
-Verdict verdict(const Input& input, const Result& result) {
-    const Guide& guide = result.crank_guide;
+namespace {
+
+/// Without the warnings.
+Verdict guide_verdict(const Input& input, const Guide& guide) {
     if (!guide.feasible) {
         return {Severity::error, Message(CORE_TEXT("elastic-hinge", "No guide: %1."), guide.reason),
-                guide.problem == GuideProblem::preload_too_small ? "minimum-preload" : ""};
+                guide.problem == GuideProblem::preload_too_small ? minimum_preload_act : ""};
     }
     if (guide.summary().undercut) {
         return {Severity::error,
@@ -224,12 +228,6 @@ Verdict verdict(const Input& input, const Result& result) {
                                   "A roller of radius %1 undercuts the guide; the maximum is %2."),
                         Number{input.roller_radius / units::mm, units::mm, 5},
                         Number{*guide.summary().largest_roller_radius / units::mm, units::mm, -2})};
-    }
-    if (input.guide_sign == GuideSign::as_printed) {
-        return {Severity::warning,
-                Message(CORE_TEXT("elastic-hinge",
-                                  "The guide has the sign printed in the paper: the crank does "
-                                  "not keep its speed."))};
     }
     const Number relief{guide.relief / units::mm, units::mm, -3};
     const Number error{guide.error.amplitude / units::micrometre, units::micrometre, 3};
@@ -247,6 +245,39 @@ Verdict verdict(const Input& input, const Result& result) {
                               "The guide is feasible: relief %1; a profile error of %2 changes "
                               "the moment by up to %3."),
                     relief, error, spoilt)};
+}
+
+}  // namespace
+
+Verdict verdict(const Input& input, const Result& result) {
+    const Guide& guide = result.crank_guide;
+    Verdict verdict = guide_verdict(input, guide);
+    for (const auto* warnings : {&result.doubts, &result.notes}) {
+        for (const Message& warning : *warnings) {
+            verdict.warn(warning);
+        }
+    }
+    if (!guide.feasible) {
+        return verdict;
+    }
+    if (input.guide_sign == GuideSign::as_printed) {
+        verdict.warn(CORE_TEXT("elastic-hinge",
+                               "The sign is that printed in the paper: the crank does not keep its "
+                               "speed."));
+    }
+    const double margin = guide.preload - guide.minimum_preload;
+    if (guide.minimum_preload > 0.0 && margin < least_preload_margin * guide.preload) {
+        verdict.warn({CORE_TEXT("elastic-hinge",
+                                "The preload exceeds the minimum by only %1 of %2."),
+                      Number{margin / units::mm, units::mm, -2},
+                      Number{guide.preload / units::mm, units::mm, -2}});
+    }
+    if (input.roller_radius == 0.0) {
+        verdict.warn(CORE_TEXT("elastic-hinge",
+                               "The roller radius is 0: the guide is the path of the roller's "
+                               "centre."));
+    }
+    return verdict;
 }
 
 }  // namespace ravnoves::elastic_hinge

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "elastic-hinge/input.h"
@@ -12,6 +14,9 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 /// @throws InputError as solve()
 void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// An act of the verdict: the preload that the guide needs.
+inline constexpr std::string_view minimum_preload_act = "minimum-preload";
 
 /// What the crank's guide is worth: none; one that cannot be made; one that can.
 Verdict verdict(const Input& input, const Result& result);

@@ -23,6 +23,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -36,8 +37,14 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
     QWidget* inputs = buildInputs();
     plots_ = new HingePlots(model_, this);
-    columnIn(this)->addWidget(new PageColumns(
-        {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this));
+    verdict_ = new VerdictLine(this);
+    connect(verdict_, &VerdictLine::acted, model_, &ElasticHingeModel::takeMinimumPreload);
+    QVBoxLayout* column = columnIn(this);
+    column->addWidget(verdict_);
+    column->addWidget(
+        new PageColumns(
+            {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this),
+        1);
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
@@ -153,48 +160,26 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    verdict_ = copyableLabel("verdict", Theme::baseSize, answer);
-    answerColumn->addWidget(new Apart(verdict_, answer));
-    auto* mend = new QHBoxLayout;
-    takePreload_ = new QPushButton(tr("Take this pre&load"), answer);
-    takePreload_->setObjectName(QStringLiteral("take_preload"));
-    takeStiffness_ = new QPushButton(tr("Take this sti&ffness"), answer);
+    takeStiffness_ = new QPushButton(tr("Use the minimum sti&ffness"), answer);
     takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takePreload_, &QPushButton::clicked, model_, &ElasticHingeModel::takeMinimumPreload);
     connect(takeStiffness_, &QPushButton::clicked, model_,
             &ElasticHingeModel::takeMinimumStiffness);
-    mend->addWidget(takePreload_);
-    mend->addWidget(takeStiffness_);
-    answerColumn->addLayout(mend);
-    doubts_ = copyableCaption("doubts", answer);
-    colourText(doubts_, &Theme::warning);
-    answerColumn->addWidget(new Apart(doubts_, answer));
+    answerColumn->addWidget(takeStiffness_);
     quantities_ = new ResultTable(tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
-    notes_ = copyableCaption("notes", answer);
-    answerColumn->addWidget(new Apart(notes_, answer));
     column->addWidget(answer);
     return holder;
 }
 
 void ElasticHingePage::showAnswer() {
-    using Level = ElasticHingeModel::Verdict::Level;
-    const auto verdict = model_->verdict();
-    colourText(verdict_, verdict.level == Level::Good      ? &Theme::good
-                         : verdict.level == Level::Warning ? &Theme::warning
-                                                           : &Theme::error);
-    verdict_->setText(verdict.text);
+    const Verdict verdict = model_->verdict();
+    verdict_->show(verdict, verdict.act.empty() ? QString() : tr("Use this pre&load"));
     const auto& guide = model_->result().crank_guide;
     const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;
-    takePreload_->setVisible(mendable);
     takeStiffness_->setVisible(mendable && guide.minimum_stiffness &&
                                field::stiffness.range.contains(*guide.minimum_stiffness));
     quantities_->setResults(model_->quantities());
-    doubts_->setText(model_->doubtsText());
-    doubts_->parentWidget()->setVisible(!doubts_->text().isEmpty());
-    notes_->setText(model_->notesText());
-    notes_->parentWidget()->setVisible(!notes_->text().isEmpty());
 }
 
 void ElasticHingePage::showAnimated() {

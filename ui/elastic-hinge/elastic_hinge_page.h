@@ -14,6 +14,7 @@ class GuideExportForm;
 class HingeMechanismView;
 class HingePlots;
 class ResultTable;
+class VerdictLine;
 
 /// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
 class ElasticHingePage : public ScenePage {
@@ -47,12 +48,9 @@ class ElasticHingePage : public ScenePage {
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
-    QLabel* verdict_ = nullptr;
-    QPushButton* takePreload_ = nullptr;
+    VerdictLine* verdict_ = nullptr;
     QPushButton* takeStiffness_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    QLabel* doubts_ = nullptr;
-    QLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

@@ -336,7 +336,7 @@ TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
     EXPECT_TRUE(relief->valueAt(0, 20.0).has_value());
     EXPECT_FALSE(relief->valueAt(0, 76.0).has_value());
     EXPECT_TRUE(relief->valueAt(1, 180.0).has_value());  // the second piece of the same curve
-    auto* preload = find<QPushButton>("take_preload");
+    auto* preload = find<QPushButton>("verdict_act");
     auto* stiffness = find<QPushButton>("take_stiffness");
     ASSERT_TRUE(preload->isVisible());
     ASSERT_TRUE(stiffness->isVisible());

@@ -36,8 +36,7 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double margin = 1.001;     ///< beyond the least preload or stiffness that would do
-constexpr double poorTorque = 0.05;  ///< part of the moment that a profile error may spoil
+constexpr double margin = 1.01;  ///< beyond the minimum preload or stiffness
 
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
@@ -348,35 +347,8 @@ void ElasticHingeModel::takeMinimumStiffness() {
 
 // --------------------------------------------------------------------------------------- answer
 
-ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
-    using Level = Verdict::Level;
-    const Guide& guide = result().crank_guide;
-    if (!guide.feasible) {
-        return {Level::Bad, tr("No guide: %1.").arg(messageText(guide.reason))};
-    }
-    if (guide.summary().undercut) {
-        return {Level::Bad,
-                tr("The roller of radius %1 undercuts the guide: at most %2 follow it.")
-                    .arg(withItsUnit(input().roller_radius, units::mm),
-                         shownNumber(*guide.summary().largest_roller_radius, units::mm, 2))};
-    }
-    if (input().guide_sign == GuideSign::as_printed) {
-        return {Level::Warning,
-                tr("The guide exists, but with the printed sign it stores what the mechanism "
-                   "takes up: the crank does not keep its speed.")};
-    }
-    const QString error = withItsUnit(guide.error.amplitude, units::micrometre, 3);
-    const QString relief = shownNumber(guide.relief, units::mm, 3);
-    const QString spoilt = percentText(guide.error.relative);
-    if (guide.error.relative > poorTorque) {
-        return {Level::Warning,
-                tr("The guide exists, but cannot be made: with a relief of %1 a profile error "
-                   "of %2 changes its moment by up to %3.")
-                    .arg(relief, error, spoilt)};
-    }
-    return {Level::Good, tr("The guide exists: relief %1; a profile error of %2 changes its "
-                            "moment by up to %3.")
-                             .arg(relief, error, spoilt)};
+Verdict ElasticHingeModel::verdict() const {
+    return elastic_hinge::verdict(input(), result());
 }
 
 Results ElasticHingeModel::quantities() const {
@@ -465,14 +437,6 @@ Results ElasticHingeModel::quantities() const {
                tr("The same when the crank starts at another speed than the hinge is made for")),
     };
     return results;
-}
-
-QString ElasticHingeModel::notesText() const {
-    return messageLines(result().notes);
-}
-
-QString ElasticHingeModel::doubtsText() const {
-    return messageLines(result().doubts);
 }
 
 QString ElasticHingeModel::motionsText() const {

@@ -11,6 +11,7 @@
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/presets.h"
+#include "elastic-hinge/results.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
 #include "model/crank_angle.h"
@@ -44,13 +45,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// Which motion the picture plays.
     enum class Animated { WithoutHinge, CrankHinge, BothHinges, OffDesign };
     Q_ENUM(Animated)
-
-    /// One sentence on the design, and how good the news is.
-    struct Verdict {
-        enum class Level { Good, Warning, Bad };
-        Level level = Level::Good;
-        QString text;
-    };
 
     explicit ElasticHingeModel(QObject* parent = nullptr);
 
@@ -120,10 +114,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results quantities() const;
-    /// What the user should know about the result; empty where there is nothing.
-    QString notesText() const;
-    /// What looks like a slip in the input.
-    QString doubtsText() const;
     /// How the motions went, one line each.
     QString motionsText() const;
 

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case-file/case_context.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/number_places.h"
+#include "case-file/response.h"
+#include "case-file/result_numbers.h"
+
+namespace ravnoves {
+
+/// Values of a scene's result as functions of numbers of its input: puts them into the input and
+/// visits what is watched, without a file in between. A number that the fields hand out as a copy
+/// is put into the JSON instead, which is read again for each evaluation.
+/// @tparam read_input   of the scene, from the "input" object of a case
+/// @tparam check_input  throws where the input as a whole is refused
+template <typename Input, auto read_input, auto check_input>
+class TypedResponse final : public Response {
+  public:
+    TypedResponse(const Json& json, const CaseContext& context, std::span<const std::string> varied,
+                  std::span<const std::string> watched)
+        : context_(context),
+          json_(json),
+          varied_(varied.begin(), varied.end()),
+          input_(read_input(json_, context_)),
+          places_(find_numbers(input_, varied)),
+          numbers_(watched) {
+        Input other = input_;
+        const auto others = find_numbers(other, varied);
+        for (std::size_t j = 0; j < places_.size(); ++j) {
+            has_places_ =
+                has_places_ && places_[j].value != nullptr && places_[j].value != others[j].value;
+            slots_.push_back(&json_[Json::json_pointer(varied_[j])]);
+        }
+    }
+
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
+        numbers_.clear();
+        try {
+            if (!set(x)) {
+                return false;
+            }
+            visit_results(numbers_, input_);
+        } catch (const InputError& error) {
+            reason_ = {error.where_message(), error.allowed_message()};
+            return false;
+        }
+        bool whole = true;
+        for (std::size_t w = 0; w < y.size(); ++w) {
+            if (const auto value = numbers_.value(w)) {
+                y[w] = *value;
+            } else if (whole) {
+                whole = false;
+                Message why = numbers_.why(w);
+                reason_ = {numbers_.pointer(w), why.empty() ? Message(no_value) : std::move(why)};
+            }
+        }
+        return whole;
+    }
+
+  private:
+    bool set(std::span<const double> x) {
+        if (!has_places_) {
+            for (std::size_t j = 0; j < x.size(); ++j) {
+                *slots_[j] = x[j];
+            }
+            input_ = read_input(json_, context_);
+            return true;
+        }
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            const NumberPlace& place = places_[j];
+            if (const Range* range = left_one({&place.range, &place.size}, x[j])) {
+                reason_ = {"/input" + varied_[j], range->message()};
+                return false;
+            }
+            *place.value = x[j] * place.unit;
+        }
+        check_input(input_);
+        return true;
+    }
+
+    CaseContext context_;
+    Json json_;
+    std::vector<std::string> varied_;
+    Input input_;
+    std::vector<NumberPlace> places_;
+    std::vector<Json*> slots_;
+    bool has_places_ = true;
+    ResultNumbers numbers_;
+};
+
+}  // namespace ravnoves

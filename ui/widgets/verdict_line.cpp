@@ -1,0 +1,164 @@
+#include "widgets/verdict_line.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <cmath>
+
+#include "text/message_text.h"
+#include "theme/theme.h"
+#include "widgets/layouts.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int signSize = 18;
+
+QColor colourOf(Severity severity) {
+    const Theme& theme = Theme::instance();
+    switch (severity) {
+        case Severity::good:
+            return theme.good();
+        case Severity::warning:
+            return theme.warning();
+        case Severity::error:
+            return theme.error();
+        case Severity::note:
+            break;
+    }
+    return theme.accent();
+}
+
+QPainterPath outlineOf(const QRectF& square, Severity severity) {
+    QPainterPath outline;
+    if (severity == Severity::warning) {
+        outline.moveTo(square.center().x(), square.top());
+        outline.lineTo(square.bottomRight());
+        outline.lineTo(square.bottomLeft());
+        outline.closeSubpath();
+    } else if (severity == Severity::error) {
+        QPolygonF octagon;
+        for (int i = 0; i < 8; ++i) {
+            const double angle = (i + 0.5) * M_PI_4;
+            octagon << square.center() +
+                           0.5 * square.width() * QPointF(std::cos(angle), std::sin(angle));
+        }
+        outline.addPolygon(octagon);
+        outline.closeSubpath();
+    } else {
+        outline.addEllipse(square);
+    }
+    return outline;
+}
+
+}  // namespace
+
+QString severityName(Severity severity) {
+    switch (severity) {
+        case Severity::good:
+            return VerdictLine::tr("OK");
+        case Severity::warning:
+            return VerdictLine::tr("Warning");
+        case Severity::error:
+            return VerdictLine::tr("Problem");
+        case Severity::note:
+            break;
+    }
+    return VerdictLine::tr("Note");
+}
+
+void paintSeverity(QPainter& painter, const QRectF& square, Severity severity) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillPath(outlineOf(square, severity), colourOf(severity));
+    const double unit = square.width() / 16.0;
+    const QPointF middle = square.center();
+    painter.setPen(QPen(Theme::instance().panel(), 2.0 * unit, Qt::SolidLine, Qt::RoundCap));
+    const auto line = [&](double x1, double y1, double x2, double y2) {
+        painter.drawLine(middle + unit * QPointF(x1, y1), middle + unit * QPointF(x2, y2));
+    };
+    switch (severity) {
+        case Severity::good:
+            line(-3.5, 0.5, -1.0, 3.0);
+            line(-1.0, 3.0, 3.5, -2.5);
+            break;
+        case Severity::note:
+            line(0.0, -0.5, 0.0, 4.0);
+            line(0.0, -4.0, 0.0, -4.0);
+            break;
+        case Severity::warning:
+            line(0.0, -2.5, 0.0, 2.5);
+            line(0.0, 5.8, 0.0, 5.8);
+            break;
+        case Severity::error:
+            line(-2.8, -2.8, 2.8, 2.8);
+            line(-2.8, 2.8, 2.8, -2.8);
+            break;
+    }
+}
+
+VerdictLine::VerdictLine(QWidget* parent)
+    : QWidget(parent),
+      sign_(new QLabel(this)),
+      word_(new QLabel(this)),
+      text_(new QLabel(this)),
+      act_(new QPushButton(this)) {
+    QHBoxLayout* row = rowIn(this, Theme::space, {Theme::space, 0, Theme::space, 0});
+    QFont bold = word_->font();
+    bold.setBold(true);
+    word_->setFont(bold);
+    text_->setObjectName(QStringLiteral("verdict"));
+    text_->setTextFormat(Qt::PlainText);
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    act_->setObjectName(QStringLiteral("verdict_act"));
+    row->addWidget(sign_);
+    row->addWidget(word_);
+    row->addWidget(text_, 1);
+    row->addWidget(act_);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
+    connect(&Theme::instance(), &Theme::changed, this, &VerdictLine::showColours);
+    showColours();
+}
+
+void VerdictLine::show(const Verdict& verdict, const QString& act) {
+    severity_ = verdict.severity;
+    word_->setText(severityName(severity_));
+    text_->setText(messageText(verdict.text));
+    act_->setText(act);
+    act_->setVisible(!act.isEmpty());
+    setAccessibleName(text());
+    showColours();
+}
+
+QString VerdictLine::text() const {
+    return word_->text() + QStringLiteral(": ") + text_->text();
+}
+
+void VerdictLine::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        showColours();
+    }
+}
+
+void VerdictLine::showColours() {
+    const int size = Theme::withText(signSize);
+    QPixmap sign(QSize(size, size) * devicePixelRatioF());
+    sign.setDevicePixelRatio(devicePixelRatioF());
+    sign.fill(Qt::transparent);
+    QPainter painter(&sign);
+    paintSeverity(painter, QRectF(0.5, 0.5, size - 1.0, size - 1.0), severity_);
+    painter.end();
+    sign_->setPixmap(sign);
+    QPalette colours = word_->palette();
+    colours.setColor(QPalette::WindowText, Theme::instance().readable(colourOf(severity_)));
+    word_->setPalette(colours);
+}
+
+}  // namespace ravnoves

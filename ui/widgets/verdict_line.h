@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <string_view>
+
+#include "case-file/verdict.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ravnoves {
+
+/// The first line of a page: how good or bad the answer is (sign, word and colour), what holds, and
+/// at most one button that does the next sensible thing. The sign's shape and the word say without
+/// colour what the severity is.
+class VerdictLine : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit VerdictLine(QWidget* parent = nullptr);
+
+    /// @param act  what the button says; without it there is no button
+    void show(const Verdict& verdict, const QString& act = {});
+    /// As it is read out and copied: "Warning: …".
+    QString text() const;
+
+  Q_SIGNALS:
+    /// The button was pressed.
+    void acted();
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void showColours();
+
+    Severity severity_ = Severity::good;
+    QLabel* sign_;
+    QLabel* word_;
+    QLabel* text_;
+    QPushButton* act_;
+};
+
+/// The word of a severity, in the language of the program.
+QString severityName(Severity severity);
+/// Draws its sign: a tick, a dot, a triangle, a cross in an octagon.
+void paintSeverity(QPainter& painter, const QRectF& square, Severity severity);
+
+}  // namespace ravnoves
