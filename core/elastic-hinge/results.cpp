@@ -17,7 +17,7 @@ namespace {
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::notes;
 using ravnoves::result_field::reason;
-namespace field = result_field;
+namespace key = result_field;
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
 constexpr double most_relative_error = 0.05;
@@ -46,16 +46,16 @@ std::optional<double> when(bool there, double value) {
     return there ? std::optional(value) : std::nullopt;
 }
 
-void visit_branch(ResultVisitor& visitor, const ResultField& key, const BranchSummary& branch) {
-    visitor.object_or_null(key, branch.exists, [&] {
-        visitor.number(field::min_radius, branch.min_radius);
-        visitor.number(field::max_radius, branch.max_radius);
-        visitor.number(field::smallest_curvature_radius, branch.smallest_curvature_radius);
-        visitor.number(field::largest_roller_radius, branch.largest_roller_radius);
-        visitor.flag(field::undercut, branch.undercut);
-        visitor.number(field::profile_min_radius, branch.profile_min_radius);
-        visitor.number(field::profile_max_radius, branch.profile_max_radius);
-        visitor.number(field::max_pressure_angle, branch.max_pressure_angle);
+void visit_branch(ResultVisitor& visitor, const ResultField& field, const BranchSummary& branch) {
+    visitor.object_or_null(field, branch.exists, [&] {
+        visitor.number(key::min_radius, branch.min_radius);
+        visitor.number(key::max_radius, branch.max_radius);
+        visitor.number(key::smallest_curvature_radius, branch.smallest_curvature_radius);
+        visitor.number(key::largest_roller_radius, branch.largest_roller_radius);
+        visitor.flag(key::undercut, branch.undercut);
+        visitor.number(key::profile_min_radius, branch.profile_min_radius);
+        visitor.number(key::profile_max_radius, branch.profile_max_radius);
+        visitor.number(key::max_pressure_angle, branch.max_pressure_angle);
     });
 }
 
@@ -64,27 +64,27 @@ void visit_guide(ResultVisitor& visitor, const Guide& guide) {
     const bool made = guide.feasible;
     visitor.flag(feasible, guide.feasible);
     visitor.text(reason, guide.reason);
-    visitor.number(field::preload, when(known, guide.preload));
-    visitor.number(field::minimum_preload, when(known, guide.minimum_preload));
-    visitor.number(field::minimum_stiffness, known ? guide.minimum_stiffness : std::nullopt);
+    visitor.number(key::preload, when(known, guide.preload));
+    visitor.number(key::minimum_preload, when(known, guide.minimum_preload));
+    visitor.number(key::minimum_stiffness, known ? guide.minimum_stiffness : std::nullopt);
     visitor.number(
-        field::first_missing_crank_angle,
+        key::first_missing_crank_angle,
         when(guide.problem == GuideProblem::preload_too_small, guide.first_missing_angle));
-    visitor.number(field::worst_crank_angle, when(known, guide.worst_angle));
-    visitor.word(field::branch, known ? word_of(guide.branch) : "");
-    visitor.number(field::relief, when(made, guide.relief));
-    visitor.number(field::spring_travel, when(made, guide.spring_travel));
-    visitor.number(field::largest_spring_force, when(made, guide.largest_spring_force));
-    visitor.number(field::smallest_spring_force, when(made, guide.smallest_spring_force));
-    visitor.number(field::largest_moment, when(known, guide.largest_moment));
-    visit_branch(visitor, field::compressed, guide.compressed);
-    visit_branch(visitor, field::stretched, guide.stretched);
-    visitor.object_or_null(field::profile_error, made, [&] {
-        visitor.number(field::amplitude, guide.error.amplitude);
-        visitor.integer(field::waves, guide.error.waves);
-        visitor.number(field::error_torque, guide.error.torque);
-        visitor.number(field::relative_torque, guide.error.relative);
-        visitor.number(field::error_energy, guide.error.energy);
+    visitor.number(key::worst_crank_angle, when(known, guide.worst_angle));
+    visitor.word(key::branch, known ? word_of(guide.branch) : "");
+    visitor.number(key::relief, when(made, guide.relief));
+    visitor.number(key::spring_travel, when(made, guide.spring_travel));
+    visitor.number(key::largest_spring_force, when(made, guide.largest_spring_force));
+    visitor.number(key::smallest_spring_force, when(made, guide.smallest_spring_force));
+    visitor.number(key::largest_moment, when(known, guide.largest_moment));
+    visit_branch(visitor, key::compressed, guide.compressed);
+    visit_branch(visitor, key::stretched, guide.stretched);
+    visitor.object_or_null(key::profile_error, made, [&] {
+        visitor.number(key::amplitude, guide.error.amplitude);
+        visitor.integer(key::waves, guide.error.waves);
+        visitor.number(key::error_torque, guide.error.torque);
+        visitor.number(key::relative_torque, guide.error.relative);
+        visitor.number(key::error_energy, guide.error.energy);
     });
 }
 
@@ -94,42 +94,42 @@ void visit_proposal(ResultVisitor& visitor, const GuideProposal& proposal) {
     if (!proposal.found) {
         return;
     }
-    visitor.word(field::branch, word_of(proposal.branch));
-    visitor.object(field::spring, [&] {
-        visitor.number(field::stiffness, proposal.spring.stiffness);
-        visitor.number(field::free_length, proposal.spring.free_length);
-        visitor.number(field::guide_radius_at_zero, proposal.spring.guide_radius_at_zero);
+    visitor.word(key::branch, word_of(proposal.branch));
+    visitor.object(key::spring, [&] {
+        visitor.number(key::stiffness, proposal.spring.stiffness);
+        visitor.number(key::free_length, proposal.spring.free_length);
+        visitor.number(key::guide_radius_at_zero, proposal.spring.guide_radius_at_zero);
     });
-    visitor.number(field::relief, proposal.relief);
-    visitor.number(field::outer_diameter, proposal.outer_diameter);
-    visitor.number(field::smallest_spring_length, proposal.smallest_spring_length);
-    visitor.number(field::largest_spring_force, proposal.largest_spring_force);
-    visitor.number(field::largest_spring_energy, proposal.largest_spring_energy);
+    visitor.number(key::relief, proposal.relief);
+    visitor.number(key::outer_diameter, proposal.outer_diameter);
+    visitor.number(key::smallest_spring_length, proposal.smallest_spring_length);
+    visitor.number(key::largest_spring_force, proposal.largest_spring_force);
+    visitor.number(key::largest_spring_energy, proposal.largest_spring_energy);
 }
 
 void visit_motion(ResultVisitor& visitor, const Motion& motion) {
     visitor.flag(feasible, true);
-    visitor.word(field::end, word_of(motion.end));
+    visitor.word(key::end, word_of(motion.end));
     visitor.text(reason, motion.reason);
-    visitor.number(field::time, motion.time.back());
-    visitor.number(field::end_crank_angle, motion.crank_angle.back());
-    visitor.number(field::speed, motion.speed.back());
-    visitor.number(field::mean_speed, motion.mean_speed);
-    visitor.number(field::min_speed, motion.min_speed);
-    visitor.number(field::max_speed, motion.max_speed);
-    visitor.number(field::speed_ripple, motion.ripple);
-    visitor.number(field::energy_drift, motion.energy_drift);
-    visitor.integer(field::steps, motion.steps);
+    visitor.number(key::time, motion.time.back());
+    visitor.number(key::end_crank_angle, motion.crank_angle.back());
+    visitor.number(key::speed, motion.speed.back());
+    visitor.number(key::mean_speed, motion.mean_speed);
+    visitor.number(key::min_speed, motion.min_speed);
+    visitor.number(key::max_speed, motion.max_speed);
+    visitor.number(key::speed_ripple, motion.ripple);
+    visitor.number(key::energy_drift, motion.energy_drift);
+    visitor.integer(key::steps, motion.steps);
 }
 
 /// Without and, where their guides exist, with hinges.
 void visit_motions(ResultVisitor& visitor, const Input& input, const Result& result) {
     const std::array<std::pair<const ResultField*, HingeSet>, 3> sets{
-        {{&field::without_hinge, HingeSet::none},
-         {&field::with_crank_hinge, HingeSet::crank},
-         {&field::with_both_hinges, HingeSet::crank_and_rod}}};
-    for (const auto& [key, hinges] : sets) {
-        visitor.object(*key, [&, hinges = hinges] {
+        {{&key::without_hinge, HingeSet::none},
+         {&key::with_crank_hinge, HingeSet::crank},
+         {&key::with_both_hinges, HingeSet::crank_and_rod}}};
+    for (const auto& [field, hinges] : sets) {
+        visitor.object(*field, [&, hinges = hinges] {
             const Guide& guide = hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod
                                                                    : result.crank_guide;
             if (!result.design->has_exact_kinematics()) {
@@ -151,62 +151,62 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
     const double g = result.design->mechanism().gravity;
     visit_verdict(visitor, verdict(input, result));
-    visitor.number(field::rod_hinge_moment_integral, result.rod_hinge_integral);
+    visitor.number(key::rod_hinge_moment_integral, result.rod_hinge_integral);
     if (result.has_counterweight) {
-        visitor.number(field::counterweight_weight, result.counterweight_mass * g);
-        visitor.number(field::counterweight_mass, result.counterweight_mass);
-        visitor.number(field::balancing_weight, result.balancing_mass * g);
+        visitor.number(key::counterweight_weight, result.counterweight_mass * g);
+        visitor.number(key::counterweight_mass, result.counterweight_mass);
+        visitor.number(key::balancing_weight, result.balancing_mass * g);
     }
-    visitor.object(field::guide, [&] { visit_guide(visitor, result.crank_guide); });
-    visitor.object(field::guide_beside_rod_hinge,
+    visitor.object(key::guide, [&] { visit_guide(visitor, result.crank_guide); });
+    visitor.object(key::guide_beside_rod_hinge,
                    [&] { visit_guide(visitor, result.crank_guide_with_rod); });
-    visitor.object(field::rod_hinge_guide, [&] {
+    visitor.object(key::rod_hinge_guide, [&] {
         visit_guide(visitor, result.rod_guide);
-        visitor.numbers(field::hinge_angle, result.rod_guide.polar_angle);
-        visitor.numbers(field::guide_radius_compressed, result.rod_guide.radius_compressed);
-        visitor.numbers(field::guide_radius_stretched, result.rod_guide.radius_stretched);
+        visitor.numbers(key::hinge_angle, result.rod_guide.polar_angle);
+        visitor.numbers(key::guide_radius_compressed, result.rod_guide.radius_compressed);
+        visitor.numbers(key::guide_radius_stretched, result.rod_guide.radius_stretched);
     });
     if (input.guide_search) {
-        visitor.object(field::guide_search, [&] {
+        visitor.object(key::guide_search, [&] {
             GuideProposal none;
             none.reason =
                 CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed");
             visit_proposal(visitor, result.proposal.value_or(none));
         });
     }
-    visitor.object(field::side_force, [&] {
+    visitor.object(key::side_force, [&] {
         const double with = result.largest_side_force_with;
         const double without = result.largest_side_force_without;
-        visitor.number(field::largest_without_hinge, without);
-        visitor.number(field::largest_with_hinge, with);
-        visitor.number(field::largest_by_newton_euler,
+        visitor.number(key::largest_without_hinge, without);
+        visitor.number(key::largest_with_hinge, with);
+        visitor.number(key::largest_by_newton_euler,
                        when(!result.side_force_true.empty(), result.largest_side_force_true));
-        visitor.number(field::reduction_factor, when(with > 0.0, without / with));
+        visitor.number(key::reduction_factor, when(with > 0.0, without / with));
     });
-    visitor.object(field::series, [&] {
-        visitor.number(field::largest_cos_psi_error, result.series_error);
-        visitor.number(field::at_crank_angle, result.series_error_angle);
-        visitor.number(field::largest_rod_hinge_moment_error, result.series_moment_error);
+    visitor.object(key::series, [&] {
+        visitor.number(key::largest_cos_psi_error, result.series_error);
+        visitor.number(key::at_crank_angle, result.series_error_angle);
+        visitor.number(key::largest_rod_hinge_moment_error, result.series_moment_error);
     });
     if (input.motion) {
-        visitor.object(field::motion, [&] { visit_motions(visitor, input, result); });
+        visitor.object(key::motion, [&] { visit_motions(visitor, input, result); });
     }
     std::vector<Message> said = result.doubts;
     said.insert(said.end(), result.notes.begin(), result.notes.end());
     said.insert(said.end(), result.guide_notes.begin(), result.guide_notes.end());
     visitor.texts(notes, said);
-    visitor.object(field::curves, [&] {
+    visitor.object(key::curves, [&] {
         const MechanismCurves& curves = result.curves;
-        visitor.numbers(field::crank_angle, result.crank_angle_deg);
-        visitor.numbers(field::reduced_inertia, curves.reduced_inertia);
-        visitor.numbers(field::crank_moment, curves.crank_moment);
-        visitor.numbers(field::rod_hinge_moment, curves.rod_hinge_moment);
-        visitor.numbers(field::rod_hinge_moment_potential, curves.rod_hinge_moment_potential);
-        visitor.numbers(field::side_force_without_hinge, curves.side_force_without_hinge);
-        visitor.numbers(field::side_force_with_hinge, curves.side_force_with_hinge);
-        visitor.numbers(field::crank_moment_with_rod_hinge, curves.crank_moment_with_rod_hinge);
-        visitor.numbers(field::guide_radius_compressed, result.crank_guide.radius_compressed);
-        visitor.numbers(field::guide_radius_stretched, result.crank_guide.radius_stretched);
+        visitor.numbers(key::crank_angle, result.crank_angle_deg);
+        visitor.numbers(key::reduced_inertia, curves.reduced_inertia);
+        visitor.numbers(key::crank_moment, curves.crank_moment);
+        visitor.numbers(key::rod_hinge_moment, curves.rod_hinge_moment);
+        visitor.numbers(key::rod_hinge_moment_potential, curves.rod_hinge_moment_potential);
+        visitor.numbers(key::side_force_without_hinge, curves.side_force_without_hinge);
+        visitor.numbers(key::side_force_with_hinge, curves.side_force_with_hinge);
+        visitor.numbers(key::crank_moment_with_rod_hinge, curves.crank_moment_with_rod_hinge);
+        visitor.numbers(key::guide_radius_compressed, result.crank_guide.radius_compressed);
+        visitor.numbers(key::guide_radius_stretched, result.crank_guide.radius_stretched);
     });
 }
 

@@ -1,29 +1,55 @@
 #include "scenes/responses.h"
 
-#include "balance-shaft/quick_values.h"
+#include <utility>
+
+#include "balance-shaft/input_check.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
+#include "elastic-hinge/results.h"
+#include "elastic-hinge/scene.h"
+#include "inertia-moments/results.h"
+#include "inertia-moments/scene.h"
+#include "scenes/typed_response.h"
 
 namespace ravnoves {
 
-std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext& context,
-                                         std::span<const std::string> varied,
-                                         std::span<const std::string> watched) {
-    // One line for each scene that has them.
-    if (file.scene == "balance-shaft") {
-        return balance_shaft::quick_response(balance_shaft::read_input(file.input, context), varied,
-                                             watched);
-    }
-    return nullptr;
+namespace {
+
+template <typename Input, auto read>
+Input read_alone(const Json& json, const CaseContext& /*context*/) {
+    return read(json);
 }
 
-BuildableOf quick_buildable(const CaseFile& file, const CaseContext& context,
-                            std::span<const std::string> varied) {
+template <typename Input, auto read, auto check>
+std::unique_ptr<Response> respond(const CaseFile& file, const CaseContext& context,
+                                  std::span<const std::string> varied,
+                                  std::span<const std::string> watched) {
+    return std::make_unique<TypedResponse<Input, read, check>>(file.input, context, varied,
+                                                               watched);
+}
+
+}  // namespace
+
+std::unique_ptr<Response> typed_response(const CaseFile& file, const CaseContext& context,
+                                         std::span<const std::string> varied,
+                                         std::span<const std::string> watched) {
     if (file.scene == "balance-shaft") {
-        return balance_shaft::quick_buildable(balance_shaft::read_input(file.input, context),
-                                              varied);
+        using Input = balance_shaft::Input;
+        return respond<Input, balance_shaft::read_input, balance_shaft::check_joined>(
+            file, context, varied, watched);
     }
-    return {};
+    if (file.scene == "elastic-hinge") {
+        using Input = elastic_hinge::Input;
+        return respond<Input, read_alone<Input, elastic_hinge::read_input>,
+                       elastic_hinge::check_input>(file, context, varied, watched);
+    }
+    if (file.scene == "inertia-moments") {
+        using Input = inertia_moments::Input;
+        return respond<Input, read_alone<Input, inertia_moments::read_input>,
+                       inertia_moments::check_input>(file, context, varied, watched);
+    }
+    return nullptr;
 }
 
 std::optional<std::string> buildable_value(const CaseFile& file) {
@@ -42,18 +68,6 @@ std::vector<Message> file_notes(const CaseFile& file, const CaseContext& context
         }
     }
     return notes;
-}
-
-std::optional<BestChoice> best_choice(const CaseFile& file) {
-    if (file.scene == "balance-shaft") {
-        return BestChoice{"/shaft_angle_deg",
-                          "/metrics/M_ups/range_Nm",
-                          "/optimum/range/shaft_angle_deg",
-                          "/optimum_buildable/range/shaft_angle_deg",
-                          "/moment_amplitude_Nm",
-                          "/buildable/shaft_angles_deg"};
-    }
-    return std::nullopt;
 }
 
 }  // namespace ravnoves
