@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "case-file/decimal.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/result_fields.h"
 #include "inertia-moments/solver.h"
@@ -230,7 +231,7 @@ void visit_curves(ResultVisitor& visitor, const ResultField& field, const Wrench
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    visit_verdict(visitor, verdict(result));
+    visit_verdict(visitor, verdict(input, result));
     const Engine& engine = result.engine;
     std::vector<double> pins;
     std::vector<double> tops;
@@ -269,17 +270,14 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
     visit_results(visitor, input, solve(input));
 }
 
-Verdict verdict(const Result& result) {
-    if (!result.exact.accurate) {
-        return {Severity::warning, less_accurate};
-    }
-    if (!result.notes.empty()) {
-        return {Severity::warning, result.notes.front()};
-    }
+namespace {
+
+/// The largest residuals of the orders that matter, without warnings.
+Verdict residual_verdict(const EngineOrders& remaining) {
     constexpr int orders_that_matter = 4;
     const EngineOrder* force = nullptr;
     const EngineOrder* moment = nullptr;
-    for (const EngineOrder& order : result.remaining.orders) {
+    for (const EngineOrder& order : remaining.orders) {
         if (order.order > orders_that_matter) {
             break;
         }
@@ -292,28 +290,49 @@ Verdict verdict(const Result& result) {
             moment = &order;
         }
     }
-    const auto largest = [](const Text& pattern, const EngineOrder& order, double value,
-                            const Unit& unit) {
-        return Message(pattern, Number{value / unit, unit, 4}, order.order);
-    };
-    constexpr Text force_text =
-        CORE_TEXT("inertia-moments", "Largest residual force: %1, order %2.");
-    constexpr Text moment_text =
-        CORE_TEXT("inertia-moments", "Largest residual moment: %1, order %2.");
     if (force == nullptr && moment == nullptr) {
         return {Severity::good,
                 Message(CORE_TEXT("inertia-moments",
                                   "Forces and moments of orders 1 to 4 are balanced."))};
     }
-    Message text;
+    std::vector<Message> said;
     if (force != nullptr) {
-        text = largest(force_text, *force, force->force.max(), units::newton);
+        said.emplace_back(CORE_TEXT("inertia-moments", "Largest residual force: %1, order %2."),
+                          Number{rounded_to_digits(force->force.max(), 4), units::newton},
+                          force->order);
     }
     if (moment != nullptr) {
-        Message also = largest(moment_text, *moment, moment->moment.max(), units::N_m);
-        text = text.empty() ? also : Message(Text{"", "%1 %2"}, text, also);
+        said.emplace_back(CORE_TEXT("inertia-moments", "Largest residual moment: %1, order %2."),
+                          Number{rounded_to_digits(moment->moment.max(), 4), units::N_m},
+                          moment->order);
     }
-    return {Severity::note, text};
+    return {Severity::note,
+            said.size() == 1 ? said.front() : Message(Text{"", "%1 %2"}, said[0], said[1])};
+}
+
+}  // namespace
+
+Verdict verdict(const Input& input, const Result& result) {
+    Verdict verdict = residual_verdict(result.remaining);
+    for (const Message& note : result.notes) {
+        verdict.warn(note);
+    }
+    if (!result.exact.accurate) {
+        verdict.warn(less_accurate);
+    }
+    const Difference* worst = nullptr;
+    for (const Difference& difference : result.differences) {
+        if (difference.warning && (worst == nullptr || difference.of_largest > worst->of_largest)) {
+            worst = &difference;
+        }
+    }
+    if (worst != nullptr && input.shaft_basis == DesignBasis::two_term && !result.shafts.empty()) {
+        verdict.warn({CORE_TEXT("inertia-moments",
+                                "The shafts are designed by the two-term form, which is "
+                                "inaccurate here: %1."),
+                      describe(*worst)});
+    }
+    return verdict;
 }
 
 }  // namespace ravnoves::inertia_moments

@@ -13,8 +13,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// @throws InputError as solve()
 void visit_results(ResultVisitor& visitor, const Input& input);
 
-/// The largest residual force and moment of orders 1 to 4, or a slip of the input that puts them
-/// in doubt.
-Verdict verdict(const Result& result);
+/// The largest residual force and moment of orders 1 to 4, and what puts them in doubt.
+Verdict verdict(const Input& input, const Result& result);
 
 }  // namespace ravnoves::inertia_moments

@@ -7,7 +7,6 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "theme/theme.h"
-#include "widgets/apart.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/mechanism_picture.h"
@@ -42,15 +41,10 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
-    warning_ = copyableCaption("warning", panel);
-    warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
-    answerColumn->addWidget(new Apart(warning_, panel));
     column->addWidget(panel, 5);
 
     connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showFront);
-    connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showWarning);
     showFront();
-    showWarning();
 }
 
 void InertiaMomentsAnswer::addTable(const QString& title, const QString& name, Find results) {
@@ -66,12 +60,6 @@ void InertiaMomentsAnswer::showFront() {
     front.table->setResults((model_->*front.results)());
 }
 
-void InertiaMomentsAnswer::showWarning() {
-    colourText(warning_, &Theme::warning);
-    warning_->setText(model_->warningText());
-    warning_->parentWidget()->setVisible(!warning_->text().isEmpty());
-}
-
 void InertiaMomentsAnswer::fill() const {
     for (const Table& each : tables_) {
         each.table->setResults((model_->*each.results)());
@@ -84,7 +72,7 @@ QString InertiaMomentsAnswer::asText() const {
     for (const Table& each : tables_) {
         text += each.table->asText() + QLatin1Char('\n');
     }
-    return text + model_->warningText() + QLatin1Char('\n');
+    return text;
 }
 
 QString InertiaMomentsAnswer::asCsv() const {

@@ -37,7 +37,6 @@ class InertiaMomentsAnswer : public QWidget {
 
     void addTable(const QString& title, const QString& name, Find results);
     void showFront();
-    void showWarning();
     /// Fills the tables that are not in front too.
     void fill() const;
 
@@ -45,7 +44,6 @@ class InertiaMomentsAnswer : public QWidget {
     EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
-    QLabel* warning_;
     std::vector<Table> tables_;
 };
 

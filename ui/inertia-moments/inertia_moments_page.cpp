@@ -9,6 +9,7 @@
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -20,14 +21,21 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     sliders_ = new EngineSliders(model_, this);
     charts_ = new InertiaMomentsCharts(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
+    auto* verdict = new VerdictLine(this);
+    const auto showVerdict = [this, verdict] { verdict->show(model_->verdict()); };
+    connect(model_, &SceneModel::changed, verdict, showVerdict);
+    showVerdict();
+    QVBoxLayout* column = columnIn(this);
+    column->addWidget(verdict);
     // The sliders over plots and picture: they need length.
-    columnIn(this)->addWidget(new PageColumns({.inputs = inputs,
-                                               .tabs = inputs,
-                                               .plots = scrolled(charts_, this),
-                                               .results = answer_,
-                                               .resultShare = 3,
-                                               .top = sliders_},
-                                              this));
+    column->addWidget(new PageColumns({.inputs = inputs,
+                                       .tabs = inputs,
+                                       .plots = scrolled(charts_, this),
+                                       .results = answer_,
+                                       .resultShare = 3,
+                                       .top = sliders_},
+                                      this),
+                      1);
 
     followTabs(inputs, Tabs::Inputs);
     followTabs(charts_->tabs(), Tabs::Charts);

@@ -266,7 +266,7 @@ TEST_F(InertiaMomentsPageTest, TwoStrokesFireInOneTurn) {
 }
 
 TEST_F(InertiaMomentsPageTest, ARadialIsSaidToHavePlainRods) {
-    EXPECT_FALSE(model->warningText().contains(QStringLiteral("master")));
+    EXPECT_FALSE(messageText(model->verdict().text).contains(QStringLiteral("master")));
     model->edit(QStringLiteral("radial"), [](inertia_moments::Input& input) {
         input.layout.reset();
         input.firing_order.clear();
@@ -274,7 +274,7 @@ TEST_F(InertiaMomentsPageTest, ARadialIsSaidToHavePlainRods) {
             input.cylinders.push_back({0.0, i * 72.0 * degree, 0.0, 0.0});
         }
     });
-    EXPECT_TRUE(model->warningText().contains(QStringLiteral("master")));
+    EXPECT_TRUE(messageText(model->verdict().text).contains(QStringLiteral("master")));
     EXPECT_TRUE(page.resultsAsText().contains(QStringLiteral("articulated")));
     EXPECT_FALSE(page.grab().isNull());
 }
@@ -299,11 +299,11 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     QTableView* view = page.cylinderEditor()->view();
     EXPECT_EQ(view->model()->columnCount(), CylinderTableModel::KnuckleRadius);
     const double plain = model->result().exact.order(2).force.max();
-    EXPECT_TRUE(model->warningText().contains(QStringLiteral("Articulated rods")));
+    EXPECT_TRUE(messageText(model->verdict().text).contains(QStringLiteral("Articulated rods")));
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Space);
     EXPECT_TRUE(box->isChecked());
-    EXPECT_FALSE(model->warningText().contains(QStringLiteral("plain rods")));
+    EXPECT_FALSE(messageText(model->verdict().text).contains(QStringLiteral("plain rods")));
     EXPECT_GT(model->result().exact.order(2).force.max(), plain + 100.0);
     ASSERT_EQ(view->model()->columnCount(), CylinderTableModel::Columns);
     const auto cell = [&](int row, int column) { return view->model()->index(row, column); };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "inertia-moments/presets.h"
+#include "inertia-moments/results.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
 #include "model/crank_angle.h"
@@ -140,8 +141,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     Results shaftResults() const;
     Results weightResults() const;
     Results remainingResults() const;
-    /// Where the two-term form is not enough, one sentence a line; empty where it is.
-    QString warningText() const;
+    Verdict verdict() const { return inertia_moments::verdict(input(), result()); }
 
   Q_SIGNALS:
     void tabChanged(InertiaMomentsModel::Tabs group, int index);

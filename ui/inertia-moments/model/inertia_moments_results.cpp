@@ -285,37 +285,4 @@ Results InertiaMomentsModel::remainingResults() const {
     return results;
 }
 
-QString InertiaMomentsModel::warningText() const {
-    QStringList lines;
-    for (const Message& note : result().notes) {
-        lines << messageText(note);
-    }
-    std::vector<const Difference*> warnings;
-    for (const Difference& d : result().differences) {
-        if (d.warning) {
-            warnings.push_back(&d);
-        }
-    }
-    std::stable_sort(warnings.begin(), warnings.end(),
-                     [](const auto* a, const auto* b) { return a->of_largest > b->of_largest; });
-    if (!warnings.empty()) {
-        QStringList parts;
-        for (const Difference* d : warnings) {
-            if (parts.size() == 3) {
-                parts << tr("and %n more", nullptr, static_cast<int>(warnings.size()) - 3);
-                break;
-            }
-            const QString named = componentName(*d);
-            const QString name =
-                tr("%1 of order %2").arg(named.section(wideSpace, 1)).arg(d->order);
-            parts << (d->two_term == 0.0
-                          ? tr("%1 is left out (%2 % of the largest)")
-                                .arg(name, number(100.0 * d->of_largest, 1))
-                          : tr("%1 is %2 % off").arg(name, number(100.0 * *d->relative, 1)));
-        }
-        lines << tr("Two-term is not enough: %1.").arg(parts.join(QStringLiteral("; ")));
-    }
-    return lines.join(QLatin1Char('\n'));
-}
-
 }  // namespace ravnoves
