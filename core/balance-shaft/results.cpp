@@ -477,9 +477,7 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
         return;
     }
     Result result;
-    const bool orders = visitor.wants("metrics/M_ups/rms_Nm") || visitor.wants("optimum/rms") ||
-                        visitor.wants("change_without_shaft");
-    Moments(input, orders).fill(input, visitor.wants(key::optimum.key), result);
+    Moments(input).fill(input, visitor.wants(key::optimum.key), result);
     visit_moments(visitor, result);
 }
 

@@ -20,12 +20,10 @@ Json write_kept(const Input& input);
 /// Takes them over into an input that was read. A file that cannot be read stays named.
 /// @throws InputError that names the JSON pointer
 void read_kept(const Json& kept, const CaseContext& context, Input& input);
-/// The "result" object of the contract without what is computed beside the result.
-Json write_result(const Result& result);
 /// The "result" object of the contract, with what this program adds: the result and what is
-/// computed beside it (crank-only balancing, gear error) at the result's α, where that is wanted.
+/// computed beside it (crank-only balancing, gear error) at the result's α.
 /// Page and command line both print this.
-Json write_result(const Solver& solver, const Result& result, const Wanted& wanted = {});
+Json write_result(const Solver& solver, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError

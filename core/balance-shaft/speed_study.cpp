@@ -12,7 +12,6 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/offset_cylinder.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
@@ -329,63 +328,6 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     answer.gap = answer.value - (by_range ? bound : rms_of(bound));
     answer.worst_speed = worst_speed;
     return answer;
-}
-
-Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map) {
-    if (!study.reason().empty()) {
-        return {{"feasible", false}, {"reason", study.reason().english()}};
-    }
-    Json json = {{"feasible", true}};
-    const auto put = [&](const char* key, double SpeedStudy::Point::*member, double factor) {
-        Json& column = json[key] = Json::array();
-        for (const SpeedStudy::Point& point : study.points()) {
-            column.push_back(point.*member * factor);
-        }
-    };
-    using Point = SpeedStudy::Point;
-    put("speed_rpm", &Point::angular_speed, 1.0 / units::rpm);
-    put("moment_amplitude_Nm", &Point::moment_amplitude, 1.0);
-    put("range_without_shaft_Nm", &Point::range_without, 1.0);
-    put("rms_without_shaft_Nm", &Point::rms_without, 1.0);
-    put("best_range_shaft_angle_deg", &Point::best_range_angle, 1.0 / degree);
-    put("best_range_Nm", &Point::best_range, 1.0);
-    put("best_rms_shaft_angle_deg", &Point::best_rms_angle, 1.0 / degree);
-    put("best_rms_Nm", &Point::best_rms, 1.0);
-    using Criterion = SpeedStudy::Criterion;
-    using Measure = SpeedStudy::Measure;
-    const auto least_bad = [&](const std::vector<AngleStretch>& within) -> Json {
-        const auto one = [&](Criterion criterion, Measure measure, const char* key) -> Json {
-            const SpeedStudy::LeastBad found = study.least_bad_angle(criterion, measure, within);
-            return {{"shaft_angle_deg", found.shaft_angle / degree},
-                    {key, found.value},
-                    {"worst_speed_rpm", found.worst_speed / units::rpm}};
-        };
-        return {{"range", one(Criterion::range, Measure::absolute, "range_Nm")},
-                {"range_relative", one(Criterion::range, Measure::relative, "ratio")},
-                {"rms", one(Criterion::rms, Measure::absolute, "rms_Nm")},
-                {"rms_relative", one(Criterion::rms, Measure::relative, "ratio")}};
-    };
-    json["least_bad"] = least_bad(whole_turn());
-    const BuildableAngles& buildable = study.buildable();
-    json["least_bad_buildable"] = buildable.stretches.empty()
-                                      ? Json{{"reason", buildable.reason.english()}}
-                                      : least_bad(buildable.stretches);
-    if (map) {
-        const std::size_t angles = map->shaft_angle_deg.size();
-        Json ranges = Json::array();
-        Json rms = Json::array();
-        for (std::size_t k = 0; k < study.points().size(); ++k) {
-            const auto from = static_cast<std::ptrdiff_t>(k * angles);
-            const auto to = static_cast<std::ptrdiff_t>((k + 1) * angles);
-            ranges.push_back(
-                std::vector<double>(map->range.begin() + from, map->range.begin() + to));
-            rms.push_back(std::vector<double>(map->rms.begin() + from, map->rms.begin() + to));
-        }
-        json["map"] = {{"shaft_angle_deg", map->shaft_angle_deg},
-                       {"range_Nm", std::move(ranges)},
-                       {"rms_Nm", std::move(rms)}};
-    }
-    return json;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -10,7 +10,6 @@
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/result.h"
-#include "case-file/json_fwd.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -133,8 +132,5 @@ class SpeedStudy {
     std::vector<Point> points_;
     std::vector<Speed> speeds_;
 };
-
-/// The object "speed_band" of a result; the map only where asked for.
-Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map);
 
 }  // namespace ravnoves::balance_shaft

@@ -45,10 +45,4 @@ class Response {
     Reason reason_;
 };
 
-/// Stretches of angles, degrees; the second end may lie beyond 360°.
-using AngleStretches = std::vector<std::pair<double, double>>;
-/// The angles that can be built of an input whose numbers are x, in the units of their keys;
-/// nothing where it is refused. For one thread at a time.
-using BuildableOf = std::function<std::optional<AngleStretches>(std::span<const double> x)>;
-
 }  // namespace ravnoves

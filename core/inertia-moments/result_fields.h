@@ -40,10 +40,15 @@ inline constexpr ResultField balance_shafts{"balance_shafts", units::none, 3,
                                             CORE_TEXT("inertia-moments", "Balance shafts")};
 inline constexpr ResultField counterweights{"counterweights", units::none, 3,
                                             CORE_TEXT("inertia-moments", "Counterweights")};
+inline constexpr ResultField unbalanced{
+    "unbalanced", units::none, 3, CORE_TEXT("inertia-moments", "Before balancing"),
+    CORE_TEXT("inertia-moments", "Exact orders with the rotating masses.")};
 inline constexpr ResultField remaining{"remaining", units::none, 3,
                                        CORE_TEXT("inertia-moments", "Residual")};
 inline constexpr ResultField curves{"curves", units::none, 3,
                                     CORE_TEXT("inertia-moments", "Curves")};
+inline constexpr ResultField unbalanced_curves{
+    "unbalanced_curves", units::none, 3, CORE_TEXT("inertia-moments", "Curves before balancing")};
 inline constexpr ResultField remaining_curves{"remaining_curves", units::none, 3,
                                               CORE_TEXT("inertia-moments", "Residual curves")};
 

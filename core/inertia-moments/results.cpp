@@ -150,9 +150,6 @@ void visit_differences(ResultVisitor& visitor, const Result& result) {
                 warnings.push_back(describe(difference));
             }
         }
-        if (!result.exact.accurate) {
-            warnings.emplace_back(less_accurate);
-        }
         visitor.texts(key::warnings, warnings);
     });
 }
@@ -259,9 +256,11 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     if (result.counterweights) {
         visit_counterweights(visitor, *result.counterweights);
     }
+    visit_orders(visitor, key::unbalanced, result.unbalanced);
     visit_orders(visitor, key::remaining, result.remaining);
     if (input.step) {
         visit_curves(visitor, key::curves, result.curves);
+        visit_curves(visitor, key::unbalanced_curves, result.unbalanced_curves);
         visit_curves(visitor, key::remaining_curves, result.remaining_curves);
     }
 }
@@ -316,9 +315,6 @@ Verdict verdict(const Input& input, const Result& result) {
     Verdict verdict = residual_verdict(result.remaining);
     for (const Message& note : result.notes) {
         verdict.warn(note);
-    }
-    if (!result.exact.accurate) {
-        verdict.warn(less_accurate);
     }
     const Difference* worst = nullptr;
     for (const Difference& difference : result.differences) {

@@ -131,7 +131,8 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
         }
         nominal.push_back(input.at(place).get<double>());
         const Law law = law_of(varied, nominal.back());
-        if (varied.spread != Varied::Spread::grid && !std::isfinite(law.deviation * law.deviation)) {
+        if (varied.spread != Varied::Spread::grid &&
+            !std::isfinite(law.deviation * law.deviation)) {
             throw InputError(vary_place(varied.pointer),
                              CORE_TEXT("studies",
                                        "must scatter less: its moments are no numbers "
@@ -183,9 +184,9 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
                                                  sha256(read_text_file(path)));
     }
     problem.make = [&solver, file, context, study = problem.study]() -> std::unique_ptr<Response> {
-        if (auto quick =
-                quick_response(file, context, pointers_of(study.vary), pointers_of(study.watch))) {
-            return quick;
+        if (auto typed =
+                typed_response(file, context, pointers_of(study.vary), pointers_of(study.watch))) {
+            return typed;
         }
         return std::make_unique<CaseResponse>(solver, file.input, context, study);
     };

@@ -74,7 +74,8 @@ void stated(const Input& input, PaperRows& rows) {
     rows.given("n", "min⁻¹", "6200", input.angular_speed / units::rpm);
     rows.given("a", "m", "0.063", input.layout->spacing);
     // From crankpin 4, three spacings behind the first.
-    rows.given("l", "m", "0.0158", input.layout->first_position - 3.0 * input.layout->spacing);
+    rows.given("l", "m", "0.0158",
+               input.layout->first_position.value() - 3.0 * input.layout->spacing);
 }
 
 void crankpins(const Result& result, PaperRows& rows) {

@@ -19,6 +19,7 @@ namespace {
 
 using test::diesel;
 using test::error_of;
+using test::written;
 
 /// Angles at which the cycle's pressure has a kink, a jump or no Taylor series, from 0 to 4π.
 std::vector<double> breaks(const Input& input) {
@@ -237,7 +238,7 @@ TEST(ComputedTorque, SolverSeesGasPlusInertia) {
         EXPECT_NEAR(curves.M_up[i], -(curves.M_gas[i] + curves.M_inertia[i]), 1e-9);
         EXPECT_EQ(curves.M_gas[i], gas.torque(curves.crank_angle_deg[i] * degree));
     }
-    const Json json = write_result(result);
+    const Json json = written(input);
     EXPECT_EQ(json.at("curves").at("pressure_bar").size(), 721U);
     EXPECT_NEAR(json.at("indicated").at("displacement_cm3").get<double>(), 659.0, 0.5);
     EXPECT_NEAR(json.at("indicated").at("peak_pressure_crank_angle_deg").get<double>(), 365.0,

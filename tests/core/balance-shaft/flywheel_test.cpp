@@ -15,6 +15,7 @@ namespace ravnoves::balance_shaft {
 namespace {
 
 using test::error_of;
+using test::written;
 
 /// M = mean + a sin φ every 0.5° by the spline.
 Input sine(double mean, double amplitude, int strokes) {
@@ -87,7 +88,7 @@ TEST(FlywheelTest, ASteadyTorqueNeedsNone) {
     EXPECT_NEAR(wheel.excess_work, 0.0, 1e-9);
     EXPECT_NEAR(*wheel.inertia, 0.0, 1e-9);
     input.flywheel.reset();
-    const Json json = write_result(solve(input)).at("flywheel");
+    const Json json = written(input).at("flywheel");
     EXPECT_TRUE(json.at("inertia_kg_m2").is_null());
     EXPECT_TRUE(json.at("fluctuation").is_null());
     EXPECT_TRUE(json.at("excess_work_J").is_number());

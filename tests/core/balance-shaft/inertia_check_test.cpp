@@ -12,6 +12,8 @@
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
+using test::written;
+
 namespace {
 
 double angle_of(const Optimum& optimum) {
@@ -19,7 +21,8 @@ double angle_of(const Optimum& optimum) {
 }
 
 TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
-    const Result result = solve(preset_tmz_650d());
+    const Input input = preset_tmz_650d();
+    const Result result = solve(input);
     const InertiaCheck& check = result.inertia_check;
     // Least squares over the eleven rows in a script of its own: 204.914, 0.3275, 0.8377.
     EXPECT_NEAR(*check.fitted, 204.91, 0.05);
@@ -32,7 +35,7 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
     EXPECT_EQ(check.stroke_begin_deg, 0.0);
     EXPECT_EQ(result.notes.front(), check.text);
-    const Json json = write_result(result).at("inertia_check");
+    const Json json = written(input).at("inertia_check");
     EXPECT_EQ(json.at("consistent"), false);
     EXPECT_EQ(json.at("fitted_m_r2_w2_Nm"), *check.fitted);
     EXPECT_EQ(json.at("entered_m_r2_w2_Nm"), check.entered);
@@ -162,11 +165,12 @@ TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
 }
 
 TEST(InertiaCheck, AComputedTorqueIsNotComparedWithItself) {
-    const Result result = solve(engine(1.3, 0.15));
+    const Input input = engine(1.3, 0.15);
+    const Result result = solve(input);
     EXPECT_FALSE(result.inertia_check.consistent);
     EXPECT_FALSE(result.inertia_check.fitted);
     EXPECT_GT(result.inertia_check.entered, 0.0);
-    const Json json = write_result(result).at("inertia_check");
+    const Json json = written(input).at("inertia_check");
     EXPECT_TRUE(json.at("consistent").is_null());
     EXPECT_EQ(json.at("reason"), result.inertia_check.text.english());
     EXPECT_EQ(
@@ -261,7 +265,7 @@ TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
         EXPECT_FALSE(result.inertia_check.fitted);
         EXPECT_FALSE(result.inertia_check.consistent);
         EXPECT_FALSE(result.inertia_check.text.empty());
-        EXPECT_TRUE(write_result(result).at("inertia_check").at("consistent").is_null());
+        EXPECT_TRUE(written(input).at("inertia_check").at("consistent").is_null());
         EXPECT_EQ(with_rebuilt_torque(input, result.inertia_check), input);
         EXPECT_EQ(with_matching_speed(input, result.inertia_check), input);
     }

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 
 namespace ravnoves::balance_shaft::test {
 
@@ -90,6 +92,12 @@ inline TorqueTable random_table(unsigned seed, std::size_t rows, double size = 5
     table.crank_angle_deg.push_back(720.0);
     table.torque.push_back(table.torque.front());
     return table;
+}
+
+/// The "result" object of an input.
+inline Json written(const Input& input) {
+    const Solver solver(input);
+    return write_result(solver, solver.result());
 }
 
 struct Reference {

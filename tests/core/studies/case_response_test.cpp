@@ -52,7 +52,7 @@ TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
     EXPECT_GT(tried, 20);
 }
 
-TEST(QuickResponse, GivesTheNumbersOfTheWholeSolution) {
+TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
     CaseFile file = example("tmz-650d.case.json");
     const Json flat = solve_case(file, {}).at("result").flatten();
     for (const std::array<std::string, 2>& varied :
@@ -61,12 +61,12 @@ TEST(QuickResponse, GivesTheNumbersOfTheWholeSolution) {
         std::vector<std::string> watched;
         for (const auto& item : flat.items()) {
             const std::array<std::string, 1> one{item.key()};
-            if (quick_response(file, {}, varied, one) != nullptr) {
+            if (typed_response(file, {}, varied, one) != nullptr) {
                 watched.push_back(item.key());
             }
         }
         ASSERT_GT(watched.size(), 25U);
-        const auto quick = quick_response(file, {}, varied, watched);
+        const auto quick = typed_response(file, {}, varied, watched);
         std::vector<double> y(watched.size());
         for (int i = 0; i < 4; ++i) {
             std::array<double, 2> x{};
@@ -89,11 +89,11 @@ TEST(QuickResponse, GivesTheNumbersOfTheWholeSolution) {
     }
 }
 
-TEST(QuickResponse, RefusesAsTheWholeSolutionDoes) {
+TEST(TypedResponse, RefusesAsTheWholeSolutionDoes) {
     CaseFile file = example("tmz-650d.case.json");
     const std::array<std::string, 1> varied{"/crank_radius_mm"};
     const std::array<std::string, 1> watched{"/metrics/M_ups/range_Nm"};
-    const auto quick = quick_response(file, {}, varied, watched);
+    const auto quick = typed_response(file, {}, varied, watched);
     double y = 0.0;
     for (const double x : {-46.0, 0.0, 1e-9, 1e120}) {
         file.input["crank_radius_mm"] = x;
