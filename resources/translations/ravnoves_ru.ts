@@ -14503,10 +14503,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ScatterTable</name>
     <message>
-        <source>0.02: anywhere within ± 0.02, as likely here as there. 1 %: within ± 1 % of the value. σ 0.01: normal, with this standard deviation.</source>
-        <translation>0,02: где угодно в пределах ±&#xa0;0,02, равновероятно. 1&#xa0;%: в пределах ±&#xa0;1&#xa0;% от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
-    </message>
-    <message>
         <source>Input</source>
         <translation>Величина</translation>
     </message>
@@ -14515,16 +14511,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Значение</translation>
     </message>
     <message>
-        <source>Nothing is pasted. %1</source>
-        <translation>Ничего не вставлено. %1</translation>
-    </message>
-    <message>
         <source>The case no longer has this input, so the study runs without it. Remove it, or undo.</source>
         <translation>В задаче больше нет этой величины, поэтому исследование идёт без неё. Удалите допуск или отмените изменение.</translation>
     </message>
     <message>
         <source>%1 (no longer in the case)</source>
         <translation>%1 (в задаче больше нет)</translation>
+    </message>
+    <message>
+        <source>0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ 0.01: normal with this standard deviation.</source>
+        <translation>0,02: равномерно в пределах ± 0,02. 1 %: равномерно в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
     </message>
 </context>
 <context>
@@ -15510,8 +15506,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1&#xa0;%, σ&#xa0;0,01.</translation>
     </message>
     <message>
-        <source>The study cannot be read: undo, choose another method, or clear it by “Typical tolerances”, “None”.</source>
-        <translation>Исследование не читается: отмените изменение, выберите другой метод или очистите его: «Типовые допуски», «Нет».</translation>
+        <source>This case lists values of its inputs. The command line computes the table: ravnoves-cli study.</source>
+        <translation>В этой задаче перечислены значения величин. Таблицу вычисляет командная строка: ravnoves-cli study.</translation>
+    </message>
+    <message>
+        <source>To use tolerances here, undo or clear the study by “Typical tolerances”, “Remove all”.</source>
+        <translation>Чтобы использовать допуски здесь, отмените изменение или очистите исследование: «Типовые допуски», «Удалить все».</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::StudyTable</name>
+    <message>
+        <source>Nothing is pasted. %1</source>
+        <translation>Ничего не вставлено. %1</translation>
     </message>
 </context>
 <context>
@@ -15729,10 +15736,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>не более</translation>
     </message>
     <message>
-        <source>&amp;None</source>
-        <translation>&amp;Никаких</translation>
-    </message>
-    <message>
         <source>Sweep</source>
         <translation>Развёртка</translation>
     </message>
@@ -15781,10 +15784,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Главные вклады</translation>
     </message>
     <message>
-        <source>For a case file that lists values of its inputs. The command line computes the table.</source>
-        <translation>Для файла задачи, в котором перечислены значения величин. Таблицу вычисляет командная строка.</translation>
-    </message>
-    <message>
         <source>Enter the tolerance of an input in the column ±, or start with typical tolerances: weighed parts ± %1, machined sizes ± %2.</source>
         <translation>Введите допуск величины в столбец ± или начните с типовых допусков: взвешенные детали ± %1, обработанные размеры ± %2.</translation>
     </message>
@@ -15813,10 +15812,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Значения до изменения; вычисляется …</translation>
     </message>
     <message>
-        <source>A grid has no statistics. The command line computes its table.</source>
-        <translation>У сетки нет статистики. Её таблицу вычисляет командная строка.</translation>
-    </message>
-    <message>
         <source>Rejected: %1 × %2</source>
         <translation>Отклонено: %1 × %2</translation>
     </message>
@@ -15827,6 +15822,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Latin hypercube</source>
         <translation>латинский гиперкуб</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all</source>
+        <translation>&amp;Удалить все</translation>
     </message>
 </context>
 <context>
@@ -16642,16 +16641,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Результат</translation>
     </message>
     <message>
-        <source>At least</source>
-        <translation>Не менее</translation>
+        <source>Minimum</source>
+        <translation>Минимум</translation>
     </message>
     <message>
-        <source>At most</source>
-        <translation>Не более</translation>
-    </message>
-    <message>
-        <source>Nothing is pasted. %1</source>
-        <translation>Ничего не вставлено. %1</translation>
+        <source>Maximum</source>
+        <translation>Максимум</translation>
     </message>
 </context>
 <context>

@@ -110,6 +110,7 @@ void ToleranceBands::hold(bool held) {
 
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == page_ && event->type() == QEvent::Show) {
+        isOfAll_ = false;
         beginLater();
     }
     return QObject::eventFilter(watched, event);
@@ -187,6 +188,7 @@ bool ToleranceBands::makeTwin() {
 void ToleranceBands::begin() {
     rest_.stop();
     if (!isWanted() || !page_->isVisible()) {
+        isOfAll_ = false;
         return;
     }
     ScatteredInputs inputs(page_->model()->inputJson(), study_);

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -14,7 +15,6 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QStandardItemModel>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -128,23 +128,25 @@ void ToleranceWindow::addKeys() {
 }
 
 bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
-    if (event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
+    if (key == Qt::Key_Escape) {
         // In a table it gives up what is typed, or was refused; it does not close the window.
-        auto* editor = object == inputs_->view() ? inputs_ : watched_;
-        editor->takeBackRefused();
+        (object == inputs_->view() ? inputs_ : watched_)->takeBackRefused();
         return true;
     }
-    const QTableView* view = watched_->view();
-    if (object == view && event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        const QModelIndexList cells = view->selectionModel()->selectedIndexes();
+    if (key == Qt::Key_Delete && object == watched_->view()) {
+        const QItemSelection cells = watched_->view()->selectionModel()->selection();
         const bool isLimits =
-            !cells.isEmpty() && std::all_of(cells.begin(), cells.end(), [](const QModelIndex& at) {
-                return at.column() != WatchTable::Name;
+            !cells.isEmpty() && std::all_of(cells.begin(), cells.end(), [](const auto& range) {
+                return range.left() > StudyTable::Name;
             });
+        for (const QItemSelectionRange& range : isLimits ? cells : QItemSelection()) {
+            watched_->table()->pasteBlock(
+                range.top(), range.left(),
+                std::vector<QStringList>(static_cast<std::size_t>(range.height()),
+                                         QStringList(range.width())));
+        }
         if (isLimits) {
-            qobject_cast<WatchTable*>(view->model())->clearLimits(cells);
             return true;
         }
     }
@@ -200,7 +202,7 @@ QWidget* ToleranceWindow::makeInputs() {
         StudyModel::Preset::Machined);
     add(tr("&All inputs: ± 1 %"), StudyModel::Preset::OnePercent);
     menu->addSeparator();
-    menu->addAction(tr("&None"), model_, &StudyModel::clear);
+    menu->addAction(tr("&Remove all"), model_, &StudyModel::clear);
     presets->setMenu(menu);
     top->addWidget(presets);
     column->addLayout(top);
@@ -261,8 +263,8 @@ QWidget* ToleranceWindow::makeAnswers() {
     method_ = chooser(tr("M&ethod"), "method");
     constexpr int leastChooser = 90;  // they give way where the text is large
     method_->setMinimumWidth(Theme::withText(leastChooser));
-    for (const studies::Method method : {studies::Method::sobol, studies::Method::monte_carlo,
-                                         studies::Method::linear, studies::Method::grid}) {
+    for (const studies::Method method :
+         {studies::Method::sobol, studies::Method::monte_carlo, studies::Method::linear}) {
         const auto number = static_cast<std::size_t>(method);
         method_->addItem(shownText(studies::method_words()[number].label),
                          static_cast<int>(method));
@@ -286,20 +288,16 @@ QWidget* ToleranceWindow::makeAnswers() {
     bands->setChecked(ToleranceSwitch::instance().isOn());
     connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
-    // Under each other where large text leaves no room.
-    auto* below = new FoldingRow(0, holder);
-    below->add(bands);
-    auto* running = new QWidget(below);
-    QHBoxLayout* last = rowIn(running, Theme::gap);
-    below->add(running, 1);
-    last->addStretch();
-    progress_ = new QProgressBar(running);
+    progress_ = new QProgressBar(holder);
     progress_->setAccessibleName(tr("Progress"));
+    QSizePolicy keeps = progress_->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    progress_->setSizePolicy(keeps);
     progress_->hide();
-    last->addWidget(progress_);
-    running->setMinimumHeight(
-        progress_->sizeHint().height());  // nothing moves as it comes and goes
-    column->addWidget(below);
+    auto* below = new QHBoxLayout;
+    below->addWidget(bands, 1);
+    below->addWidget(progress_);
+    column->addLayout(below);
     return holder;
 }
 
@@ -396,14 +394,6 @@ void ToleranceWindow::watch(const std::string& pointer) {
 void ToleranceWindow::showStudy() {
     const studies::Study& study = model_->study();
     method_->setCurrentIndex(method_->findData(static_cast<int>(study.method)));
-    if (auto* methods = qobject_cast<QStandardItemModel*>(method_->model())) {
-        QStandardItem* grid =
-            methods->item(method_->findData(static_cast<int>(studies::Method::grid)));
-        grid->setEnabled(model_->hasGrid());
-        grid->setToolTip(
-            tr("For a case file that lists values of its inputs. The command line "
-               "computes the table."));
-    }
     const QSignalBlocker block(samples_);
     samples_->clear();
     std::vector<std::uint64_t> offered{1024, 4096, 16384, 65536};
@@ -478,8 +468,6 @@ void ToleranceWindow::showFound() {
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
-        } else if (model_->study().method == studies::Method::grid) {
-            lines << tr("A grid has no statistics. The command line computes its table.");
         }
         for (const auto& [reason, count] : model_->refused()) {
             lines << tr("Rejected: %1 × %2").arg(QLocale().toString(count), reason);

@@ -6,19 +6,12 @@
 
 namespace ravnoves {
 
-namespace {
-
-/// Between order statistics.
-double percentile(std::vector<float>& values, double share) {
-    const double rank = share * static_cast<double>(values.size() - 1);
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(values.begin(), place, values.end());
-    const float high =
-        place + 1 == values.end() ? *place : *std::min_element(place + 1, values.end());
-    return std::lerp(*place, high, rank - std::floor(rank));
+double percentileOf(const std::vector<double>& ascending, double share) {
+    const double rank = share * static_cast<double>(ascending.size() - 1);
+    const auto below = static_cast<std::size_t>(rank);
+    return std::lerp(ascending[below], ascending[std::min(below + 1, ascending.size() - 1)],
+                     rank - std::floor(rank));
 }
-
-}  // namespace
 
 ScatteredInputs::ScatteredInputs(Json input, const studies::Study& study)
     : input_(std::move(input)) {
@@ -60,7 +53,7 @@ void BandSamples::add(const std::vector<double>& numbers) {
 BandSamples::Sides BandSamples::sides() const {
     constexpr double enough = 0.9;
     Sides sides;
-    std::vector<float> column;
+    std::vector<double> column;
     for (std::size_t i = 0; i < nominal_.size(); ++i) {
         column.clear();
         for (const std::vector<float>& sample : samples_) {
@@ -70,9 +63,10 @@ BandSamples::Sides BandSamples::sides() const {
         }
         const bool isKnown = !column.empty() && static_cast<double>(column.size()) >=
                                                     enough * static_cast<double>(samples_.size());
+        std::sort(column.begin(), column.end());
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        sides.below.push_back(isKnown ? -percentile(column, 0.05) : none);
-        sides.above.push_back(isKnown ? percentile(column, 0.95) : none);
+        sides.below.push_back(isKnown ? -percentileOf(column, 0.05) : none);
+        sides.above.push_back(isKnown ? percentileOf(column, 0.95) : none);
     }
     return sides;
 }

@@ -10,6 +10,9 @@
 
 namespace ravnoves {
 
+/// Between order statistics.
+double percentileOf(const std::vector<double>& ascending, double share);
+
 /// Inputs of a case whose tolerances scatter, one sample after the other.
 class ScatteredInputs {
   public:

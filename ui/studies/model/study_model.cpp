@@ -48,6 +48,16 @@ QString whyText(const Message& why, const QString& scene) {
     return english;
 }
 
+/// An input that no form names.
+StudyModel::Input unnamedInput(const std::string& pointer, double value) {
+    const ResultName name = resultName(pointer);
+    return {.pointer = pointer,
+            .name = capitalised(name.text),
+            .unit = name.unit,
+            .nominal = value,
+            .shown = name.shown()};
+}
+
 void collectNumbers(const Json& json, const std::string& pointer,
                     std::vector<StudyModel::Value>& found) {
     if (json.is_number()) {
@@ -108,47 +118,29 @@ void StudyModel::refresh() {
     readStudy();
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
-        Input input{number.pointer, number.name, number.unit, number.value, {}, number.shown};
-        if (!number.hasLabel) {  // no form names it
-            const ResultName name = resultName(number.pointer);
-            input.name = capitalised(name.text);
-            input.unit = name.unit;
-            input.shown = shownUnit(name.unit);
-        }
-        const auto found =
-            std::find_if(study_.vary.begin(), study_.vary.end(),
-                         [&](const Varied& varied) { return varied.pointer == input.pointer; });
-        if (found != study_.vary.end()) {
-            input.varied = *found;
-        }
-        inputs_.push_back(std::move(input));
+        inputs_.push_back(number.hasLabel ? Input{.pointer = number.pointer,
+                                                  .name = number.name,
+                                                  .unit = number.unit,
+                                                  .nominal = number.value,
+                                                  .shown = number.shown}
+                                          : unnamedInput(number.pointer, number.value));
     }
-    addOthers();
+    const Json input = scene_->inputJson();
+    for (const Varied& varied : study_.vary) {
+        const auto isIt = [&](const Input& each) { return each.pointer == varied.pointer; };
+        auto found = std::find_if(inputs_.begin(), inputs_.end(), isIt);
+        if (found == inputs_.end()) {  // an element of a long list, which is not offered, or gone
+            const Json::json_pointer place(varied.pointer);
+            const bool isThere = input.contains(place) && input.at(place).is_number();
+            inputs_.push_back(
+                unnamedInput(varied.pointer, isThere ? input.at(place).get<double>() : 0.0));
+            found = inputs_.end() - 1;
+            found->isGone = !isThere;
+        }
+        found->varied = varied;
+    }
     trouble_ = named(trouble_);
     Q_EMIT changed();
-}
-
-void StudyModel::addOthers() {
-    Json input;
-    for (const Varied& varied : study_.vary) {
-        if (std::any_of(inputs_.begin(), inputs_.end(),
-                        [&](const Input& each) { return each.pointer == varied.pointer; })) {
-            continue;
-        }
-        if (input.is_null()) {
-            input = scene_->inputJson();
-        }
-        const Json::json_pointer place(varied.pointer);
-        const bool isThere = input.contains(place) && input.at(place).is_number();
-        const ResultName name = resultName(varied.pointer);
-        inputs_.push_back({.pointer = varied.pointer,
-                           .name = capitalised(name.text),
-                           .unit = name.unit,
-                           .nominal = isThere ? input.at(place).get<double>() : 0.0,
-                           .varied = varied,
-                           .shown = shownUnit(name.unit),
-                           .isGone = !isThere});
-    }
 }
 
 void StudyModel::readStudy() {
@@ -161,11 +153,19 @@ void StudyModel::readStudy() {
     }
     try {
         study_ = readStudyText(scene_->study(), &goneMethod_);
+        if (study_.method == studies::Method::grid) {
+            trouble_ =
+                tr("This case lists values of its inputs. The command line computes the "
+                   "table: ravnoves-cli study.");
+        }
     } catch (const InputError& error) {
-        trouble_ = scene_->explain(error) + QLatin1Char('\n') +
-                   tr("The study cannot be read: undo, choose another method, or clear it by "
-                      "“Typical tolerances”, “None”.");
-        isRefused_ = true;
+        trouble_ = scene_->explain(error);
+    }
+    isRefused_ = !trouble_.isEmpty();
+    if (isRefused_) {
+        study_ = freshStudy();
+        trouble_ += QLatin1Char('\n') + tr("To use tolerances here, undo or clear the study by "
+                                           "“Typical tolerances”, “Remove all”.");
     }
 }
 
@@ -192,20 +192,22 @@ ShownTitle StudyModel::inputTitle(const std::string& pointer) const {
 
 QString StudyModel::named(QString text) const {
     std::vector<std::pair<QString, QString>> names;
-    const auto add = [&](const std::string& place, const QString& name) {
-        names.emplace_back(QString::fromStdString(place), name);
+    const auto add = [&](const std::string& pointer) {
+        for (const std::string& place : {"/input" + pointer, studies::vary_place(pointer),
+                                         studies::watch_place(pointer), pointer}) {
+            names.emplace_back(QString::fromStdString(place), inputName(pointer));
+        }
     };
     for (const Input& input : inputs_) {
-        add("/input" + input.pointer, input.name);
-        add(studies::vary_place(input.pointer), input.name);
+        add(input.pointer);
     }
-    for (const Varied& varied : study_.vary) {
-        add(varied.pointer, inputName(varied.pointer));
-    }
-    for (const Watched& watched : study_.watch) {
-        const QString name = resultName(watched.pointer).text;
-        add(watched.pointer, name);
-        add(studies::watch_place(watched.pointer), name);
+    const Json study = Json::parse(scene_->study(), nullptr, false);  // it may be refused
+    for (const char* list : {"vary", "watch"}) {
+        const Json pointers =
+            study.is_object() ? study.value(list, Json::object()) : Json::object();
+        for (const auto& each : pointers.items()) {
+            add(each.key());
+        }
     }
     // The longest first: one may begin as another.
     std::sort(names.begin(), names.end(), [](const auto& one, const auto& other) {
@@ -241,14 +243,9 @@ std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
 
 QString StudyModel::reasonText(const Reason& reason) const {
     const QString why = whyText(reason.why, scene_->sceneName());
-    if (reason.where.empty()) {
-        return named(why);
-    }
-    const std::string inputs = "/input";
-    const std::string place = reason.where.english();
-    const QString name = place.starts_with(inputs + "/") ? inputName(place.substr(inputs.size()))
-                                                         : resultName(place).text;
-    return name + QStringLiteral(": ") + why;
+    return named(reason.where.empty()
+                     ? why
+                     : QString::fromStdString(reason.where.english()) + QStringLiteral(": ") + why);
 }
 
 bool StudyModel::isBusy() const {

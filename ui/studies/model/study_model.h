@@ -82,11 +82,7 @@ class StudyModel : public QObject {
     /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::vector<studies::Watched>& limits);
-    /// Listed values become the range that they span where the method is no grid. Of a study that
-    /// cannot be read the method alone is changed.
     void setMethod(studies::Method method);
-    /// Whether values are listed, as the method "grid" takes them.
-    bool hasGrid() const;
     void setSamples(std::uint64_t samples);
 
     /// True while newer answers are on the way.
@@ -119,8 +115,6 @@ class StudyModel : public QObject {
     void move();
     /// With the name of the place.
     QString reasonText(const Reason& reason) const;
-    /// What is not offered where it scatters: elements of long lists, and inputs that are gone.
-    void addOthers();
     void readStudy();
     /// Puts what is typed for an input into a study. @return an empty string, or why it cannot be
     QString readScatter(studies::Study& next, const std::string& pointer,

@@ -50,13 +50,9 @@ QString StudyModel::scatterText(const Input& input) {
         case Varied::Spread::uniform:
             return written(varied->from) + QStringLiteral(" … ") + written(varied->to);
         case Varied::Spread::grid:
-            break;
+            break;  // such a study is not shown
     }
-    QStringList values;
-    for (const double value : varied->values) {
-        values << written(value);
-    }
-    return values.join(QStringLiteral("; "));
+    return {};
 }
 
 QString StudyModel::nominalText(const Input& input) {
@@ -229,44 +225,9 @@ QString StudyModel::setLimits(const std::vector<Watched>& limits) {
     return {};
 }
 
-bool StudyModel::hasGrid() const {
-    return std::any_of(study_.vary.begin(), study_.vary.end(),
-                       [](const Varied& each) { return each.spread == Varied::Spread::grid; });
-}
-
 void StudyModel::setMethod(studies::Method method) {
-    if (isRefused_) {
-        try {
-            Json raw = parse_json(scene_->study());
-            if (raw.is_object()) {
-                raw["method"] = studies::method_words()[static_cast<std::size_t>(method)].word;
-                scene_->changeStudy(tr("Method"), raw.dump());
-            }
-        } catch (const InputError&) {
-            Q_EMIT changed();  // it is no JSON at all: the method stays
-        }
-        return;
-    }
     Study next = study_;
     next.method = method;
-    if (method != studies::Method::grid) {
-        for (Varied& each : next.vary) {
-            if (each.spread == Varied::Spread::grid) {
-                const auto [low, high] =
-                    std::minmax_element(each.values.begin(), each.values.end());
-                each = {.pointer = each.pointer,
-                        .spread = Varied::Spread::uniform,
-                        .from = *low,
-                        .to = *high};
-            }
-        }
-        std::erase_if(next.vary, [](const Varied& each) {
-            return each.spread == Varied::Spread::uniform && !(each.to > each.from);
-        });
-    } else if (!hasGrid()) {
-        Q_EMIT changed();  // what was chosen goes back
-        return;
-    }
     change(tr("Method"), next);
 }
 
@@ -277,20 +238,8 @@ void StudyModel::setSamples(std::uint64_t samples) {
 }
 
 void StudyModel::change(const QString& name, Study next) {
-    if (isRefused_) {
-        return;  // nothing goes over what was not understood
-    }
-    // Listed values and tolerances do not go together.
-    const auto isGrid = [](const Varied& each) { return each.spread == Varied::Spread::grid; };
-    if (!std::all_of(next.vary.begin(), next.vary.end(), isGrid)) {
-        std::erase_if(next.vary, isGrid);
-    }
-    if (next.method == studies::Method::grid &&
-        std::none_of(next.vary.begin(), next.vary.end(), isGrid)) {
-        next.method = studies::Method::sobol;
-    }
-    if (next == study_) {
-        return;
+    if (isRefused_ || next == study_) {
+        return;  // nothing replaces what was not understood
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());

@@ -5,73 +5,88 @@
 
 namespace ravnoves {
 
-/// The inputs of a case with what they scatter by, which is edited in place.
-class ScatterTable final : public RefusingTable {
+/// Rows of a study: names, and cells that are typed. What is typed or pasted is one step, all of it
+/// or nothing.
+class StudyTable : public RefusingTable {
     Q_OBJECT
 
   public:
-    enum Column { Name, Nominal, Scatter, Columns };
+    static constexpr int Name = 0;
+
+    SceneModel* scene() const final { return model_->scene(); }
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
+    /// What rows with a text that is refused are called.
+    QStringList refusedNames() const;
+
+    int columnCount(const QModelIndex& parent = {}) const final;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  protected:
+    StudyTable(StudyModel* model, QStringList headings, QObject* parent);
+
+    virtual bool isTyped(int row, int column) const = 0;
+    /// @param isEdited  as it is typed, not as it is shown
+    virtual QString text(int row, int column, bool isEdited) const = 0;
+    /// @return an empty string, or why it cannot be
+    virtual QString write(int row, int column, const std::vector<QStringList>& cells) = 0;
+
+    StudyModel* model_;
+
+  private:
+    QString refusedText(const Cell& cell, const Refused& refused) const override;
+
+    QStringList headings_;
+};
+
+/// The inputs of a case with what they scatter by.
+class ScatterTable final : public StudyTable {
+    Q_OBJECT
+
+  public:
+    enum Column { Nominal = 1, Scatter };
 
     explicit ScatterTable(StudyModel* model, QObject* parent = nullptr);
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
-    SceneModel* scene() const override { return model_->scene(); }
+    /// The last column of the block is that of the tolerances.
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
-
     int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
-
-    /// Inputs whose tolerance is refused: what is found is without it.
-    QStringList refusedNames() const;
 
   private:
+    const StudyModel::Input& input(int row) const;
     std::string rowName(int row) const override;
     QString held(int row, int column) const override;
-    QString refusedText(const Cell& cell, const Refused& refused) const override;
-
-    StudyModel* model_;
+    bool isTyped(int row, int column) const override;
+    QString text(int row, int column, bool isEdited) const override;
+    QString write(int row, int column, const std::vector<QStringList>& cells) override;
 };
 
 /// The results that are watched, with their limits.
-class WatchTable final : public RefusingTable {
+class WatchTable final : public StudyTable {
     Q_OBJECT
 
   public:
-    enum Column { Name, Least, Most, Columns };
+    enum Column { Least = 1, Most };
 
     explicit WatchTable(StudyModel* model, QObject* parent = nullptr);
 
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
-    /// These limits are there no more, as one step.
-    void clearLimits(const QModelIndexList& cells);
-    void takeBackRefused(const QModelIndex& at) override;
-    SceneModel* scene() const override { return model_->scene(); }
-    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
-
     int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
+    const studies::Watched& watched(int row) const;
     std::string rowName(int row) const override;
-    QString refusedText(const Cell& cell, const Refused& refused) const override;
-    /// Takes a block of limits as one step. @return an empty string, or why it cannot be
-    QString write(int row, int column, const std::vector<QStringList>& cells);
-    /// Takes a text. @return an empty string, or why it cannot be
-    QString take(int row, int column, const QString& text);
-    /// What a limit refused before may stand beside another one now.
-    void retry(int row, int column);
-
-    StudyModel* model_;
+    bool isTyped(int row, int column) const override;
+    QString text(int row, int column, bool isEdited) const override;
+    QString write(int row, int column, const std::vector<QStringList>& cells) override;
 };
 
 }  // namespace ravnoves

@@ -14,6 +14,7 @@
 #include "model/default_inputs.h"
 #include "model/scene_model.h"
 #include "scenes/responses.h"
+#include "studies/model/band_samples.h"
 #include "studies/model/study_model.h"
 #include "studies/sampler.h"
 #include "studies/study_run.h"
@@ -25,14 +26,6 @@ namespace {
 
 constexpr int places = 121;
 constexpr int sweepRestMs = 200;
-
-/// Between order statistics.
-double percentile(const std::vector<double>& sorted, double share) {
-    const double rank = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)],
-                     rank - std::floor(rank));
-}
 
 /// Solves the same samples of the other inputs at any value of the first one.
 class Sweeper {
@@ -111,8 +104,8 @@ class Sweeper {
         for (const double value : values) {
             sum += value;
         }
-        return {x, sum / static_cast<double>(values.size()), percentile(values, 0.05),
-                percentile(values, 0.95),
+        return {x, sum / static_cast<double>(values.size()), percentileOf(values, 0.05),
+                percentileOf(values, 0.95),
                 static_cast<double>(built) / static_cast<double>(inputs_.size())};
     }
 
