@@ -366,7 +366,7 @@ void BobWeightsModel::confirmReadings() {
         // What was drilled by them is kept as if they had held when the next run began.
         Input held = input();
         held.correction = correction;
-        const Result now = bob_weights::solve(held, [](const auto&) { return std::nullopt; });
+        const Result now = bob_weights::solve(held);
         for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
             auto& drilled = correction.earlier_runs[run].drilled;
             drilled = drilled ? drilled : drilled_holes(now.runs[run]);
