@@ -21,7 +21,6 @@
 #include "model/background_job.h"
 #include "studies/model/study_model.h"
 #include "studies/model/sweep_model.h"
-#include "workshop/model/journal_writer.h"
 
 namespace {
 
@@ -88,35 +87,6 @@ void jobs() {
         }  // else it is destroyed while it runs
     }
     check(delivered > 0, "jobs deliver");
-}
-
-void journal() {
-    const QTemporaryDir folder;
-    const QString path = QDir(folder.path()).filePath(u"journal.sqlite"_s);
-    Journal reader(path);
-    check(reader.open(), "a journal opens");
-    int saved = 0;
-    {
-        JournalWriter writer(path, reader.session());
-        for (int i = 0; i < 40; ++i) {
-            JournalJob job;
-            job.engineNumber = QString::number(i);
-            job.form = "{}";
-            writer.saveJob(job, i % 2 == 0,
-                           [&](Journal::Saved ended, const JournalJob& written, const QString&) {
-                               saved += ended == Journal::Saved::Yes && written.id != 0 ? 1 : 0;
-                           });
-            JournalDraft draft;
-            draft.form = "{}";
-            writer.saveDraft(draft, [](JournalWriter::Kept, const QString&) {});
-            reader.search({});
-            QCoreApplication::processEvents();
-        }
-        check(writer.wait(60'000), "all is written");
-        check(saved == 40, "every job is saved");
-        writer.discardDraft(reader.session());
-    }
-    check(reader.search({}).size() == 40, "every job is there");
 }
 
 void maps() {
@@ -190,9 +160,11 @@ int main(int argc, char** argv) {
         jobs();
         return 0;
     }
-    const std::pair<const char*, void (*)()> paths[] = {
-        {"jobs", jobs},          {"journal", journal}, {"maps", maps},
-        {"studies", runStudies}, {"motion", motion},   {"methods", measureMethods}};
+    const std::pair<const char*, void (*)()> paths[] = {{"jobs", jobs},
+                                                        {"maps", maps},
+                                                        {"studies", runStudies},
+                                                        {"motion", motion},
+                                                        {"methods", measureMethods}};
     for (const auto& [name, path] : paths) {
         std::printf("%s\n", name);
         std::fflush(stdout);

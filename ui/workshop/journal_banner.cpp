@@ -26,6 +26,7 @@ JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), de
     };
     continue_ = button(QStringLiteral("draft_continue"), tr("Continue it"));
     discard_ = button(QStringLiteral("draft_discard"), tr("Throw it away"));
+    restore_ = button(QStringLiteral("backup_restore"), tr("Restore the backup"));
     close_ = button(QStringLiteral("banner_close"), tr("Understood"));
     hide();
     connect(continue_, &QPushButton::clicked, this, [this] {
@@ -39,6 +40,8 @@ JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), de
             next();
         }
     });
+    connect(restore_, &QPushButton::clicked, this,
+            [this] { Q_EMIT restoreWanted(desk_->offeredBackup()); });
     connect(close_, &QPushButton::clicked, this, [this] {
         said_.clear();
         hide();
@@ -104,6 +107,8 @@ void JournalBanner::showText() {
     }
     continue_->setVisible(draft);
     discard_->setVisible(draft);
+    restore_->setVisible(!draft && said_.isEmpty() && !trouble.isEmpty() &&
+                         !desk_->offeredBackup().isEmpty());
     close_->setVisible(!draft);
     setVisible(draft || !trouble.isEmpty());
 }

@@ -32,6 +32,8 @@ class JournalBanner : public Panel {
   Q_SIGNALS:
     /// The user wants to go on with the draft.
     void continued(const JournalDraft& draft);
+    /// … to have the backup's jobs back after the journal was damaged.
+    void restoreWanted(const QString& backup);
 
   private:
     void showText();
@@ -43,6 +45,7 @@ class JournalBanner : public Panel {
     QLabel* text_;
     QPushButton* continue_;
     QPushButton* discard_;
+    QPushButton* restore_;
     QPushButton* close_;
 };
 

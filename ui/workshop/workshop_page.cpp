@@ -5,10 +5,10 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMessageBox>
-#include <QPointer>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -16,8 +16,12 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <algorithm>
+#include <atomic>
+#include <exception>
 
+#include "model/worker_thread.h"
 #include "shell/refused_entries.h"
+#include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/language.h"
 #include "theme/icons.h"
@@ -81,19 +85,8 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
         }
     });
     buildActions();
-    constexpr int lookAgainMs = 200;
-    wait_.setInterval(lookAgainMs);
-    connect(desk(), &JobDesk::journalWaits, this, [this] {
-        Q_EMIT status(tr("Another program is writing to the journal; waiting for it…"));
-        wait_.start();
-    });
-    connect(&wait_, &QTimer::timeout, this, [this] {
-        if (!desk()->isBusy()) {
-            wait_.stop();
-            Q_EMIT status({});
-        }
-    });
     connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
+    connect(banner_, &JournalBanner::restoreWanted, this, &WorkshopPage::restoreFrom);
     connect(desk(), &JobDesk::jobRemoved, this, [this] {
         Q_EMIT status({});  // that it is in the journal was said before
         QString said = tr("The job on the sheet was removed from the journal.");
@@ -389,10 +382,6 @@ bool WorkshopPage::hasUnsavedJob() {
 }
 
 bool WorkshopPage::leaveJob() {
-    if (desk()->isWaiting()) {
-        Q_EMIT status(tr("The job is still being saved."));
-        return false;  // the window is to close meanwhile
-    }
     if (!hasUnsavedJob()) {
         return true;
     }
@@ -440,8 +429,44 @@ void WorkshopPage::restore() {
     const QString file =
         askOpenPath(this, tr("Restore from a backup"), {}, tr("Journal (*.sqlite)"));
     if (!file.isEmpty()) {
-        QMessageBox::information(this, tr("Journal"), desk()->restoreJournal(file));
+        restoreFrom(file);
     }
+}
+
+void WorkshopPage::restoreFrom(const QString& file) {
+    if (!desk()->openJournal()) {
+        QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
+        return;
+    }
+    QProgressDialog wait(tr("Restoring %1…").arg(file), tr("Cancel"), 0, 0, this);
+    wait.setWindowModality(Qt::WindowModal);
+    std::atomic<bool> cancelled = false;
+    connect(&wait, &QProgressDialog::canceled, this, [&] { cancelled = true; });
+    QString said;
+    {
+        WorkerThread worker;
+        bool ended = false;
+        worker.begin([&, path = desk()->journal()->path()]() -> WorkerThread::Telling {
+            QString result;
+            try {
+                result = JobDesk::restoreJournal(path, file, cancelled);
+            } catch (...) {
+                result = errorText(std::current_exception());
+            }
+            return [&, result] {
+                said = result;
+                ended = true;
+            };
+        });
+        constexpr int step = 20;  // ms
+        while (!ended) {
+            worker.wait(step);
+            QCoreApplication::processEvents();
+        }
+    }
+    wait.reset();
+    desk()->takeRestored();
+    QMessageBox::information(this, tr("Journal"), said);
 }
 
 std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
@@ -454,27 +479,19 @@ std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
 }
 
 void WorkshopPage::saveJob(bool isFinished) {
-    if (desk()->isWaiting()) {
-        Q_EMIT status(tr("The job is still being saved."));
-        return;
-    }
     // What is not what stands on the sheet is no finished job.
     isFinished = isFinished && refusedEntries(this).isEmpty();
     if (!refusedEntriesAreKnown() || !isJobKnown()) {
         return;
     }
-    desk()->saveJob(isFinished, [page = QPointer(this)](bool saved, const QString& text) {
-        if (page == nullptr) {
-            return;
-        }
-        page->wait_.stop();
-        Q_EMIT page->status(saved ? text : QString());
-        if (saved) {
-            page->banner_->say({});
-        } else {
-            QMessageBox::warning(page, tr("Journal"), text);
-        }
-    });
+    bool saved = false;
+    const QString text = desk()->saveJob(&saved, isFinished);
+    Q_EMIT status(saved ? text : QString());
+    if (saved) {
+        banner_->say({});
+    } else {
+        QMessageBox::warning(this, tr("Journal"), text);
+    }
 }
 
 bool WorkshopPage::isJobKnown() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QSet>
-#include <QTimer>
 #include <memory>
 
 #include "shell/scene_page.h"
@@ -95,6 +94,8 @@ class WorkshopPage : public ScenePage {
     bool isJobKnown();
     void backUp();
     void restore();
+    /// In the background, until it ends or is cancelled.
+    void restoreFrom(const QString& file);
     std::unique_ptr<JobCard> shopsCard();
     void newJob();
     /// The sheet of a new job, from its beginning. @param said  what became of the sheet
@@ -108,7 +109,6 @@ class WorkshopPage : public ScenePage {
     QTabWidget* sheets_ = nullptr;
     QList<SheetForm*> forms_;  // in the order of the tabs
     QSet<int> unseen_;         ///< sheets that nobody has looked at since the job came
-    QTimer wait_;              ///< while another program holds the journal
     bool journalTried_ = false;
     QList<QAction*> actions_;
 };

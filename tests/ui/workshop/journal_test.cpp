@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -17,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <map>
 
@@ -268,29 +268,6 @@ TEST_F(JournalTest, WritesAreOnDiskWhenTheCallReturns) {
     EXPECT_EQ(query.value(0).toInt(), 2);  // FULL: the log is synced at every commit
 }
 
-TEST_F(JournalTest, DraftsDoNotWaitForAnotherProgramsWrite) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
-    {
-        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
-        other.setDatabaseName(path());
-        ASSERT_TRUE(other.open());
-        QSqlQuery query(other);
-        ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
-        QElapsedTimer clock;
-        clock.start();
-        JournalDraft draft;
-        draft.form = "{}";
-        EXPECT_FALSE(journal.saveDraft(draft));
-        EXPECT_TRUE(journal.wasBusy());
-        EXPECT_LT(clock.elapsed(), 5000);  // a job would wait for 15 s
-        ASSERT_TRUE(query.exec(u"ROLLBACK"_s));
-        EXPECT_TRUE(journal.saveDraft(draft));
-        EXPECT_FALSE(journal.wasBusy());
-    }
-    QSqlDatabase::removeDatabase(u"other"_s);
-}
-
 TEST_F(JournalTest, AFileOfTheFirstVersionOpensAndIsSearched) {
     {
         QSqlDatabase old = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"old"_s);
@@ -336,34 +313,104 @@ TEST_F(JournalTest, AFileOfTheFirstVersionOpensAndIsSearched) {
     }
 }
 
-TEST_F(JournalTest, ADamagedFileIsRecoveredRowByRow) {
-    constexpr int jobs = 600;
+/// Runs SQL in the file of a journal, as another program would.
+void meddle(const QString& file, const QStringList& statements) {
     {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(file);
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        for (const QString& statement : statements) {
+            ASSERT_TRUE(query.exec(statement)) << qPrintable(query.lastError().text());
+        }
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+}
+
+TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
+    const QStringList viewOfJobs{
+        u"ALTER TABLE job RENAME TO kept"_s,
+        u"CREATE VIEW job AS WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 FROM n)"
+        " SELECT id, 1 AS revision FROM n"_s};
+    const QList<QStringList> changes{
+        {u"CREATE TRIGGER lose AFTER INSERT ON job BEGIN DELETE FROM job; END"_s},
+        viewOfJobs,
+        {u"CREATE TABLE other (x)"_s},
+        {u"PRAGMA application_id = 7"_s}};
+    for (const QStringList& change : changes) {
+        const QString file = path(u"foreign.sqlite"_s);
+        {
+            Journal journal(file);
+            ASSERT_TRUE(journal.open());
+            JournalJob job = exampleJob(u"one"_s);
+            ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+        }
+        meddle(file, change);
+        Journal journal(file);
+        EXPECT_FALSE(journal.open()) << qPrintable(change.first());
+        EXPECT_TRUE(journal.lastError().contains(u"another program"_s));
+        JournalJob job = exampleJob(u"two"_s);
+        EXPECT_EQ(journal.save(job), Journal::Saved::No);
+        // Nor is anything taken from it.
+        Journal own(path());
+        ASSERT_TRUE(own.open());
+        EXPECT_FALSE(own.restore(file));
+        EXPECT_TRUE(own.lastError().contains(u"no backup"_s)) << qPrintable(own.lastError());
+        EXPECT_TRUE(own.search({}).isEmpty());
+        EXPECT_TRUE(files(u"*damaged*"_s).isEmpty());
+        for (const QString& name : files(u"foreign*"_s)) {
+            QFile::remove(path(name));
+        }
+    }
+}
+
+TEST_F(JournalTest, AJobThatTheFileDoesNotKeepIsNotSaved) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    meddle(path(), {u"CREATE TRIGGER lose AFTER INSERT ON job BEGIN DELETE FROM job; END"_s});
+    JournalJob job = exampleJob(u"lost"_s);
+    EXPECT_EQ(journal.save(job), Journal::Saved::No);
+    EXPECT_FALSE(journal.lastError().isEmpty());
+}
+
+TEST_F(JournalTest, ADamagedFileIsReplacedByItsDailyBackup) {
+    const auto fill = [&](int jobs) {
         Journal journal(path());
         ASSERT_TRUE(journal.open());
         for (int i = 0; i < jobs; ++i) {
             JournalJob job = exampleJob(u"number %1"_s.arg(i));
-            job.form = QByteArray(1500, 'f');
             ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
         }
-        ASSERT_TRUE(journal.remove(10));
+    };
+    fill(20);
+    EXPECT_TRUE(files(u"*backup*"_s).isEmpty()) << "nothing to keep yet";
+    fill(1);
+    ASSERT_EQ(files(u"journal-backup-*.sqlite"_s).size(), 1);
+    fill(0);
+    EXPECT_EQ(files(u"journal-backup-*.sqlite"_s).size(), 1) << "once a day";
+    // Old ones go, the newest seven stay.
+    for (int day = 10; day < 20; ++day) {
+        QFile::copy(path(files(u"*backup*"_s).last()),
+                    path(u"journal-backup-2024-05-%1.sqlite"_s.arg(day)));
     }
-    // Single pages all over the file: a walk from either end stops at the first of them.
-    QByteArray bytes = read(path());
-    for (int page = 20; page < 300; page += 40) {
-        bytes.replace(page * 4096, 4096, QByteArray(4096, '\x5A'));
-    }
-    write(path(), bytes);
+    QFile::remove(path(files(u"*backup*"_s).last()));
+    fill(0);
+    EXPECT_EQ(files(u"journal-backup-*.sqlite"_s).size(), 7);
+
+    write(path(), "not a database at all");
     Journal journal(path());
     ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
-    const auto saved = static_cast<int>(journal.search({}).size());
-    EXPECT_GT(saved, jobs * 9 / 10);
-    EXPECT_LT(saved, jobs - 1);
-    // The message says how many there are and how many there were; the one removed is no loss.
-    EXPECT_TRUE(journal.openMessage().contains(u"taken over from it: %1."_s.arg(saved)))
-        << qPrintable(journal.openMessage());
-    EXPECT_TRUE(journal.openMessage().contains(u"could not be read: %1."_s.arg(jobs - 1 - saved)))
-        << qPrintable(journal.openMessage());
+    EXPECT_TRUE(journal.search({}).isEmpty());
+    ASSERT_FALSE(journal.offeredBackup().isEmpty());
+    EXPECT_TRUE(journal.openMessage().contains(u"Its last backup"_s));
+    std::atomic<bool> cancelled = true;
+    EXPECT_FALSE(journal.restore(journal.offeredBackup(), &cancelled));
+    EXPECT_TRUE(journal.search({}).isEmpty());
+    const auto done = journal.restore(journal.offeredBackup());
+    ASSERT_TRUE(done) << qPrintable(journal.lastError());
+    EXPECT_EQ(done->added, 21);
+    EXPECT_EQ(journal.search({}).size(), 21);
+    EXPECT_EQ(journal.restore(journal.offeredBackup())->known, 21) << "none comes twice";
 }
 
 class DamagedJournal : public JournalTest, public ::testing::WithParamInterface<int> {};
@@ -404,13 +451,6 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
     EXPECT_TRUE(journal.openMessage().contains(journal.setAsidePath()));
     EXPECT_EQ(read(journal.setAsidePath()), bytes);
     EXPECT_EQ(files(u"*damaged*.sqlite"_s).size(), 1);
-    const auto saved = journal.search({});
-    if (GetParam() == 2) {
-        EXPECT_GT(saved.size(), 20);  // what can be read is taken over
-        for (const JournalJob& job : saved) {
-            EXPECT_EQ(job.form, QByteArray(4000, 'f'));
-        }
-    }
     JournalJob job = exampleJob(u"after"_s);
     EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
     // Damaged again in the same second: another name.
@@ -494,19 +534,6 @@ QString tagOf(const QByteArray& form) {
     const QJsonObject object = QJsonDocument::fromJson(form).object();
     EXPECT_EQ(object.value(u"padding"_s).toString().size(), 20000);  // whole, not a torn write
     return object.value(u"tag"_s).toString();
-}
-
-TEST_F(JournalTest, OpensThoughAProgramWasKilledWhileItBeganToOpen) {
-    // What a kill between making the gate's file and writing into it leaves behind.
-    write(path() + u".opening"_s, {});
-    QElapsedTimer timer;
-    timer.start();
-    Journal journal(path());
-    ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
-    EXPECT_LT(timer.elapsed(), 10'000);  // it did not wait for a program that is gone
-    // The gate is open again for the next program while this one runs.
-    Journal second(path());
-    EXPECT_TRUE(second.open()) << qPrintable(second.lastError());
 }
 
 /// RAVNOVES_KILLS says how often.

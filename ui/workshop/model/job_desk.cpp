@@ -1,8 +1,6 @@
 #include "workshop/model/job_desk.h"
 
-#include <QCoreApplication>
 #include <QDate>
-#include <QEventLoop>
 #include <QSettings>
 #include <utility>
 
@@ -19,11 +17,6 @@ namespace ravnoves {
 namespace {
 
 constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
-// Where another program holds the journal, ms:
-constexpr int openPatience = 100;   // of the opening, which then goes on in a thread
-constexpr int callPatience = 1000;  // of what the window waits for, which then says so
-constexpr int savePatience = 100;   // before the window goes on without the job being saved
-constexpr int endPatience = 2000;   // of what is not written yet when the program ends
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
 
@@ -64,11 +57,11 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
     // A job that was saved as a case file, or undone to where it was, needs no draft.
     connect(model_, &SceneModel::historyChanged, this, [this] {
-        if (!model_->hasChanges() && (draftKept_ || draftUnderWay_) && isOpen()) {
+        if (!model_->hasChanges() && draftKept_ && isOpen()) {
             draftStale_ = false;
             draftTimer_.stop();
             draftKept_ = false;
-            writer_->discardDraft(journal_->session());
+            journal_->discardDraft(journal_->session());
         }
     });
 }
@@ -76,11 +69,8 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
 JobDesk::~JobDesk() {
     desks().removeOne(this);
     // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
-    if ((draftKept_ || draftUnderWay_) && isOpen()) {
-        writer_->discardDraft(journal_->session());
-    }
-    if (writer_ && !opening_) {
-        writer_->wait(endPatience);
+    if (draftKept_ && isOpen()) {
+        journal_->discardDraft(journal_->session());
     }
 }
 
@@ -100,55 +90,17 @@ bool JobDesk::openJournal() {
     }
     if (!journal_) {
         journal_ = std::make_unique<Journal>(journalPath_);
-        connect(journal_.get(), &Journal::waits, this, &JobDesk::journalWaits);
-        writer_ = std::make_unique<JournalWriter>(journalPath_, journal_->session());
-        connect(writer_.get(), &JournalWriter::waits, this, &JobDesk::journalWaits);
-        const auto sayReopened = [this](const QString& message) {
-            if (!message.isEmpty()) {
-                setJournalTrouble(message);
-            }
-        };
-        connect(journal_.get(), &Journal::reopened, this, sayReopened);
-        connect(writer_.get(), &JournalWriter::reopened, this, sayReopened);
     }
-    if (opening_) {
-        return false;  // journalTrouble() says why
-    }
-    journal_->setPatience(openPatience);
-    if (journal_->open()) {
-        takeJournal(journal_->openMessage());
-    } else if (journal_->wasBusy()) {
-        openLater();
-    } else {
+    if (!journal_->open()) {
         setJournalTrouble(journal_->lastError());
+        return false;
     }
-    return isOpen();
-}
-
-void JobDesk::takeJournal(const QString& message) {
-    journal_->setPatience(callPatience);
-    setJournalTrouble(message);
+    setJournalTrouble(journal_->openMessage());
     if (draftStale_) {
         draftTimer_.start();
     }
     Q_EMIT journalOpened();
-}
-
-/// The writer's thread waits for it.
-void JobDesk::openLater() {
-    opening_ = true;
-    setJournalTrouble(
-        tr("Another program is busy with the journal. It is opened as soon as that is over."));
-    writer_->open([this](bool isThere, bool isBusy, const QString& said) {
-        opening_ = false;
-        if (isThere && journal_->open()) {
-            takeJournal(said.isEmpty() ? journal_->openMessage() : said);
-        } else if (isThere ? journal_->wasBusy() : isBusy) {
-            openLater();
-        } else {
-            setJournalTrouble(isThere ? journal_->lastError() : said);
-        }
-    });
+    return true;
 }
 
 void JobDesk::putJobId(qint64 id, int revision) {
@@ -161,7 +113,6 @@ bool JobDesk::isNameless() const {
 }
 
 void JobDesk::forgetJob() {
-    ++sheet_;
     putJobId(0, 0);
 }
 
@@ -187,7 +138,6 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
         putJobId(before.first, before.second);
         throw;
     }
-    ++sheet_;
     draftStale_ = false;
     draftTimer_.stop();
     // What was refused was typed for another job, and one value may be that of both.
@@ -211,18 +161,19 @@ QString JobDesk::backUpJournal(const QString& file) {
                                   : journal_->lastError();
 }
 
-QString JobDesk::restoreJournal(const QString& file) {
-    if (!openJournal()) {
-        return journalTrouble_;
-    }
-    const auto done = journal_->restore(file);
-    if (!done) {
-        return journal_->lastError();
-    }
+QString JobDesk::restoreJournal(const QString& path, const QString& file,
+                                const std::atomic<bool>& cancelled) {
+    Journal journal(path);
+    const auto done = journal.open() ? journal.restore(file, &cancelled) : std::nullopt;
+    return done ? tr("Jobs brought back: %1; already in the journal: %2.")
+                      .arg(done->added)
+                      .arg(done->known)
+                : journal.lastError();
+}
+
+void JobDesk::takeRestored() {
+    setJournalTrouble({});
     Q_EMIT journalOpened();  // engines may have come with it
-    return Journal::withUnread(
-        tr("Jobs brought back: %1; already in the journal: %2.").arg(done->added).arg(done->known),
-        *done);
 }
 
 QString JobDesk::numbersOf(const JournalJob& job) {
@@ -329,19 +280,15 @@ QString JobDesk::verdictToLose() {
     return there && there->isFinished && !isOther(there->verdict) ? there->verdict : QString();
 }
 
-void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
-    if (saving_) {
-        told(false, tr("The job is still being saved."));
-        return;
+QString JobDesk::saveJob(bool* ok, bool isFinished) {
+    if (ok != nullptr) {
+        *ok = false;
     }
     if (jobId_ == 0 && !isNamed(scene_.entry()) && !scene_.hasNumbers()) {
-        told(false,
-             tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing());
-        return;
+        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing();
     }
     if (!openJournal()) {
-        told(false, journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_);
-        return;
+        return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
     }
     model_->keepForSaving();
     JournalJob job = scene_.entry();
@@ -351,46 +298,39 @@ void JobDesk::saveJob(bool isFinished, const SaveTold& told) {
     job.isFinished = isFinished && isNamed(job) && scene_.missing().isEmpty();
     job.form = formText();
     draftTimer_.stop();
-    saving_ = true;
-    // A case file that does not have it yet: a crash must not part the job from it.
-    const bool endsDraft = !(CaseDocument::hasFile(*model_) && model_->hasChanges());
-    writer_->saveJob(job, endsDraft,
-                     [this, told, sheet = sheet_](Journal::Saved saved, const JournalJob& written,
-                                                  const QString& why) {
-                         saving_ = false;
-                         if (saved == Journal::Saved::No) {
-                             setJournalTrouble(why);
-                             if (draftStale_) {
-                                 draftTimer_.start();
-                             }
-                             told(false, why);
-                             return;
-                         }
-                         takeSaved(written, sheet == sheet_);
-                         told(true, savedText(saved, written));
-                     });
-    writer_->wait(savePatience);
+    const Journal::Saved saved = journal_->save(job);
+    if (saved == Journal::Saved::No) {
+        setJournalTrouble(journal_->lastError());
+        if (draftStale_) {
+            draftTimer_.start();
+        }
+        return journal_->lastError();
+    }
+    takeSaved(job);
+    if (ok != nullptr) {
+        *ok = true;
+    }
+    return savedText(saved, job);
 }
 
-/// @param isOnSheet  no other job has come onto the sheet meanwhile
-void JobDesk::takeSaved(const JournalJob& job, bool isOnSheet) {
+void JobDesk::takeSaved(const JournalJob& job) {
     if (!job.technician.isEmpty()) {
         QSettings().setValue(technicianKey, job.technician);
     }
-    if (!isOnSheet) {
+    putJobId(job.id, job.revision);
+    isJournaled_ = true;
+    if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
+        // A case file that does not have it yet: a crash must not part the job from it.
+        draftStale_ = true;
+        keepDraft();
         return;
     }
-    putJobId(job.id, job.revision);
-    isJournaled_ = formText() == job.form;
-    if (!isJournaled_ || (CaseDocument::hasFile(*model_) && model_->hasChanges())) {
-        draftStale_ = true;
-        flushDraft();
-    } else {
-        draftStale_ = false;
-        draftKept_ = false;
-        model_->history()->setClean();
-        isJournaled_ = true;
+    draftStale_ = false;
+    if (std::exchange(draftKept_, false)) {
+        journal_->discardDraft(journal_->session());
     }
+    model_->history()->setClean();
+    isJournaled_ = true;
 }
 
 QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
@@ -407,27 +347,6 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
     }
     said.removeAll(QString());
     return said.join(QLatin1Char(' '));
-}
-
-QString JobDesk::saveJob(bool* ok, bool isFinished) {
-    bool ended = false;
-    bool saved = false;
-    QString said;
-    saveJob(isFinished, [&](bool isSaved, const QString& text) {
-        ended = true;
-        saved = isSaved;
-        said = text;
-    });
-    // The window paints meanwhile, but takes no keys.
-    constexpr int step = 20;  // ms
-    while (!ended) {
-        writer_->wait(step);
-        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
-    }
-    if (ok != nullptr) {
-        *ok = saved;
-    }
-    return said;
 }
 
 QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy) {
@@ -463,10 +382,6 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
 
 void JobDesk::keepDraft() {
     draftTimer_.stop();
-    if (isWaiting() || draftUnderWay_) {
-        draftTimer_.start();
-        return;
-    }
     if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
         return;
     }
@@ -476,28 +391,11 @@ void JobDesk::keepDraft() {
     draft.jobRevision = jobRevision_;
     draft.engineNumber = scene_.entry().engineNumber;
     draft.form = formText();
-    draftStale_ = false;
-    draftUnderWay_ = true;
-    writer_->saveDraft(draft, [this](JournalWriter::Kept kept, const QString& why) {
-        draftUnderWay_ = false;
-        if (kept == JournalWriter::Kept::Yes) {
-            draftKept_ = true;
-            return;
-        }
-        draftStale_ = true;
-        if (kept == JournalWriter::Kept::Busy) {
-            draftTimer_.start();
-        } else {
-            setJournalTrouble(why);
-        }
-    });
-}
-
-void JobDesk::flushDraft() {
-    if (writer_ && isOpen()) {
-        writer_->wait(endPatience);  // an older one may be under way
-        keepDraft();
-        writer_->wait(endPatience);
+    draftStale_ = !journal_->saveDraft(draft);
+    if (draftStale_) {
+        draftTimer_.start();  // another program is writing
+    } else {
+        draftKept_ = true;
     }
 }
 
@@ -515,7 +413,7 @@ QString JobDesk::restoreDraft(const JournalDraft& draft, bool keepsFile) {
     }
     model_->history()->resetClean();  // not saved yet; the draft is this program's from now on
     draftStale_ = true;
-    flushDraft();
+    keepDraft();
     if (draftKept_ && !draftStale_) {
         discardDraft(draft.session);
     }
@@ -524,8 +422,7 @@ QString JobDesk::restoreDraft(const JournalDraft& draft, bool keepsFile) {
 
 void JobDesk::discardDraft(const QString& session) {
     if (isOpen()) {
-        writer_->discardDraft(session);
-        writer_->wait(callPatience);
+        journal_->discardDraft(session);
     }
 }
 

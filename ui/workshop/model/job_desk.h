@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QTimer>
+#include <atomic>
 #include <functional>
 #include <memory>
 
 #include "model/scene_model.h"
 #include "workshop/job_header.h"
 #include "workshop/model/journal.h"
-#include "workshop/model/journal_writer.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -41,14 +41,11 @@ class JobDesk : public QObject {
     JobDesk(SceneModel* model, const QString& journalPath, Scene scene);
     ~JobDesk() override;
 
-    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble(),
-    /// or not yet: another program is busy with it, and journalOpened() follows when that is over.
+    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
     bool openJournal();
     Journal* journal() { return journal_.get(); }
-    /// A job is being saved, or a call waits for another program.
-    bool isWaiting() const { return saving_ || (journal_ && journal_->isWaiting()); }
-    /// The same, or a draft is being written.
-    bool isBusy() const { return isWaiting() || draftUnderWay_; }
+    /// The backup that is offered in place of a damaged journal; empty where there is none.
+    QString offeredBackup() const { return journal_ ? journal_->offeredBackup() : QString(); }
     bool isOpen() const { return journal_ && journal_->isOpen(); }
     /// What is wrong with the journal, or what happened to it; empty where nothing.
     QString journalTrouble() const { return journalTrouble_; }
@@ -83,27 +80,25 @@ class JobDesk : public QObject {
     bool isNameless() const;
     /// True where the journal has the sheet as it stands, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
-    /// How a save ended, with a sentence for the status bar.
-    using SaveTold = std::function<void(bool saved, const QString& text)>;
     /// Saves the job as it stands on the sheet, finished or to go on with another day. One without
     /// an answer, or by which nobody could find it again, is not finished; one without anything is
-    /// not saved. It is told before this returns, or later where the journal is slow: what is typed
-    /// meanwhile stays a change that is not saved.
-    void saveJob(bool isFinished, const SaveTold& told);
-    /// The same, and waits for it. @return the sentence; `ok` says whether it is saved
+    /// not saved. @return a sentence for the status bar; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
     /// The same returns: a sentence.
     QString backUpJournal(const QString& file);
-    QString restoreJournal(const QString& file);
+    /// For a worker: brings jobs back into the journal by a connection of its own. @return a
+    /// sentence
+    static QString restoreJournal(const QString& journal, const QString& file,
+                                  const std::atomic<bool>& cancelled);
+    /// What came with it is looked at.
+    void takeRestored();
     /// Opens a job. @return an empty string, or what went wrong
     QString openJob(qint64 id) { return takeJob(id, false); }
     /// What it keeps for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
-    /// Begins to write the draft now if something is not in it yet.
+    /// Writes the draft now if something is not in it yet.
     void keepDraft();
-    /// The same, and waits for it.
-    void flushDraft();
     /// Drafts of the scene that a crash left.
     QList<JournalDraft> crashedDrafts();
     /// @param keepsFile  the sheet's file is that of the draft, too
@@ -129,8 +124,6 @@ class JobDesk : public QObject {
 
   Q_SIGNALS:
     void journalOpened();
-    /// Another program is writing to the journal: what was asked for waits for it.
-    void journalWaits();
     void journalTroubleChanged(const QString& text);
     /// The job on the sheet was removed from the journal.
     void jobRemoved();
@@ -138,10 +131,8 @@ class JobDesk : public QObject {
   private:
     /// A name alone makes no other engine.
     bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
-    void takeJournal(const QString& message);
-    void openLater();
     void putJobId(qint64 id, int revision);
-    void takeSaved(const JournalJob& job, bool isOnSheet);
+    void takeSaved(const JournalJob& job);
     QString savedText(Journal::Saved saved, const JournalJob& job) const;
     QByteArray formText() const;
     QString takeJob(qint64 id, bool isCopy);
@@ -151,19 +142,14 @@ class JobDesk : public QObject {
     Scene scene_;
     QString cardLanguage_;
     QString journalPath_;
-    std::unique_ptr<Journal> journal_;       // reads, and writes what the user waits for
-    std::unique_ptr<JournalWriter> writer_;  // jobs and drafts
+    std::unique_ptr<Journal> journal_;
     QString journalTrouble_;
     qint64 jobId_ = 0;
     int jobRevision_ = 0;
     QTimer draftTimer_;
     bool draftStale_ = false;
     bool draftKept_ = false;
-    bool draftUnderWay_ = false;
     bool isJournaled_ = false;
-    bool saving_ = false;
-    bool opening_ = false;  // the journal, as soon as another program lets go of it
-    int sheet_ = 0;         // counts the jobs that came onto the sheet
 };
 
 }  // namespace ravnoves

@@ -1,13 +1,8 @@
 #include "workshop/model/journal.h"
 
-#include <QDeadlineTimer>
 #include <QDir>
-#include <QEventLoop>
-#include <QScopedValueRollback>
 #include <QSqlDatabase>
 #include <QStandardPaths>
-#include <QThread>
-#include <QTimer>
 #include <QUuid>
 #include <utility>
 
@@ -23,9 +18,6 @@ namespace {
 
 bool journalKept = true;
 
-constexpr int draftPatience = 50;  // ms
-constexpr int pauseLength = 20;    // ms
-
 /// The text with the pattern signs of LIKE taken literally.
 QString likePattern(QString text) {
     text.replace(QLatin1Char('\\'), QLatin1String("\\\\"));
@@ -40,17 +32,10 @@ Journal::Journal(const QString& path, QObject* parent)
     : QObject(parent),
       path_(path),
       connection_(QStringLiteral("journal-") + QUuid::createUuid().toString(QUuid::Id128)),
-      session_(QUuid::createUuid().toString(QUuid::Id128)),
-      patience_(journal_rows::patience) {}
+      session_(QUuid::createUuid().toString(QUuid::Id128)) {}
 
 Journal::~Journal() {
     closeDatabase();
-}
-
-void Journal::writeFor(const QString& session, const std::atomic<bool>* giveUp) {
-    session_ = session;
-    giveUp_ = giveUp;
-    writesForAnother_ = true;
 }
 
 void Journal::setKept(bool kept) {
@@ -78,65 +63,33 @@ bool Journal::fail(const QString& what, const QString& why) {
     return false;
 }
 
-/// Lets the window live for a moment, but for keys and mouse: what they ask for comes after this.
-void Journal::pause() {
-    if (!std::exchange(waiting_, true)) {
-        Q_EMIT waits();
-    }
-    if (writesForAnother_) {  // in a thread that has nothing else to do
-        QThread::msleep(pauseLength);
-        return;
-    }
-    QEventLoop loop;
-    QTimer::singleShot(pauseLength, &loop, &QEventLoop::quit);
-    loop.exec(QEventLoop::ExcludeUserInputEvents);
-}
-
-/// Runs a statement, again and again while another program is writing. What is called meanwhile
-/// (a draft) does not wait too.
-bool Journal::execute(QSqlQuery& query, const std::function<bool()>& exec) {
-    const bool isNested = waiting_;
-    const QDeadlineTimer deadline(patience_);
-    bool done = exec();
-    while (!done && !isNested && journal_rows::saysBusy(query.lastError()) &&
-           !deadline.hasExpired() && !(giveUp_ != nullptr && *giveUp_)) {
-        pause();
-        done = exec();
-    }
-    waiting_ = isNested;
-    return done;
-}
-
 bool Journal::run(QSqlQuery& query, const QString& what) {
-    if (execute(query, [&] { return query.exec(); })) {
+    if (query.exec()) {
         error_.clear();
-        damaged_ = false;
-        busy_ = false;
         return true;
     }
-    busy_ = journal_rows::saysBusy(query.lastError());
-    damaged_ = journal_rows::saysDamaged(query.lastError());
     return fail(what, journal_rows::faultText(query.lastError()));
 }
 
 bool Journal::runText(const QString& sql, const QString& what) {
     QSqlQuery query(database());
-    if (execute(query, [&] { return query.exec(sql); })) {
-        return true;
-    }
-    busy_ = journal_rows::saysBusy(query.lastError());
-    return fail(what, journal_rows::faultText(query.lastError()));
+    return query.exec(sql) || fail(what, journal_rows::faultText(query.lastError()));
 }
 
 Journal::Saved Journal::save(JournalJob& job) {
     if (!isReady()) {
         return Saved::No;
     }
-    Saved saved = saveOnce(job);
-    if (saved == Saved::No && damaged_ && reopen()) {
-        saved = saveOnce(job);
-    }
-    return saved;
+    const Saved saved = saveOnce(job);
+    return saved == Saved::No || keepsAsSaved(job) ? saved : Saved::No;
+}
+
+/// Whether the row reads as it was written.
+bool Journal::keepsAsSaved(const JournalJob& job) {
+    const auto kept = this->job(job.id);
+    return (kept && kept->form == job.form && kept->revision == job.revision) ||
+           fail(tr("The job could not be saved: the journal keeps nothing of it."),
+                tr("it does not read as it was written"));
 }
 
 Journal::Saved Journal::saveOnce(JournalJob& job) {
@@ -231,9 +184,6 @@ bool Journal::saveDraft(const JournalDraft& draft) {
     if (!isReady()) {
         return false;
     }
-    // A draft is written while the user types: it does not wait for another program's write as a
-    // job does, it is tried again.
-    const QScopedValueRollback patience(patience_, draftPatience);
     return ask(QStringLiteral("INSERT INTO draft"
                               " (session, job_id, job_revision, engine_number, saved, form, scene)"
                               " VALUES (?, ?, ?, ?, ?, ?, ?)"

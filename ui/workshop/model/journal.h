@@ -10,7 +10,6 @@
 #include <QString>
 #include <QVariant>
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -34,16 +33,16 @@ struct JournalJob {
     QDate date;
     QString process;                       ///< "manufacture" or "repair"
     std::optional<double> unbalancedMass;  ///< g
-    QString recommended;                   ///< an option's name, "none-needed", "not-compensated" or
-                                           ///< empty
-    std::optional<double> reduction;       ///< g per plug
-    std::optional<double> bobWeight;       ///< g, after the option
-    std::optional<double> frontReading;    ///< g·mm, what the machine read at last
-    std::optional<double> rearReading;     ///< g·mm
-    QString verdict;                       ///< verdictWord()
-    bool isFinished = true;                ///< false: put aside, to go on with
-    QDateTime saved;                       ///< UTC
-    QByteArray form;                       ///< JSON text, UTF-8
+    QString recommended;                 ///< an option's name, "none-needed", "not-compensated" or
+                                         ///< empty
+    std::optional<double> reduction;     ///< g per plug
+    std::optional<double> bobWeight;     ///< g, after the option
+    std::optional<double> frontReading;  ///< g·mm, what the machine read at last
+    std::optional<double> rearReading;   ///< g·mm
+    QString verdict;                     ///< verdictWord()
+    bool isFinished = true;              ///< false: put aside, to go on with
+    QDateTime saved;                     ///< UTC
+    QByteArray form;                     ///< JSON text, UTF-8
 };
 
 /// What a page has open and not yet finished, kept so that a crash loses nothing.
@@ -65,9 +64,8 @@ struct JournalEngine {
 
 /// What came out of a backup.
 struct JournalRestored {
-    int added = 0;          ///< jobs that were not in the journal any more
-    int known = 0;          ///< jobs that are there as they were
-    qsizetype missing = 0;  ///< could not be read
+    int added = 0;  ///< jobs that were not in the journal any more
+    int known = 0;  ///< jobs that are there as they were
 };
 
 struct JournalQuery {
@@ -82,9 +80,11 @@ struct JournalQuery {
 /// The workshop's journal: an SQLite database in the user's data folder.
 ///
 /// Every change is one transaction, on disk when the call returns (WAL with synchronous = FULL).
-/// Several programs may have the same journal open: each waits for the other's write, and a job
-/// that was changed elsewhere meanwhile is never overwritten. A file that SQLite finds damaged is
-/// renamed and a new one begun; what can still be read of it is taken over.
+/// Several programs may have the same journal open: each waits a moment for the other's write, and
+/// a job that was changed elsewhere meanwhile is never overwritten. Once a day it is backed up
+/// beside itself. A file that SQLite finds damaged is renamed and a new one begun: the newest
+/// backup is offered. Another program's database is refused, and so is a journal with anything in
+/// it that this program did not put there (triggers, views, other tables).
 class Journal : public QObject {
     Q_OBJECT
 
@@ -98,11 +98,6 @@ class Journal : public QObject {
 
     /// @param path  the database file; its folder is made where it is missing
     explicit Journal(const QString& path = defaultPath(), QObject* parent = nullptr);
-    /// Writes the drafts of another journal's session over the same file; called before open().
-    /// @param giveUp  true from outside: nothing waits for another program's write any more
-    void writeFor(const QString& session, const std::atomic<bool>* giveUp);
-    /// How long a call waits for another program's write, ms.
-    void setPatience(int ms) { patience_ = ms; }
     ~Journal() override;
 
     /// journal.sqlite in the user's data folder; empty where no journal is kept.
@@ -120,6 +115,8 @@ class Journal : public QObject {
     const QString& openMessage() const { return openMessage_; }
     /// The file that open() set aside; empty where there was no need.
     const QString& setAsidePath() const { return setAside_; }
+    /// The backup that can be restored in its place; empty where there is none.
+    const QString& offeredBackup() const { return offered_; }
 
     /// Adds the job (id 0) or changes it. On success job.id, revision and saved are set.
     Saved save(JournalJob& job);
@@ -130,13 +127,7 @@ class Journal : public QObject {
 
     /// The name of this program's draft.
     const QString& session() const { return session_; }
-    /// False also where another program is writing: wasBusy(), and it is to be tried again soon.
     bool saveDraft(const JournalDraft& draft);
-    /// True while a call waits for another program's write: the window lives meanwhile, but takes
-    /// no keys.
-    bool isWaiting() const { return waiting_; }
-    /// True where the last failure was another program's write.
-    bool wasBusy() const { return busy_; }
     bool discardDraft(const QString& session);
     /// Drafts of the scene (empty: of all) whose program no longer runs: left by a crash.
     QList<JournalDraft> orphanedDrafts(const QString& scene = {});
@@ -150,11 +141,11 @@ class Journal : public QObject {
     /// Writes all that is in the journal to a file of its own, which restore() reads; a file that
     /// is there already stays whole when anything fails.
     bool backUp(const QString& file);
-    /// Adds the jobs and engines of a backup, or of a file that was set aside, that are not in the
-    /// journal. Nothing where it is no journal: lastError().
-    std::optional<JournalRestored> restore(const QString& file);
-    /// What came, and behind it how many jobs could not be read, where there are such.
-    static QString withUnread(const QString& came, const JournalRestored& done);
+    /// Adds the jobs and engines of a backup that are not in the journal, all of them or none.
+    /// Nothing where it is no journal, is damaged or is cancelled: lastError().
+    /// @param cancelled  set from another thread
+    std::optional<JournalRestored> restore(const QString& file,
+                                           const std::atomic<bool>* cancelled = nullptr);
 
     /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
     /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of
@@ -162,36 +153,27 @@ class Journal : public QObject {
     bool exportCsv(const QString& file, const QList<JournalJob>& jobs);
     static QString csvText(const QList<JournalJob>& jobs, const QLocale& locale = QLocale());
 
-  Q_SIGNALS:
-    /// A call begins to wait for another program's write.
-    void waits();
-    /// The file was replaced or found damaged while it was open, and was opened again; the message
-    /// is empty where nothing was set aside.
-    void reopened(const QString& message);
-
   private:
     QSqlDatabase database() const;
     bool isReady();
-    bool reopen();
     std::optional<std::pair<quint64, quint64>> fileIdentity() const;
     Saved saveOnce(JournalJob& job);
+    bool keepsAsSaved(const JournalJob& job);
     bool openDatabase();
     void closeDatabase();
     bool prepareSchema();
+    bool isWhole();
+    void backUpDaily();
     bool makeTables();
     bool fromVersionOne();
     bool runAll(const QStringList& statements);
     bool isDamaged();
     bool putAside(const QString& why);
-    QString takeOver(const QString& damaged);
-    JournalRestored addFrom(const QString& file);
     void removeStaleLocks();
     /// Runs a statement with values for its ?; nothing where it fails, see lastError().
     std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
                                  const QString& cannot);
     bool run(QSqlQuery& query, const QString& what);
-    bool execute(QSqlQuery& query, const std::function<bool()>& exec);
-    void pause();
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);
     QString lockPath(const QString& session) const;
@@ -202,14 +184,9 @@ class Journal : public QObject {
     QString error_;
     QString openMessage_;
     QString setAside_;
+    QString offered_;
     std::unique_ptr<QLockFile> sessionLock_;
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
-    bool damaged_ = false;                                 // the last error was a damaged file
-    bool busy_ = false;                                    // … or another program's write
-    bool waiting_ = false;
-    int patience_;  // ms, for another program's write
-    bool writesForAnother_ = false;
-    const std::atomic<bool>* giveUp_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -1,18 +1,12 @@
 // The journal's file: opened, made, checked, set aside where it is damaged.
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <QDeadlineTimer>
 #include <QDir>
 #include <QFileInfo>
 #include <QSqlDatabase>
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <map>
 #include <set>
 
 #include "workshop/model/journal.h"
@@ -25,43 +19,8 @@ namespace {
 constexpr int schemaVersion = 2;           // 1 knew the V-8 plugs alone
 constexpr int applicationId = 0x52415650;  // "RAVP"
 
-/// Lets one program at a time through. The lock is the system's: it goes with its program, however
-/// that ends. (The file alone tells nothing, and stays: a QLockFile that was made but not yet
-/// written when its program was killed would never again be stale.)
-class Gate {
-  public:
-    explicit Gate(const QString& file)
-        : handle_(::open(QFile::encodeName(file).constData(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    }
-    ~Gate() {
-        if (handle_ >= 0) {
-            ::close(handle_);
-        }
-    }
-    Gate(const Gate&) = delete;
-    Gate& operator=(const Gate&) = delete;
-
-    enum class Passed { Yes, Busy, No };
-    /// Waits while `goOn` says so. @return Busy where another program still holds it then, No where
-    /// there is no file
-    Passed pass(const std::function<bool()>& goOn) const {
-        while (handle_ >= 0) {
-            if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
-                return Passed::Yes;
-            }
-            if (errno != EWOULDBLOCK && errno != EINTR) {
-                return Passed::No;
-            }
-            if (!goOn()) {
-                return Passed::Busy;
-            }
-        }
-        return Passed::No;
-    }
-
-  private:
-    int handle_;
-};
+constexpr int busyTimeout = 2000;  // ms, for another program's write
+constexpr int backupsKept = 7;
 
 }  // namespace
 
@@ -74,24 +33,6 @@ bool Journal::open() {
     if (!QDir().mkpath(info.absolutePath())) {
         return fail(tr("The journal's folder %1 cannot be made.").arg(info.absolutePath()), {});
     }
-    // One program at a time looks whether the file is whole, so that two cannot set it aside.
-    const Gate gate(path_ + QStringLiteral(".opening"));
-    const QDeadlineTimer deadline(patience_);
-    const Gate::Passed passed = gate.pass([&] {
-        const bool goesOn = !deadline.hasExpired() && !(giveUp_ != nullptr && *giveUp_);
-        if (goesOn) {
-            pause();
-        }
-        return goesOn;
-    });
-    waiting_ = false;
-    busy_ = passed == Gate::Passed::Busy;
-    if (passed != Gate::Passed::Yes) {
-        return fail(tr("The journal %1 cannot be opened: its folder cannot be written, or another "
-                       "program is busy with it.")
-                        .arg(path_),
-                    {});
-    }
     bool usable = openDatabase();
     if (!usable && isDamaged()) {
         usable = putAside(error_) && openDatabase();
@@ -102,21 +43,44 @@ bool Journal::open() {
         error_ = why;
         return false;
     }
-    if (!setAside_.isEmpty()) {
-        openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new "
-                          "journal was begun.")
-                           .arg(setAside_) +
-                       QLatin1Char(' ') + takeOver(setAside_);
-    }
-    identity_ = fileIdentity();
-    if (!writesForAnother_) {
-        sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
-        sessionLock_->setStaleLockTime(0);
-        sessionLock_->tryLock(0);
-        removeStaleLocks();
-    }
+    sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
+    sessionLock_->setStaleLockTime(0);
+    sessionLock_->tryLock(0);
+    removeStaleLocks();
+    backUpDaily();
     error_.clear();
     return true;
+}
+
+namespace {
+
+/// The daily backups beside the journal, the newest first.
+QFileInfoList backupsOf(const QString& path) {
+    const QFileInfo info(path);
+    return QDir(info.absolutePath())
+        .entryInfoList({info.completeBaseName() + QStringLiteral("-backup-*.sqlite")}, QDir::Files,
+                       QDir::Name | QDir::Reversed);
+}
+
+}  // namespace
+
+/// An empty journal, such as one that was just begun, takes no place of what was kept.
+void Journal::backUpDaily() {
+    QSqlQuery query(database());
+    if (!query.exec(QStringLiteral("SELECT 1 FROM job LIMIT 1")) || !query.next()) {
+        return;
+    }
+    query.finish();
+    const QFileInfo info(path_);
+    const QString file =
+        QDir(info.absolutePath())
+            .filePath(info.completeBaseName() + QStringLiteral("-backup-") +
+                      QDate::currentDate().toString(Qt::ISODate) + QStringLiteral(".sqlite"));
+    if (!QFileInfo::exists(file) && backUp(file)) {
+        for (const QFileInfo& old : backupsOf(path_).mid(backupsKept)) {
+            QFile::remove(old.filePath());
+        }
+    }
 }
 
 /// What killed programs left, once their drafts are gone; the lock of one that runs cannot be
@@ -148,19 +112,13 @@ std::optional<std::pair<quint64, quint64>> Journal::fileIdentity() const {
     return std::pair<quint64, quint64>(status.st_dev, status.st_ino);
 }
 
-bool Journal::reopen() {
-    const bool opened = open();
-    Q_EMIT reopened(openMessage_);
-    return opened;
-}
-
 /// Another program that found the file damaged has moved it away: what is written from now on must
 /// go to the journal that everyone reads, not to the file set aside.
 bool Journal::isReady() {
     if (!isOpen()) {
         return fail(tr("The journal is not open."), {});
     }
-    return fileIdentity() == identity_ || reopen();
+    return fileIdentity() == identity_ || open();
 }
 
 bool Journal::openDatabase() {
@@ -168,15 +126,18 @@ bool Journal::openDatabase() {
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection_);
         db.setDatabaseName(path_);
-        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=10"));
+        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout));
         if (!db.open()) {
             return fail(tr("The journal %1 cannot be opened.").arg(path_),
                         journal_rows::faultText(db.lastError()));
         }
     }
+    identity_ = fileIdentity();
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
-    // FULL syncs the log at every commit: a job that was saved survives a power cut.
-    return runText(QStringLiteral("PRAGMA journal_mode = WAL"), cannot) &&
+    // What is in the file cannot call functions of the program that opens it. FULL syncs the log at
+    // every commit: a job that was saved survives a power cut.
+    return runText(QStringLiteral("PRAGMA trusted_schema = OFF"), cannot) &&
+           runText(QStringLiteral("PRAGMA journal_mode = WAL"), cannot) &&
            runText(QStringLiteral("PRAGMA synchronous = FULL"), cannot) && prepareSchema();
 }
 
@@ -188,30 +149,85 @@ void Journal::closeDatabase() {
     }
 }
 
+namespace {
+
+/// What a journal says of itself.
+struct Head {
+    int application = 0;
+    int version = 0;
+    bool isEmpty = true;
+    bool isOurs = true;  ///< nothing in it but the tables and indexes of a journal
+};
+
+/// Nothing where it cannot be read: the query says why.
+std::optional<Head> headOf(QSqlQuery& query) {
+    Head head;
+    for (const auto& [pragma, value] : {std::pair{"PRAGMA application_id", &head.application},
+                                        std::pair{"PRAGMA user_version", &head.version}}) {
+        if (!query.exec(QLatin1String(pragma)) || !query.next()) {
+            return std::nullopt;
+        }
+        *value = query.value(0).toInt();
+    }
+    if (!query.exec(QStringLiteral("SELECT type, name, sql FROM sqlite_master"))) {
+        return std::nullopt;
+    }
+    static const QStringList known{QStringLiteral("table job"), QStringLiteral("table draft"),
+                                   QStringLiteral("table engine"), QStringLiteral("index job_date"),
+                                   QStringLiteral("index job_engine_number")};
+    while (query.next()) {
+        head.isEmpty = false;
+        const QString type = query.value(0).toString();
+        const QString name = query.value(1).toString();
+        const bool isSystems = name.startsWith(QLatin1String("sqlite_")) &&
+                               (type == QLatin1String("table") || type == QLatin1String("index"));
+        const bool isVirtual = query.value(2).toString().startsWith(QLatin1String("CREATE VIRTUAL"),
+                                                                    Qt::CaseInsensitive);
+        head.isOurs = head.isOurs && !isVirtual &&
+                      (isSystems || known.contains(type + QLatin1Char(' ') + name));
+    }
+    // Version 1 did not name its program.
+    head.isOurs = head.isOurs && (head.application == applicationId ||
+                                  (head.application == 0 && (head.isEmpty || head.version == 1)));
+    return head;
+}
+
+}  // namespace
+
+/// By SQLite's own check.
+bool Journal::isWhole() {
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    QSqlQuery query(database());
+    if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
+        return fail(cannot, journal_rows::faultText(query.lastError()));
+    }
+    const QString found = query.value(0).toString();
+    return found == QLatin1String("ok") || fail(cannot, found);
+}
+
 bool Journal::prepareSchema() {
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
-    int version = -1;
+    std::optional<Head> head;
     {
         QSqlQuery query(database());
-        if (!execute(query, [&] { return query.exec(QStringLiteral("PRAGMA user_version")); }) ||
-            !query.next()) {
-            busy_ = journal_rows::saysBusy(query.lastError());
+        head = headOf(query);
+        if (!head) {
             return fail(cannot, journal_rows::faultText(query.lastError()));
         }
-        version = query.value(0).toInt();
     }
+    if (!head->isOurs) {
+        return fail(tr("%1 is a database of another program, or another program has changed it; it "
+                       "was left as it is.")
+                        .arg(path_),
+                    {});
+    }
+    const int version = head->version;
     if (version > schemaVersion) {
         return fail(
             tr("The journal %1 was written by a newer program; update to open it.").arg(path_), {});
     }
-    {
-        QSqlQuery query(database());
-        if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
-            return fail(cannot, journal_rows::faultText(query.lastError()));
-        }
-        if (query.value(0).toString() != QLatin1String("ok")) {
-            return fail(cannot, query.value(0).toString());
-        }
+    if (!isWhole()) {
+        return false;
     }
     if (version == schemaVersion) {
         // A file of this version has these columns, or it is not the journal it says it is.
@@ -221,17 +237,7 @@ bool Journal::prepareSchema() {
                    ? true
                    : fail(cannot, journal_rows::faultText(query.lastError()));
     }
-    if (version == 0) {
-        QSqlQuery query(database());
-        if (!query.exec(QStringLiteral("SELECT count(*) FROM sqlite_master")) || !query.next()) {
-            return fail(cannot, journal_rows::faultText(query.lastError()));
-        }
-        if (query.value(0).toInt() > 0 && !database().tables().contains(QStringLiteral("job"))) {
-            return fail(tr("%1 is a database of another program; it was left as it is.").arg(path_),
-                        {});
-        }
-    }
-    // The programs that open it come through the gate one by one.
+    // Of two programs that begin it at once the second finds the tables there.
     if (runText(QStringLiteral("BEGIN IMMEDIATE"), cannot) &&
         (version == 1 ? fromVersionOne() : makeTables()) &&
         runText(QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion), cannot) &&
@@ -340,6 +346,9 @@ bool Journal::isDamaged() {
 
 bool Journal::putAside(const QString& why) {
     closeDatabase();
+    if (fileIdentity() != identity_) {
+        return true;  // another program was quicker
+    }
     const QFileInfo info(path_);
     const QString stem =
         QDir(info.absolutePath())
@@ -362,156 +371,16 @@ bool Journal::putAside(const QString& why) {
         }
     }
     setAside_ = target;
+    openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new journal "
+                      "was begun.")
+                       .arg(setAside_);
+    for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
+        offered_ = backup.filePath();
+        openMessage_ += QLatin1Char(' ') + tr("Its last backup is of %1.")
+                                               .arg(QLocale().toString(backup.lastModified().date(),
+                                                                       QLocale::ShortFormat));
+    }
     return true;
-}
-
-namespace {
-
-/// What can still be read of a damaged file.
-struct Rescued {
-    std::map<qint64, JournalJob> jobs;  ///< by id
-    qsizetype missing = 0;              ///< known by their numbers alone
-    QList<JournalEngine> engines;
-};
-
-/// Row by row: a damaged page costs what is on it, not what lies behind it.
-Rescued rescue(const QSqlDatabase& database) {
-    Rescued found;
-    QSqlQuery query(database);
-    query.setForwardOnly(true);
-    const bool isNew =
-        query.exec(QStringLiteral("SELECT %1 FROM job LIMIT 0").arg(journal_rows::columns));
-    const QString select =
-        QStringLiteral("SELECT %1 FROM job ")
-            .arg(isNew ? journal_rows::columns : journal_rows::columnsOfVersionOne);
-    const auto take = [&] {
-        const JournalJob job = journal_rows::read(query);
-        if (job.id > 0 && !job.form.isEmpty()) {
-            found.jobs.emplace(job.id, job);
-        }
-    };
-    // The ids from the indexes, which lie elsewhere in the file, and from both ends of the table.
-    std::set<qint64> ids;
-    for (const char* index : {"job_date", "job_engine_number"}) {
-        const QLatin1String column(qstrcmp(index, "job_date") == 0 ? "job_date" : "engine_number");
-        for (const char* order : {"ASC", "DESC"}) {
-            if (query.exec(QStringLiteral("SELECT id FROM job INDEXED BY %1 ORDER BY %2 %3")
-                               .arg(QLatin1String(index), column, QLatin1String(order)))) {
-                while (query.next()) {
-                    ids.insert(query.value(0).toLongLong());
-                }
-            }
-        }
-    }
-    for (const char* order : {"ASC", "DESC"}) {
-        if (query.exec(select + QStringLiteral("ORDER BY id ") + QLatin1String(order))) {
-            while (query.next()) {
-                take();
-            }
-        }
-    }
-    // Between the ends that could be walked every number may be a job, known or not.
-    qint64 last = 0;
-    if (query.exec(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'job'")) &&
-        query.next()) {
-        last = query.value(0).toLongLong();
-    }
-    for (const auto& [id, job] : found.jobs) {
-        ids.insert(id);
-    }
-    ids.erase(ids.begin(), ids.lower_bound(1));
-    constexpr qint64 mostTried = 1'000'000;  // a number that is no number of jobs
-    if (!ids.empty() && last < *ids.rbegin()) {
-        last = *ids.rbegin();
-    }
-    for (qint64 id = 1; id <= std::min(last, mostTried); ++id) {
-        if (!found.jobs.contains(id) && query.prepare(select + QStringLiteral("WHERE id = ?"))) {
-            query.addBindValue(id);
-            if (query.exec() && query.next()) {
-                take();
-            }
-            // No such row is no damage: a job that was removed.
-            if (query.lastError().isValid()) {
-                ids.insert(id);
-            }
-        }
-    }
-    found.missing = static_cast<qsizetype>(
-        std::count_if(ids.begin(), ids.end(), [&](qint64 id) { return !found.jobs.contains(id); }));
-    if (query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
-        while (query.next()) {
-            found.engines << JournalEngine{query.value(0).toString(),
-                                           query.value(1).toString().toUtf8()};
-        }
-    }
-    return found;
-}
-
-}  // namespace
-
-JournalRestored Journal::addFrom(const QString& file) {
-    const QString connection = connection_ + QStringLiteral("-other");
-    Rescued found;
-    {
-        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
-        db.setDatabaseName(file);
-        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
-        if (db.open()) {
-            found = rescue(db);
-            db.close();
-        }
-    }
-    QSqlDatabase::removeDatabase(connection);
-    identity_ = fileIdentity();
-    // What is there as it was, by the time of its saving and its form.
-    std::set<std::pair<qint64, QString>> known;
-    auto there = ask(QStringLiteral("SELECT saved, form FROM job"), {}, {});
-    while (there && there->next()) {
-        known.emplace(there->value(0).toLongLong(), there->value(1).toString());
-    }
-    there.reset();
-    JournalRestored done;
-    done.missing = found.missing;
-    const bool together = database().transaction();  // one sync for all
-    for (auto& [id, job] : found.jobs) {
-        const QDateTime saved = job.saved;
-        if (known.contains({saved.toMSecsSinceEpoch(), QString::fromUtf8(job.form)})) {
-            ++done.known;
-            continue;
-        }
-        job.id = 0;
-        if (saveOnce(job) == Saved::Yes) {
-            ++done.added;
-            ask(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"),
-                {journal_rows::stamp(saved), job.id}, {});
-        }
-    }
-    QStringList names;
-    for (const JournalEngine& engine : engines()) {
-        names << engine.name;
-    }
-    for (const JournalEngine& engine : found.engines) {
-        if (!names.contains(engine.name)) {
-            saveEngine(engine);
-        }
-    }
-    if (together && !database().commit()) {
-        done.missing += done.added;
-        done.added = 0;
-    }
-    return done;
-}
-
-/// @return how many jobs came over and how many did not, in words
-QString Journal::takeOver(const QString& damaged) {
-    const JournalRestored done = addFrom(damaged);
-    return withUnread(tr("Jobs taken over from it: %1.").arg(done.added), done);
-}
-
-QString Journal::withUnread(const QString& came, const JournalRestored& done) {
-    return done.missing == 0
-               ? came
-               : came + QLatin1Char(' ') + tr("Jobs that could not be read: %1.").arg(done.missing);
 }
 
 bool Journal::backUp(const QString& file) {
@@ -530,18 +399,99 @@ bool Journal::backUp(const QString& file) {
     return true;
 }
 
-std::optional<JournalRestored> Journal::restore(const QString& file) {
-    if (!isReady()) {
+namespace {
+
+struct Contents {
+    QList<JournalJob> jobs;
+    QList<JournalEngine> engines;
+};
+
+/// All that is in a journal; nothing where it is none, is damaged or is cancelled.
+std::optional<Contents> contentsOf(const QSqlDatabase& database,
+                                   const std::atomic<bool>* cancelled) {
+    QSqlQuery query(database);
+    query.setForwardOnly(true);
+    query.exec(QStringLiteral("PRAGMA trusted_schema = OFF"));
+    const auto head = headOf(query);
+    if (!head || !head->isOurs || head->version < 1 || head->version > schemaVersion ||
+        !query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next() ||
+        query.value(0).toString() != QLatin1String("ok")) {
         return std::nullopt;
     }
-    const QString cannot = tr("%1 is no backup of a journal.").arg(file);
-    if (QFileInfo(file) == QFileInfo(path_)) {
+    Contents found;
+    const auto goesOn = [&] { return cancelled == nullptr || !*cancelled; };
+    if (!query.exec(QStringLiteral("SELECT %1 FROM job")
+                        .arg(head->version == 1 ? journal_rows::columnsOfVersionOne
+                                                : journal_rows::columns))) {
+        return std::nullopt;
+    }
+    while (goesOn() && query.next()) {
+        found.jobs << journal_rows::read(query);
+    }
+    if (query.lastError().isValid() ||
+        !query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
+        return std::nullopt;
+    }
+    while (goesOn() && query.next()) {
+        found.engines << JournalEngine{query.value(0).toString(),
+                                       query.value(1).toString().toUtf8()};
+    }
+    return goesOn() ? std::optional(found) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<JournalRestored> Journal::restore(const QString& file,
+                                                const std::atomic<bool>* cancelled) {
+    const QString cannot = tr("%1 is no backup of a journal, or is damaged.").arg(file);
+    std::optional<Contents> found;
+    if (!isReady() || QFileInfo(file) == QFileInfo(path_)) {
         fail(cannot, {});
         return std::nullopt;
     }
-    const JournalRestored done = addFrom(file);
-    if (done.added + done.known + done.missing == 0) {
+    const QString connection = connection_ + QStringLiteral("-other");
+    {
+        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
+        db.setDatabaseName(file);
+        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
+        if (db.open()) {
+            found = contentsOf(db, cancelled);
+        }
+    }
+    QSqlDatabase::removeDatabase(connection);
+    if (!found) {
         fail(cannot, {});
+        return std::nullopt;
+    }
+    // What is there as it was, by the time of its saving and its form.
+    std::set<std::pair<qint64, QByteArray>> known;
+    for (const JournalJob& job : search({})) {
+        known.emplace(job.saved.toMSecsSinceEpoch(), job.form);
+    }
+    QStringList names;
+    for (const JournalEngine& engine : engines()) {
+        names << engine.name;
+    }
+    JournalRestored done;
+    bool isKept = runText(QStringLiteral("BEGIN IMMEDIATE"), cannot);
+    for (JournalJob& job : found->jobs) {
+        const QDateTime saved = job.saved;
+        if (known.contains({saved.toMSecsSinceEpoch(), job.form})) {
+            ++done.known;
+            continue;
+        }
+        job.id = 0;
+        isKept = isKept && (cancelled == nullptr || !*cancelled) && saveOnce(job) == Saved::Yes &&
+                 ask(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"),
+                     {journal_rows::stamp(saved), job.id}, cannot);
+        ++done.added;
+    }
+    for (const JournalEngine& engine : found->engines) {
+        isKept = isKept && (names.contains(engine.name) || saveEngine(engine));
+    }
+    if (!isKept || !runText(QStringLiteral("COMMIT"), cannot)) {
+        QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
+        fail(tr("Nothing was restored."), {});
         return std::nullopt;
     }
     error_.clear();

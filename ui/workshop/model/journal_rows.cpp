@@ -129,10 +129,6 @@ void bind(QSqlQuery& query, const JournalJob& job) {
     }
 }
 
-bool saysBusy(const QSqlError& error) {
-    return primaryCode(error) == sqliteBusy;
-}
-
 bool saysDamaged(const QSqlError& error) {
     const int code = primaryCode(error);
     return code == sqliteCorrupt || code == sqliteNotADatabase;

@@ -32,11 +32,6 @@ QDateTime fromStamp(const QVariant& value);
 /// The empty text, not NULL, for a QString that was never set.
 QString bare(const QString& text);
 
-/// How long a write waits for that of another program, ms.
-inline constexpr int patience = 15'000;
-
-/// True where SQLite says that another program is writing.
-bool saysBusy(const QSqlError& error);
 /// True where SQLite says that the file is damaged or no database.
 bool saysDamaged(const QSqlError& error);
 /// What SQLite says, in words for who works with the journal.

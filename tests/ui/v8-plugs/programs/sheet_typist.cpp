@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
                 .mass[static_cast<std::size_t>(field % 8)] = grams * 1e-3;
             input.job.engine_number = std::to_string(field);
         });
-        model.desk()->flushDraft();  // what the page does when a field loses the focus
+        model.desk()->keepDraft();  // what the page does when a field loses the focus
         std::printf("left %d %g\n", field, grams);
         std::fflush(stdout);
     }

@@ -1,40 +1,16 @@
 // Writes jobs and drafts into a journal until it is killed, and says on standard output what has
-// been saved: "job ID MARK" after each job, "draft MARK" after each draft. With "hold" it begins to
-// write, says "held", and ends the write when its standard input ends.
+// been saved: "job ID MARK" after each job, "draft MARK" after each draft.
 
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSqlDatabase>
-#include <QSqlQuery>
 #include <cstdio>
 
 #include "workshop/model/journal.h"
 
-namespace {
-
-int hold(const QString& file) {
-    QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"));
-    db.setDatabaseName(file);
-    if (!db.open() || !QSqlQuery(db).exec(QStringLiteral("BEGIN IMMEDIATE"))) {
-        return 1;
-    }
-    std::puts("held");
-    std::fflush(stdout);
-    while (std::getchar() != EOF) {
-    }
-    QSqlQuery(db).exec(QStringLiteral("ROLLBACK"));
-    return 0;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
-    if (arguments.size() == 3 && arguments.at(2) == QStringLiteral("hold")) {
-        return hold(arguments.at(1));
-    }
     if (arguments.size() < 4) {
         std::fprintf(stderr, "usage: journal_writer FILE MARK COUNT\n");
         return 2;
@@ -53,11 +29,7 @@ int main(int argc, char** argv) {
         const QByteArray text = QJsonDocument(form).toJson(QJsonDocument::Compact);
         ravnoves::JournalDraft draft;
         draft.form = text;
-        bool kept = journal.saveDraft(draft);
-        while (!kept && journal.wasBusy()) {
-            kept = journal.saveDraft(draft);  // as the page does a little later
-        }
-        if (!kept) {
+        if (!journal.saveDraft(draft)) {
             std::fprintf(stderr, "%s\n", qPrintable(journal.lastError()));
             return 1;
         }
