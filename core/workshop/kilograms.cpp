@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace ravnoves::workshop {
@@ -43,6 +45,16 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+/// The usual scatter of masses: as a standard deviation, from the median of the distances, which no
+/// slip among them moves.
+double robust_scatter(std::vector<double> masses, double middle) {
+    constexpr double of_normal = 1.4826;  // σ over the median of |x − μ|
+    for (double& mass : masses) {
+        mass = std::abs(mass - middle);
+    }
+    return of_normal * median(std::move(masses));
+}
+
 }  // namespace
 
 std::vector<std::size_t> OddMass::cylinders() const {
@@ -56,6 +68,7 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
     std::optional<OddMass> found;
     double farthest = 0.0;
     std::vector<std::size_t> odd;
+    std::vector<OddMass> scattered;  // within the tenth, but far beyond the others' scatter
     for (std::size_t i = 0; i < masses.size(); ++i) {
         std::vector<double> others;
         for (std::size_t k = 0; k < masses.size(); ++k) {
@@ -69,7 +82,18 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
         const double usual = median(others);
         const double most = others.size() < 3 ? 3.0 : 1.1;
         const double away = std::abs(std::log(*masses[i] / usual));
+        constexpr double least_scatter = 1e-4;  // of a mass: what scales read
+        constexpr double most_score = 6.0;
+        constexpr double least_away = 0.01;
+        std::optional<double> score;
+        if (others.size() >= 3) {
+            score = std::abs(*masses[i] - usual) /
+                    std::max(robust_scatter(others, usual), least_scatter * usual);
+        }
         if (away <= std::log(most)) {
+            if (score && *score > most_score && away > least_away) {
+                scattered.push_back({i, *masses[i], usual, score});
+            }
             continue;
         }
         odd.push_back(i);
@@ -80,11 +104,17 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                : 1e-3 * (*masses[i] > usual ? 1.0 : 0.0);
         if (away + tie > farthest) {
             farthest = away + tie;
-            found = OddMass{i, *masses[i], usual};
+            found = OddMass{i, *masses[i], usual, score};
         }
     }
     const auto weighed = std::count_if(masses.begin(), masses.end(),
                                        [](const Weighed& mass) { return mass && *mass > 0.0; });
+    // More than a quarter of them are another kind of part, and no slips.
+    if (!found && !scattered.empty() && 4 * std::ssize(scattered) <= weighed) {
+        return *std::max_element(
+            scattered.begin(), scattered.end(),
+            [](const OddMass& a, const OddMass& b) { return *a.score < *b.score; });
+    }
     if (found && weighed > 3) {
         std::erase(odd, found->cylinder);
         found->also = std::move(odd);

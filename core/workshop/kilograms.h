@@ -19,6 +19,9 @@ struct OddMass {
     std::size_t cylinder;  ///< counted from 0
     double mass;           ///< kg
     double usual;          ///< median of the others, kg
+    /// How many times the usual scatter of the others it is away (a robust z-score); of four and
+    /// more parts.
+    std::optional<double> score{};
     /// Cylinders that are unlike theirs as well; half of them and more where there are two kinds.
     std::vector<std::size_t> also{};
 
@@ -26,9 +29,11 @@ struct OddMass {
     std::vector<std::size_t> cylinders() const;
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
-/// engine differ by a few percent. Of two or three, whose median says little, by a factor of more
-/// than 3, as a decimal sign in the wrong place makes it; of two the one that is farther from the
-/// nominal mass, or the heavier one. Nothing where there is none; 0 is no mass.
+/// engine differ by a few percent; of four or more also where it is by more than a hundredth and
+/// more than six times the scatter of the others, unless there are two kinds. Of two or three,
+/// whose median says little, by a factor of more than 3, as a decimal sign in the wrong place makes
+/// it; of two the one that is farther from the nominal mass, or the heavier one. Nothing where
+/// there is none; 0 is no mass.
 std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses);
 

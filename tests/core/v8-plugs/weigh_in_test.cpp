@@ -121,6 +121,15 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     // Of four and more the others agree to a few percent.
     EXPECT_EQ(odd_mass({}, grams({587, 688.1, 585, 590}))->cylinder, 1U);
     EXPECT_FALSE(odd_mass({}, grams({587, 612, 585, 560})));
+    // One of eight, 30 g heavier than seven within 6 g: no tenth, but far beyond their scatter.
+    const auto one = odd_mass({}, grams({600, 602, 604, 606, 601, 633, 603, 605}));
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->cylinder, 5U);
+    EXPECT_NEAR(*one->score, 30 / (1.4826 * 2), 1e-9) << "603 ± 2 g by the medians";
+    // Sets as they come, two kinds of parts, and a scale's last digit are no slips.
+    EXPECT_FALSE(odd_mass({}, grams({600, 602, 604, 606, 601, 609, 603, 605})));
+    EXPECT_FALSE(odd_mass({}, grams({600, 600.1, 600.2, 600, 620, 620.1, 620, 620.2})));
+    EXPECT_FALSE(odd_mass({}, grams({600, 600, 600, 600, 600, 600, 600, 602})));
     // All that are unlike the others, and both kinds where there are two.
     EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 584, 585, 655}))->also,
               std::vector<std::size_t>{1});

@@ -49,7 +49,13 @@ QString oddMassText(const Words& words, workshop::Part part, const workshop::Odd
                   "%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.")
             : words.translate("Workshop",
                               "%1: cylinder %2 weighs %3, the others about %4; is it mistyped?");
-    return said.arg(name).arg(odd.cylinder + 1).arg(grams(odd.mass), grams(odd.usual));
+    const QString text =
+        said.arg(name).arg(odd.cylinder + 1).arg(grams(odd.mass), grams(odd.usual));
+    return odd.score
+               ? text + QLatin1Char(' ') +
+                     words.translate("Workshop", "It is %1 times the scatter of the others away.")
+                         .arg(words.plain(*odd.score, 0))
+               : text;
 }
 
 QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,
