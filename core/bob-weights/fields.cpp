@@ -6,7 +6,7 @@ namespace ravnoves::bob_weights {
 
 namespace {
 
-using workshop::Part;
+using shop::Part;
 
 constexpr Field part(std::string_view key, Text label, Text hint, Text placeholder = {"", "0"}) {
     return {.key = key,
@@ -99,14 +99,14 @@ void visit_fields(FieldVisitor& visitor, Reading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
     visit_angle(visitor, reading);
     visitor.number(field::bob_weight_then, reading.bob_weight);
-    visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
+    visitor.object_with_defaults(shop::field::read_shaft, reading.shaft);
 }
 
 void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
     visitor.required(field::unbalance, reading.unbalance);
     visit_angle(visitor, reading);
     visitor.number(field::bob_weight_then, reading.bob_weight);
-    visitor.object_with_defaults(workshop::field::read_shaft, reading.shaft);
+    visitor.object_with_defaults(shop::field::read_shaft, reading.shaft);
 }
 
 void visit_fields(FieldVisitor& visitor, DrilledHole& hole) {
@@ -202,11 +202,11 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
                 column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
             }
         }
-        visitor.choice(field::numbering, sheet.numbering, workshop::CylinderNumbering::bank_by_bank,
+        visitor.choice(field::numbering, sheet.numbering, shop::CylinderNumbering::bank_by_bank,
                        FieldVisitor::Written::always);
-        workshop::visit_sets(visitor, sheet);
-        workshop::visit_columns(visitor, sheet, field::part_mass, false);
-        workshop::visit_matching(visitor, sheet.matching, true);
+        shop::visit_sets(visitor, sheet);
+        shop::visit_columns(visitor, sheet, field::part_mass, false);
+        shop::visit_matching(visitor, sheet.matching, true);
     });
     visitor.choice(field::balance, input.balance, Balance::internal);
     visitor.object(field::correction, input.correction);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bob-weights/input.h"
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 /// The inputs of the scene, each described once; the masses are part_fields().
 namespace ravnoves::bob_weights {
@@ -23,7 +23,7 @@ inline constexpr Word plane_words[] = {{"front", CORE_TEXT("bob-weights", "Front
 
 namespace field {
 
-using namespace workshop::field;
+using namespace shop::field;
 
 // --------------------------------------------------------------------------------- engine
 inline constexpr Field engine{.key = "engine",
@@ -183,7 +183,7 @@ inline constexpr Field angle{
                       "Angle of the heavy spot from the machine's zero mark; a machine that shows "
                       "the light spot shows it 180° from here. A reading of 0 has none."),
     .placeholder = CORE_TEXT("V8", "needed")};
-using workshop::field::bob_weight_then;
+using shop::field::bob_weight_then;
 inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Drills at hand.")};
 inline constexpr Field diameters{
     .key = "diameters_mm",

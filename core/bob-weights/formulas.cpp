@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bob-weights/factor_theory.h"
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 namespace ravnoves::bob_weights {
 
@@ -67,7 +67,7 @@ std::vector<Formula> formulas(const Input& input) {
         }
     }
     if (input.tolerance && input.tolerance->by_grade) {
-        list.push_back(workshop::permissible_unbalance_formula());
+        list.push_back(shop::permissible_unbalance_formula());
     }
     return list;
 }

@@ -150,8 +150,7 @@ void fit_weigh_in(Input& input) {
         for (auto& column : input.weigh_in->columns) {
             column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
         }
-        for (workshop::SetNumbers* sets :
-             {&input.weigh_in->piston_sets, &input.weigh_in->rod_sets}) {
+        for (shop::SetNumbers* sets : {&input.weigh_in->piston_sets, &input.weigh_in->rod_sets}) {
             if (sets->size() != static_cast<std::size_t>(input.engine.cylinders)) {
                 sets->clear();
             }
@@ -201,8 +200,8 @@ BearingPlaces places_of_bearings(const Input& input) {
 namespace {
 
 /// As many rows as the engine has cylinders.
-std::optional<workshop::PartColumn<std::vector<workshop::Weighed>>> weighed_column(
-    const Input& input, const PartField& part) {
+std::optional<shop::PartColumn<std::vector<shop::Weighed>>> weighed_column(const Input& input,
+                                                                           const PartField& part) {
     if (!input.weigh_in || !part.column) {
         return std::nullopt;
     }
@@ -219,7 +218,7 @@ bool is_weighed(const Input& input, const PartField& part) {
 
 std::optional<double> mass_of(const Input& input, const PartField& part) {
     const auto column = weighed_column(input, part);
-    return column ? workshop::statistics(*column)->mean : input.parts.*part.member;
+    return column ? shop::statistics(*column)->mean : input.parts.*part.member;
 }
 
 std::vector<Message> not_counted(const Input& input) {
@@ -233,16 +232,16 @@ std::vector<Message> not_counted(const Input& input) {
             if (typed) {
                 list.emplace_back(
                     CORE_TEXT("bob-weights", "%1: the typed %2 is replaced by the weights."),
-                    workshop::part_word(*part.column).label,
+                    shop::part_word(*part.column).label,
                     Number{*typed / units::gram, units::gram, -2});
             }
-        } else if (const auto weighed = workshop::statistics((*input.weigh_in)[*part.column])) {
+        } else if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
             list.emplace_back(
                 typed ? CORE_TEXT("bob-weights",
                                   "%1: %2 of %3 weighed; the typed mass counts until all are.")
                       : CORE_TEXT("bob-weights",
                                   "%1: %2 of %3 weighed; they do not count until all are."),
-                workshop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
+                shop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
         }
     }
     return list;
@@ -262,8 +261,8 @@ void check_input(const Input& input) {
     check_fields(input);
     check_bob_weight(input);
     if (input.weigh_in) {
-        workshop::check_weighed(*fitted(input).weigh_in);
-        workshop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
+        shop::check_weighed(*fitted(input).weigh_in);
+        shop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
     }
     for (const PartField& each : part_fields()) {
         const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;

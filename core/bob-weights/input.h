@@ -7,8 +7,8 @@
 
 #include "case-file/field.h"
 #include "numerics/constants.h"
-#include "workshop/job_header.h"
-#include "workshop/weigh_in.h"
+#include "shop/job_header.h"
+#include "shop/weigh_in.h"
 
 namespace ravnoves {
 class FieldVisitor;
@@ -69,12 +69,12 @@ struct PartField {
     Field field;
     std::optional<double> Parts::*member;
     PartKind kind;
-    std::optional<workshop::Part> column;
+    std::optional<shop::Part> column;
 };
 /// In the order of a trade card: what reciprocates, what rotates, the oil.
 std::span<const PartField> part_fields();
 
-using WeighIn = workshop::WeighIn<std::vector<workshop::Weighed>>;
+using WeighIn = shop::WeighIn<std::vector<shop::Weighed>>;
 
 /// One plane in which the crankshaft is corrected.
 struct Plane {
@@ -92,7 +92,7 @@ struct Reading {
     std::optional<double> unbalance;   ///< kg·m
     std::optional<double> angle;       ///< rad
     std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
-    workshop::ReadShaft shaft;
+    shop::ReadShaft shaft;
 
     friend bool operator==(const Reading&, const Reading&) = default;
 };
@@ -102,7 +102,7 @@ struct EarlierReading {
     std::optional<double> unbalance;   ///< kg·m
     std::optional<double> angle;       ///< rad
     std::optional<double> bob_weight;  ///< kg
-    workshop::ReadShaft shaft;
+    shop::ReadShaft shaft;
 
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };
@@ -211,7 +211,7 @@ struct Input {
     Balance balance = Balance::internal;
     std::optional<Correction> correction;
     std::optional<Tolerance> tolerance;
-    workshop::JobHeader job;
+    shop::JobHeader job;
 
     friend bool operator==(const Input&, const Input&) = default;
 };

@@ -7,7 +7,7 @@ namespace ravnoves::bob_weights {
 namespace {
 
 /// Of the throws from the front, degrees.
-std::vector<double> usual_angles(const workshop::Crank& crank) {
+std::vector<double> usual_angles(const shop::Crank& crank) {
     switch (crank.angle_count()) {
         case 1:
             return {0};
@@ -29,15 +29,15 @@ std::vector<double> usual_angles(const workshop::Crank& crank) {
 
 }  // namespace
 
-workshop::Crank crank_of(const Input& input) {
+shop::Crank crank_of(const Input& input) {
     const Engine& engine = input.engine;
-    const workshop::MatchingRules rules =
-        input.weigh_in ? input.weigh_in->matching : workshop::MatchingRules{};
-    workshop::Crank crank;
+    const shop::MatchingRules rules =
+        input.weigh_in ? input.weigh_in->matching : shop::MatchingRules{};
+    shop::Crank crank;
     crank.cylinders = engine.cylinders;
     crank.rods_per_pin = engine.rods_on_crankpin();
     crank.numbering =
-        input.weigh_in ? input.weigh_in->numbering : workshop::CylinderNumbering::bank_by_bank;
+        input.weigh_in ? input.weigh_in->numbering : shop::CylinderNumbering::bank_by_bank;
     const bool in_line = engine.type == EngineType::in_line;
     const bool boxer = engine.type == EngineType::boxer;
     crank.has_banks = !in_line;
@@ -57,8 +57,8 @@ workshop::Crank crank_of(const Input& input) {
     return crank;
 }
 
-workshop::MatchingTask matching_task(const Input& input, double factor) {
-    workshop::MatchingTask task;
+shop::MatchingTask matching_task(const Input& input, double factor) {
+    shop::MatchingTask task;
     if (!input.weigh_in || input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return task;
     }
@@ -69,10 +69,10 @@ workshop::MatchingTask matching_task(const Input& input, double factor) {
                 part.kind == PartKind::reciprocating ? factor : 1.0;
         }
     }
-    const workshop::Crank crank = crank_of(input);
+    const shop::Crank crank = crank_of(input);
     task.places = places_of(crank);
     task.spacing_known = crank.spacing.has_value();
-    task.no_shaking = workshop::crank_fault(crank);
+    task.no_shaking = shop::crank_fault(crank);
     return task;
 }
 

@@ -8,7 +8,7 @@
 #include "bob-weights/drilling.h"
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/input.h"
-#include "workshop/matching.h"
+#include "shop/matching.h"
 
 namespace ravnoves::bob_weights {
 
@@ -24,8 +24,8 @@ struct Line {
 /// Statistics of a weighed column, and what to take off each part to match the lightest.
 struct Matching {
     const PartField* part;
-    workshop::ColumnStatistics statistics;
-    std::vector<workshop::Weighed> take_off;  ///< kg
+    shop::ColumnStatistics statistics;
+    std::vector<shop::Weighed> take_off;  ///< kg
 };
 
 /// What is drilled into a plane and pressed in.
@@ -55,7 +55,7 @@ struct RunResult {
     /// The bob weight that it was read with where it is not the one there is now, kg, and the
     /// crankshaft where it is another: it says nothing of this one then.
     std::optional<double> read_with;
-    std::optional<workshop::OtherShaft> read_on;
+    std::optional<shop::OtherShaft> read_on;
 
     /// Of an earlier run: what was planned in each plane, taken as drilled as planned.
     std::array<Metal, 2> drilled;
@@ -99,7 +99,7 @@ struct Result {
     std::optional<FirstOrder> first_order_bare;  ///< without counterweights
     std::vector<double> crankpins;  ///< each one's own bob weight, of the parts weighed; kg
     std::vector<Matching> matching;
-    std::optional<workshop::Matched> placing;          ///< which set goes to which cylinder
+    std::optional<shop::Matched> placing;              ///< which set goes to which cylinder
     std::vector<double> placed_crankpins;              ///< then; kg
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m
     std::optional<std::array<double, 2>> permissible;  ///< of each plane, kg·m

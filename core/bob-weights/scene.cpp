@@ -92,13 +92,13 @@ Json weigh_in_json(const Input& input, const Result& result) {
     Json json = Json::object();
     for (const Matching& each : result.matching) {
         const auto& masses = (*input.weigh_in)[*each.part->column].mass;
-        json[std::string(workshop::part_word(*each.part->column).word)] = {
+        json[std::string(shop::part_word(*each.part->column).word)] = {
             {"mean_g", each.statistics.mean / units::gram},
             {"spread_g", each.statistics.spread / units::gram},
             {"heaviest_cylinder", each.statistics.heaviest + 1},
             {"lightest_cylinder", each.statistics.lightest + 1},
             {"within_permitted_spread", each.statistics.within_permitted},
-            {"take_off_g", workshop::take_off_json(masses)}};
+            {"take_off_g", shop::take_off_json(masses)}};
     }
     Json pins = Json::array();
     for (const double mass : result.crankpins) {
@@ -106,7 +106,7 @@ Json weigh_in_json(const Input& input, const Result& result) {
     }
     json["crankpins_g"] = std::move(pins);
     if (result.placing) {
-        json["assignment"] = workshop::matched_json(
+        json["assignment"] = shop::matched_json(
             *result.placing, input.weigh_in->matching.crank_radius, service_speed(input));
         Json placed = Json::array();
         for (const double mass : result.placed_crankpins) {

@@ -7,8 +7,8 @@
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
 #include "case-file/input_error.h"
-#include "workshop/kilograms.h"
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
+#include "shop/kilograms.h"
 
 namespace ravnoves::bob_weights {
 
@@ -20,8 +20,8 @@ std::optional<double> permissible_of_rotor(const Tolerance& tolerance) {
     if (!tolerance.grade || !tolerance.rotor_mass || !tolerance.service_speed) {
         return std::nullopt;
     }
-    return workshop::permissible_unbalance(*tolerance.rotor_mass, *tolerance.grade,
-                                           *tolerance.service_speed);
+    return shop::permissible_unbalance(*tolerance.rotor_mass, *tolerance.grade,
+                                       *tolerance.service_speed);
 }
 
 /// Shares of two places in what acts at `centre`, as the standard keeps them.
@@ -81,11 +81,11 @@ void look_for_kilograms(const Input& input, Result& result) {
         if (!part.column) {
             found = typed && *typed > 0.0 && *typed < least_other ? typed : std::nullopt;
         } else {
-            const workshop::Weighed alone[] = {typed};
-            found = workshop::mass_in_kilograms(*part.column, std::nullopt, alone);
+            const shop::Weighed alone[] = {typed};
+            found = shop::mass_in_kilograms(*part.column, std::nullopt, alone);
             if (!found && input.weigh_in) {
                 const auto& column = (*input.weigh_in)[*part.column];
-                found = workshop::mass_in_kilograms(*part.column, column.nominal, column.mass);
+                found = shop::mass_in_kilograms(*part.column, column.nominal, column.mass);
             }
         }
         if (found) {
@@ -96,7 +96,7 @@ void look_for_kilograms(const Input& input, Result& result) {
 
 /// Of one rod on a crankpin: the cylinder alone; of two by the numbering of the sheet.
 std::array<std::size_t, 2> cylinders_of(const Input& input, std::size_t pin) {
-    if (input.weigh_in->numbering == workshop::CylinderNumbering::alternating) {
+    if (input.weigh_in->numbering == shop::CylinderNumbering::alternating) {
         return {2 * pin, 2 * pin + 1};
     }
     return {pin, pin + static_cast<std::size_t>(input.engine.crankpins())};
@@ -139,16 +139,16 @@ void solve_weigh_in(const Input& input, double factor, Result& result) {
             continue;
         }
         const auto& column = (*input.weigh_in)[*part.column];
-        const auto found = workshop::statistics(column);
+        const auto found = shop::statistics(column);
         if (!found) {
             continue;
         }
-        result.matching.push_back({&part, *found, workshop::take_off(column.mass)});
+        result.matching.push_back({&part, *found, shop::take_off(column.mass)});
     }
     if (result.matching.empty() || input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
-    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching);
+    result.placing = shop::match(matching_task(input, factor), input.weigh_in->matching);
     if (result.bob_weight) {
         result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
         if (result.placing) {
@@ -536,11 +536,11 @@ void solve_correction(const Input& input, Result& result) {
                 continue;
             }
             if (!run.read_with &&
-                workshop::is_other_bob_weight(reading.bob_weight, result.bob_weight)) {
+                shop::is_other_bob_weight(reading.bob_weight, result.bob_weight)) {
                 run.read_with = reading.bob_weight;
             }
             if (!run.read_on) {
-                run.read_on = workshop::other_shaft(reading.shaft, input.job);
+                run.read_on = shop::other_shaft(reading.shaft, input.job);
             }
         }
         for (std::size_t i = 0; i < 2 && !result.runs.empty(); ++i) {

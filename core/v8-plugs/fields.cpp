@@ -161,9 +161,9 @@ void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
     visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
                    FieldVisitor::Written::always);
-    workshop::visit_sets(visitor, sheet);
-    workshop::visit_columns(visitor, sheet, field::part_mass, true);
-    workshop::visit_matching(visitor, sheet.matching, false);
+    shop::visit_sets(visitor, sheet);
+    shop::visit_columns(visitor, sheet, field::part_mass, true);
+    shop::visit_matching(visitor, sheet.matching, false);
 }
 
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {

@@ -3,10 +3,10 @@
 #include <array>
 
 #include "case-file/field.h"
+#include "shop/balance_grade.h"
+#include "shop/job_header.h"
+#include "shop/weigh_in.h"
 #include "v8-plugs/plug_geometry.h"
-#include "workshop/job_header.h"
-#include "workshop/tolerance.h"
-#include "workshop/weigh_in.h"
 
 /// The inputs of the scene, each described once; those of the engine are engine_fields().
 namespace ravnoves::v8_plugs {
@@ -61,9 +61,9 @@ inline constexpr Field tolerance{
                       "repair manual may allow much more (2 oz·in is 1440 g·mm).")};
 
 // ------------------------------------------------------------------------- weigh-in sheet
-using workshop::field::nominal;
-using workshop::field::permitted_spread;
-using workshop::field::weigh_in;
+using shop::field::nominal;
+using shop::field::permitted_spread;
+using shop::field::weigh_in;
 inline constexpr Field numbering{.key = "cylinder_numbering",
                                  .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
                                  .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
@@ -131,9 +131,9 @@ inline constexpr Field aluminium_density{
 // ------------------------------------------------------------------------------- machine
 inline constexpr Field balancing{
     .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
-using workshop::field::grade;
-using workshop::field::rotor_mass;
-using workshop::field::service_speed;
+using shop::field::grade;
+using shop::field::rotor_mass;
+using shop::field::service_speed;
 inline constexpr Field front_share{
     .key = "front_share",
     .range = Range::between(0.3, 0.7),
@@ -155,7 +155,7 @@ inline constexpr Field rear_reading{
     .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
-using workshop::field::bob_weight_then;
+using shop::field::bob_weight_then;
 inline constexpr Field front_bob_weight{.key = "front_bobweight_g",
                                         .unit = bob_weight_then.unit,
                                         .range = bob_weight_then.range,
@@ -167,18 +167,17 @@ inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
                                        .label = CORE_TEXT("V8", "Bob weight then, rear"),
                                        .hint = bob_weight_then.hint};
 
-inline constexpr Field front_shaft{.key = "front_read_of",
-                                   .hint = workshop::field::read_shaft.hint};
-inline constexpr Field rear_shaft{.key = "rear_read_of", .hint = workshop::field::read_shaft.hint};
+inline constexpr Field front_shaft{.key = "front_read_of", .hint = shop::field::read_shaft.hint};
+inline constexpr Field rear_shaft{.key = "rear_read_of", .hint = shop::field::read_shaft.hint};
 
 // ------------------------------------------------------------------------- head of the card
-using workshop::field::crankshaft_number;
-using workshop::field::customer;
-using workshop::field::date;
-using workshop::field::engine_number;
-using workshop::field::job;
-using workshop::field::notes;
-using workshop::field::technician;
+using shop::field::crankshaft_number;
+using shop::field::customer;
+using shop::field::date;
+using shop::field::engine_number;
+using shop::field::job;
+using shop::field::notes;
+using shop::field::technician;
 
 }  // namespace field
 }  // namespace ravnoves::v8_plugs

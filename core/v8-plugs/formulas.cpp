@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -89,7 +89,7 @@ std::vector<Formula> formulas(const Input& input) {
                               "d distance by which the metal bored off lies beyond the "
                               "centre of mass of the plug")});
     if (input.balancing && input.balancing->grade) {
-        list.push_back(workshop::permissible_unbalance_formula());
+        list.push_back(shop::permissible_unbalance_formula());
     }
     return list;
 }

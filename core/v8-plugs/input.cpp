@@ -189,8 +189,8 @@ void check_input(const Input& input) {
     check_choices(input);
     check_engine(input);
     if (input.weigh_in) {
-        workshop::check_weighed(*input.weigh_in);
-        workshop::check_matching(input.weigh_in->matching, crankpin_count);
+        shop::check_weighed(*input.weigh_in);
+        shop::check_matching(input.weigh_in->matching, crankpin_count);
     }
     if (input.plug) {
         check_plug(*input.plug);

@@ -8,12 +8,12 @@
 
 #include "case-file/field.h"
 #include "numerics/constants.h"
+#include "shop/job_header.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/weigh_in.h"
-#include "workshop/job_header.h"
 
 namespace ravnoves {
 class FieldVisitor;
@@ -64,8 +64,8 @@ struct BalancingSheet {
     std::optional<double> rear_reading;      ///< kg·m
     std::optional<double> front_bob_weight;  ///< that hung on the crankpins then, kg
     std::optional<double> rear_bob_weight;   ///< kg
-    workshop::ReadShaft front_shaft;
-    workshop::ReadShaft rear_shaft;
+    shop::ReadShaft front_shaft;
+    shop::ReadShaft rear_shaft;
 
     /// Nothing while grade, mass or speed are missing.
     std::optional<BalancingCheck> check() const;
@@ -80,7 +80,7 @@ struct BalancingSheet {
     friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
 };
 
-using workshop::JobHeader;
+using shop::JobHeader;
 
 /// The input of the scene.
 struct Input {

@@ -1,6 +1,6 @@
 #include "v8-plugs/residual_unbalance.h"
 
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -10,7 +10,7 @@ PlaneVerdict judge(double limit, const std::optional<double>& reading) {
 
 BalancingVerdict judge(const BalancingCheck& check) {
     const double permissible =
-        workshop::permissible_unbalance(check.rotor_mass, check.grade, check.service_speed);
+        shop::permissible_unbalance(check.rotor_mass, check.grade, check.service_speed);
     return {permissible, judge(permissible * check.front_share, check.front_reading),
             judge(permissible * (1.0 - check.front_share), check.rear_reading)};
 }

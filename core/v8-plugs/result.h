@@ -3,12 +3,12 @@
 #include <array>
 #include <optional>
 
+#include "shop/job_header.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/shift.h"
 #include "v8-plugs/weigh_in.h"
-#include "workshop/job_header.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -47,7 +47,7 @@ struct Result {
     // weigh-in
     std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
     std::optional<std::array<double, crankpin_count>> weighed_excess;   ///< before any were moved
-    std::optional<workshop::Matched> assignment;
+    std::optional<shop::Matched> assignment;
     std::optional<std::array<double, crankpin_count>> assigned_excess;  ///< kg
 
     // plug
@@ -65,7 +65,7 @@ struct Result {
     /// The bob weight that a reading was taken with where it is not the one to be hung now, kg.
     std::optional<double> read_with;
     /// The crankshaft that a reading is of where it is another than the card's.
-    std::optional<workshop::OtherShaft> read_on;
+    std::optional<shop::OtherShaft> read_on;
     /// False where readings are of another bob weight or crankshaft.
     bool holds() const { return !read_with && !read_on; }
 

@@ -140,7 +140,7 @@ Json weigh_in_json(const Input& input, const Result& result, double crank_radius
                        {"heaviest_cylinder", s->heaviest + 1},
                        {"lightest_cylinder", s->lightest + 1},
                        {"within_permitted_spread", s->within_permitted},
-                       {"take_off_g", workshop::take_off_json(column.mass)}};
+                       {"take_off_g", shop::take_off_json(column.mass)}};
             if (column.nominal) {
                 entry["mean_deviation_g"] = (s->mean - *column.nominal) / units::gram;
             }
@@ -150,7 +150,7 @@ Json weigh_in_json(const Input& input, const Result& result, double crank_radius
     if (result.assignment) {
         json["crankpins"] = crankpin_json(*result.crankpin_excess, crank_radius);
         const auto& speed = input.balancing ? input.balancing->service_speed : std::nullopt;
-        json["assignment"] = workshop::matched_json(*result.assignment, crank_radius, speed);
+        json["assignment"] = shop::matched_json(*result.assignment, crank_radius, speed);
         json["assignment"]["crankpins"] = crankpin_json(*result.assigned_excess, crank_radius);
     }
     return json;

@@ -22,7 +22,7 @@ void solve_weigh_in(const Input& input, Result& result) {
     const double k = *input.engine.rod_coefficient;
     if (input.weigh_in->is_counted()) {
         result.assignment =
-            workshop::match(matching_task(*input.weigh_in, k), input.weigh_in->matching);
+            shop::match(matching_task(*input.weigh_in, k), input.weigh_in->matching);
     }
     if (result.assignment) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, k);
@@ -163,13 +163,12 @@ Result solve(const Input& input, bool changes_known) {
     }
     const auto look_whose = [&](const std::optional<double>& reading,
                                 const std::optional<double>& bob_weight,
-                                const workshop::ReadShaft& shaft) {
-        if (reading && !result.read_with &&
-            workshop::is_other_bob_weight(bob_weight, result.hung())) {
+                                const shop::ReadShaft& shaft) {
+        if (reading && !result.read_with && shop::is_other_bob_weight(bob_weight, result.hung())) {
             result.read_with = bob_weight;
         }
         if (reading && !result.read_on) {
-            result.read_on = workshop::other_shaft(shaft, input.job);
+            result.read_on = shop::other_shaft(shaft, input.job);
         }
     };
     look_whose(machine.front_reading, machine.front_bob_weight, machine.front_shaft);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numerics/constants.h"
-#include "workshop/kilograms.h"
+#include "shop/kilograms.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -61,7 +61,7 @@ std::optional<double> nominal_rotating(const WeighIn& sheet) {
 }
 
 std::optional<double> mass_in_kilograms(Part part, const PartColumn& column) {
-    return workshop::mass_in_kilograms(part, column.nominal, column.mass);
+    return shop::mass_in_kilograms(part, column.nominal, column.mass);
 }
 
 Crankpins crankpins(CylinderNumbering numbering) {
@@ -128,9 +128,9 @@ double spread(const std::array<double, crankpin_count>& totals) {
     return *most - *least;
 }
 
-workshop::Crank crank_of(const WeighIn& sheet) {
-    const workshop::MatchingRules& rules = sheet.matching;
-    workshop::Crank crank;
+shop::Crank crank_of(const WeighIn& sheet) {
+    const shop::MatchingRules& rules = sheet.matching;
+    shop::Crank crank;
     crank.cylinders = cylinder_count;
     crank.numbering = sheet.numbering;
     crank.bank_angle = 90.0 * degree;
@@ -146,22 +146,22 @@ workshop::Crank crank_of(const WeighIn& sheet) {
     return crank;
 }
 
-workshop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
-    workshop::MatchingTask task;
+shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
+    shop::MatchingTask task;
     task.masses = masses_of(sheet);
     for (const Part part : all_parts) {
         if (sheet[part].is_complete()) {
             task.factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
         }
     }
-    const workshop::Crank crank = crank_of(sheet);
+    const shop::Crank crank = crank_of(sheet);
     task.places = places_of(crank);
     task.spacing_known = crank.spacing.has_value();
-    task.no_shaking = workshop::crank_fault(crank);
+    task.no_shaking = shop::crank_fault(crank);
     return task;
 }
 
-WeighIn reassigned(const WeighIn& sheet, const workshop::Matched& matched) {
+WeighIn reassigned(const WeighIn& sheet, const shop::Matched& matched) {
     WeighIn moved = sheet;
     move_sets(moved, matched.pistons, matched.rods);
     return moved;

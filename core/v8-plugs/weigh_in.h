@@ -5,31 +5,31 @@
 #include <string_view>
 #include <vector>
 
+#include "shop/matching.h"
 #include "v8-plugs/compensation.h"
-#include "workshop/matching.h"
 
 namespace ravnoves::v8_plugs {
 
 // The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
 
-using workshop::all_parts;
-using workshop::ColumnStatistics;
-using workshop::CylinderNumbering;
-using workshop::Part;
-using workshop::part_word;
-using workshop::part_words;
+using shop::all_parts;
+using shop::ColumnStatistics;
+using shop::CylinderNumbering;
+using shop::Part;
+using shop::part_word;
+using shop::part_words;
 
 /// Masses by cylinder.
-using Masses = std::array<workshop::Weighed, cylinder_count>;
-using PartColumn = workshop::PartColumn<Masses>;
+using Masses = std::array<shop::Weighed, cylinder_count>;
+using PartColumn = shop::PartColumn<Masses>;
 
 /// The two cylinders of each crankpin, counted from 0.
 using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
 Crankpins crankpins(CylinderNumbering numbering);
 
-using workshop::SetNumbers;
+using shop::SetNumbers;
 
-struct WeighIn : workshop::WeighIn<Masses> {
+struct WeighIn : shop::WeighIn<Masses> {
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };
 
@@ -62,10 +62,10 @@ std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double 
 double spread(const std::array<double, crankpin_count>& totals);
 
 /// The crankshaft of a cross-plane V-8 at 90°, as far as the sheet does not say otherwise.
-workshop::Crank crank_of(const WeighIn& sheet);
+shop::Crank crank_of(const WeighIn& sheet);
 /// What is matched: columns that are not complete count as nominal.
-workshop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
+shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
 /// The sheet with the parts moved; they keep their numbers.
-WeighIn reassigned(const WeighIn& sheet, const workshop::Matched& matched);
+WeighIn reassigned(const WeighIn& sheet, const shop::Matched& matched);
 
 }  // namespace ravnoves::v8_plugs

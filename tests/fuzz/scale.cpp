@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "workshop/scale_line.h"
+#include "shop/scale_line.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace ravnoves::workshop;
+    using namespace ravnoves::shop;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     ScaleLines lines;
     const std::size_t step = size == 0 ? 1 : 1 + data[0] % 16;

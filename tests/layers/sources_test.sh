@@ -4,7 +4,7 @@
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
 #   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
-#   files, numerics, drawing, bibliography, workshop) includes nothing that stands on it, nor does
+#   files, numerics, drawing, bibliography, shop) includes nothing that stands on it, nor does
 #   a scene include the methods or the registry.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
@@ -101,7 +101,7 @@ for file in core/*/scene.h; do
     scenes+=("${file#core/}")
 done
 [ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
-for ground in case-file numerics drawing bibliography workshop; do
+for ground in case-file numerics drawing bibliography shop; do
     check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
 done
 check_folders_apart core/numerics case-file drawing bibliography

@@ -240,12 +240,12 @@ std::vector<Block> weightBlocks(const Words& words, const Input& input) {
             block.columns.push_back({(cardWidth - nameWidth) / static_cast<double>(each)});
             block.head << QString::number(i + 1);
         }
-        for (const workshop::Part part : workshop::all_parts) {
+        for (const shop::Part part : shop::all_parts) {
             const auto& column = (*sheet)[part];
             if (column.is_empty()) {
                 continue;
             }
-            ResultRow row{words.text(workshop::part_word(part).label)};
+            ResultRow row{words.text(shop::part_word(part).label)};
             for (std::size_t i = first; i < end; ++i) {
                 const auto& mass = column.mass[i];
                 row << (mass ? words.cell(*mass, units::gram, 2) : ResultCell(QStringLiteral("–")));

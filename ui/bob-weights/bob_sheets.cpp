@@ -109,7 +109,7 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
                    WeighInTable::sourceOf(model, field::part_mass, false,
                                           [model] { return model->input().engine.cylinders; }),
                    this),
-               mostRows, [model](workshop::Part part) { return model->columnNote(part); });
+               mostRows, [model](shop::Part part) { return model->columnNote(part); });
     section({});
     line(Theme::baseSize, [model] { return model->weighInText(); });
     addGoal(true);
@@ -295,7 +295,7 @@ void BobMachineSheet::buildTolerance() {
     grades_ = ordered(new QComboBox(current()));
     grades_->setObjectName(QStringLiteral("grade_list"));
     grades_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const workshop::BalanceGrade& grade : workshop::balance_grades()) {
+    for (const shop::BalanceGrade& grade : shop::balance_grades()) {
         grades_->addItem(QStringLiteral("G %1: %2")
                              .arg(formNumber(grade.mm_per_s, QLocale()), shownText(grade.use)),
                          grade.mm_per_s);
@@ -328,10 +328,10 @@ void BobMachineSheet::buildTolerance() {
     number("/tolerance/grade_mm_s");
     doubt(number("/tolerance/rotor_mass_kg"), [this] {
         const auto& limit = model_->input().tolerance;
-        return limit && limit->by_grade && workshop::is_mass_in_grams(limit->rotor_mass);
+        return limit && limit->by_grade && shop::is_mass_in_grams(limit->rotor_mass);
     });
     doubt(number("/tolerance/service_speed_rpm"),
-          [this] { return workshop::is_odd_speed(service_speed(model_->input())); });
+          [this] { return shop::is_odd_speed(service_speed(model_->input())); });
     const auto doubtPlace = [this](const char* place, BearingPlaces wrong) {
         doubt(number(place),
               [this, wrong] { return places_of_bearings(model_->input()) == wrong; });

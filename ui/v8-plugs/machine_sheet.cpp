@@ -1,8 +1,8 @@
 #include "v8-plugs/machine_sheet.h"
 
+#include "shop/balance_grade.h"
 #include "theme/theme.h"
 #include "widgets/result_table.h"
-#include "workshop/tolerance.h"
 
 namespace ravnoves {
 
@@ -11,11 +11,11 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     number("/balancing/grade_mm_s");
     doubt(number("/balancing/rotor_mass_kg"), [this] {
         const auto& sheet = model_->input().balancing;
-        return sheet && workshop::is_mass_in_grams(sheet->rotor_mass);
+        return sheet && shop::is_mass_in_grams(sheet->rotor_mass);
     });
     doubt(number("/balancing/service_speed_rpm"), [this] {
         const auto& sheet = model_->input().balancing;
-        return sheet && workshop::is_odd_speed(sheet->service_speed);
+        return sheet && shop::is_odd_speed(sheet->service_speed);
     });
     number("/balancing/front_share");
     section(tr("What the machine reads"));

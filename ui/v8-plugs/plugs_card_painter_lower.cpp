@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shop/balance_grade.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plugs_card_painter.h"
 #include "workshop/card_blocks.h"
 #include "workshop/model/verdict.h"
-#include "workshop/tolerance.h"
 
 namespace ravnoves {
 
@@ -84,7 +84,7 @@ double PlugsCardPainter::weighIn(double y) {
                        QLatin1Char(' ')
                  : QString()) +
             matching_text::summary(words_, *shown);
-        const bool isFelt = shown->matched.goal == workshop::MatchingGoal::least_shaking;
+        const bool isFelt = shown->matched.goal == shop::MatchingGoal::least_shaking;
         const QString felt = isFelt ? matching_text::felt(words_, *shown) : QString();
         const QString both = (summary + QLatin1Char(' ') + felt).trimmed();
         const bool fits = sheet_.textWidth(both, 7.5) < full;
@@ -147,7 +147,7 @@ double PlugsCardPainter::machine(double y) {
         const BalancingCheck check = input_.balancing->check().value();
         limits = words_.translate("JobCard", "ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.")
                      .arg(words_.plain(check.grade / units::mm_per_s, 2),
-                          words_.plainWithUnit(check.rotor_mass, workshop::field::rotor_mass, 2),
+                          words_.plainWithUnit(check.rotor_mass, shop::field::rotor_mass, 2),
                           words_.plainWithUnit(check.service_speed, units::rpm, 0),
                           v8_text::gramMillimetres(words_, solution_.balancing->permissible));
     } else {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "shop/job_header.h"
 #include "workshop/card_page.h"
-#include "workshop/job_header.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -13,7 +13,7 @@ namespace ravnoves {
 struct CardHead {
     QString title;
     QString engine;  ///< beside the title
-    const workshop::JobHeader& job;
+    const shop::JobHeader& job;
     QString lastCaption;  ///< of the place that is the scene's own
     QString last;
 };

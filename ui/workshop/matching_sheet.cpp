@@ -18,7 +18,7 @@
 
 namespace ravnoves {
 
-using namespace workshop;
+using namespace shop;
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "shop/matching_rules.h"
 #include "text/result_row.h"
-#include "workshop/matching_rules.h"
 #include "workshop/model/weigh_in_table.h"
 #include "workshop/sheet_form.h"
 
@@ -22,7 +22,7 @@ class MatchingSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    using Rules = workshop::MatchingRules;
+    using Rules = shop::MatchingRules;
 
     /// @param model  a WorkshopModel with a weigh-in sheet
     template <typename Model>
@@ -41,7 +41,7 @@ class MatchingSheet : public SheetForm {
           find_([model] { return findingsOf(*model); }) {}
 
   protected:
-    using Note = std::function<WeighedColumn(workshop::Part)>;
+    using Note = std::function<WeighedColumn(shop::Part)>;
     /// The grid of weights, with what stands below its columns and where their parts may go.
     /// @param mostRows  further cylinders come by pasting a column
     void addWeights(WeighInTable* table, int mostRows, const Note& note);

@@ -8,7 +8,7 @@
 
 namespace ravnoves {
 
-using workshop::ScaleLine;
+using shop::ScaleLine;
 
 ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new ScaleReader(this)) {
     setObjectName(QStringLiteral("scale_button"));

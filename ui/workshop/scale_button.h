@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-namespace workshop {
+namespace shop {
 struct ScaleLine;
 }
 class ScaleReader;
@@ -27,7 +27,7 @@ class ScaleButton : public QToolButton {
 
   private:
     void showConnection();
-    void showLine(const workshop::ScaleLine& line);
+    void showLine(const shop::ScaleLine& line);
 
     ScaleReader* reader_;
     bool isSettingUp_ = false;

@@ -20,7 +20,7 @@
 
 namespace ravnoves {
 
-using workshop::ScaleLine;
+using shop::ScaleLine;
 
 namespace {
 

@@ -9,7 +9,7 @@ class QPlainTextEdit;
 
 namespace ravnoves {
 
-namespace workshop {
+namespace shop {
 struct ScaleLine;
 }
 class NumberField;
@@ -34,7 +34,7 @@ class ScaleDialog : public QDialog {
     ScaleSettings chosen() const;
     void apply();
     void showConnection();
-    void showLine(const QByteArray& raw, const workshop::ScaleLine& line);
+    void showLine(const QByteArray& raw, const shop::ScaleLine& line);
 
     ScaleReader* reader_;
     QComboBox* port_ = nullptr;

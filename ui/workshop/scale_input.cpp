@@ -70,11 +70,11 @@ bool takesMass(const QAbstractItemView& view) {
 
 }  // namespace
 
-QString scaleText(const workshop::ScaleLine& line) {
+QString scaleText(const shop::ScaleLine& line) {
     return withUnit(fixedDecimals(line.number, line.decimals, QLocale()), unitText(line.unit.name));
 }
 
-ScaleEntry enterWeight(const workshop::ScaleLine& line) {
+ScaleEntry enterWeight(const shop::ScaleLine& line) {
     const QString weight = scaleText(line);
     QWidget* focus = QApplication::focusWidget();
     auto* field = qobject_cast<NumberField*>(focus);

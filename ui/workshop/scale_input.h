@@ -2,12 +2,12 @@
 
 #include <QString>
 
-#include "workshop/scale_line.h"
+#include "shop/scale_line.h"
 
 namespace ravnoves {
 
 /// A weight as text that every mass field takes: "568.50 g".
-QString scaleText(const workshop::ScaleLine& line);
+QString scaleText(const shop::ScaleLine& line);
 
 /// What became of a weight.
 struct ScaleEntry {
@@ -18,6 +18,6 @@ struct ScaleEntry {
 /// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
 /// next one has the focus then. Only fields of masses take it; one that refuses it keeps its value
 /// and the focus.
-ScaleEntry enterWeight(const workshop::ScaleLine& line);
+ScaleEntry enterWeight(const shop::ScaleLine& line);
 
 }  // namespace ravnoves

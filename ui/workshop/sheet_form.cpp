@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "case-file/input_error.h"
+#include "shop/job_header.h"
 #include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -19,7 +20,6 @@
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 #include "workshop/checked_field.h"
-#include "workshop/job_header.h"
 #include "workshop/journal_dialog.h"
 
 namespace ravnoves {
@@ -169,7 +169,7 @@ void SheetForm::addJob() {
     text("/job/crankshaft_number");
     text("/job/customer");
     static const std::string date = "/job/date";
-    checked(workshop::field::date,
+    checked(shop::field::date,
             {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
              [this] {
                  return QString::fromStdString(

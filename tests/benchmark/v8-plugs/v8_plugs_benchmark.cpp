@@ -14,10 +14,10 @@ using namespace ravnoves::v8_plugs;
 
 /// Weights of eight pistons and eight big ends: grams above nominal.
 void match_all(benchmark::State& state, const std::vector<double>& pistons,
-               const std::vector<double>& rods, ravnoves::workshop::MatchingGoal goal) {
+               const std::vector<double>& rods, ravnoves::shop::MatchingGoal goal) {
     WeighIn sheet;
     for (const Part part : all_parts) {
-        const bool with_piston = ravnoves::workshop::is_of_piston(part);
+        const bool with_piston = ravnoves::shop::is_of_piston(part);
         sheet[part].nominal = 0.5;
         for (std::size_t i = 0; i < 8; ++i) {
             sheet[part].mass[i] = 0.5 + (with_piston ? pistons : rods)[i];
@@ -26,7 +26,7 @@ void match_all(benchmark::State& state, const std::vector<double>& pistons,
     sheet.matching.goal = goal;
     const auto task = matching_task(sheet, Process::repair, 0.4);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(ravnoves::workshop::match(task, sheet.matching));
+        benchmark::DoNotOptimize(ravnoves::shop::match(task, sheet.matching));
     }
 }
 
@@ -40,7 +40,7 @@ void bm_best_assignment(benchmark::State& state) {
         pistons[i] = deviation(generator);
         rods[i] = deviation(generator);
     }
-    match_all(state, pistons, rods, static_cast<ravnoves::workshop::MatchingGoal>(state.range(0)));
+    match_all(state, pistons, rods, static_cast<ravnoves::shop::MatchingGoal>(state.range(0)));
 }
 BENCHMARK(bm_best_assignment)->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
 
@@ -50,7 +50,7 @@ void bm_best_assignment_with_ties(benchmark::State& state) {
     std::vector<double> rods(8, 0.0);
     pistons[0] = 0.003;
     rods[4] = 0.003;
-    match_all(state, pistons, rods, ravnoves::workshop::MatchingGoal::least_spread);
+    match_all(state, pistons, rods, ravnoves::shop::MatchingGoal::least_spread);
 }
 BENCHMARK(bm_best_assignment_with_ties)->Unit(benchmark::kMillisecond);
 

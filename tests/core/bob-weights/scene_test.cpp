@@ -12,7 +12,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 namespace ravnoves::bob_weights {
 namespace {
@@ -470,7 +470,7 @@ TEST(Tolerance, IsSharedByTheDistances) {
                          std::abs(there[1]) / ((1 - share) * whole)});
     }
     EXPECT_NEAR(most, 1.0, 1e-12);
-    for (const auto& grade : workshop::balance_grades()) {
+    for (const auto& grade : shop::balance_grades()) {
         EXPECT_FALSE(grade.use.empty());
     }
 }
@@ -514,7 +514,7 @@ TEST(HalfFilled, FormsKeepWhatIsThere) {
     input.engine.cylinders = 6;
     input.weigh_in.emplace();
     fit_weigh_in(input);
-    (*input.weigh_in)[workshop::Part::pin].mass[3] = 0.15125;
+    (*input.weigh_in)[shop::Part::pin].mass[3] = 0.15125;
     input.correction.emplace();
     input.correction->planes[1].radius = 0.08;
     input.tolerance.emplace();

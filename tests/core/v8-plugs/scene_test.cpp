@@ -232,7 +232,7 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
     EXPECT_THROW(read_input(input), InputError);
     // Moving the parts moves their numbers, from wherever they are.
-    workshop::Matched matched;
+    shop::Matched matched;
     matched.pistons = {1, 0, 2, 3, 4, 5, 6, 7};
     matched.rods = {0, 1, 2, 3, 4, 5, 7, 6};
     const WeighIn moved = reassigned(*read.weigh_in, matched);

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "shop/kilograms.h"
 #include "support.h"
-#include "workshop/kilograms.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -42,8 +42,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         EXPECT_NEAR(std::accumulate(by_crankpin.begin(), by_crankpin.end(), 0.0) / crankpin_count,
                     excess, 1e-12);
         // Moving parts keeps the mean and makes the crankpins no less equal.
-        const workshop::Matched best =
-            workshop::match(matching_task(sheet, k), sheet.matching).value();
+        const shop::Matched best = shop::match(matching_task(sheet, k), sheet.matching).value();
         const auto after = crankpin_excess(reassigned(sheet, best), k);
         EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0) / crankpin_count, excess,
                     1e-12);
@@ -57,7 +56,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
 }
 
 TEST(WeighInSheet, CrankOfTheEngineHasItsPinsCrosswise) {
-    const workshop::Crank crank = crank_of(WeighIn{});
+    const shop::Crank crank = crank_of(WeighIn{});
     ASSERT_EQ(crank.angles.size(), crankpin_count);
     const double quarter = 0.5 * std::numbers::pi;
     const double turned[] = {0.0, quarter, 3.0 * quarter, 2.0 * quarter};
@@ -100,8 +99,8 @@ TEST(WeighInSheet, KilogramsAreNoticed) {
 }
 
 TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
-    using workshop::odd_mass;
-    using workshop::Weighed;
+    using shop::odd_mass;
+    using shop::Weighed;
     const auto grams = [](std::initializer_list<double> values) {
         std::vector<Weighed> masses;
         for (const double value : values) {
@@ -142,10 +141,10 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
 }
 
 TEST(WeighInSheet, ARodHeavierAtItsSmallEndWasTypedTheWrongWayRound) {
-    const std::vector<workshop::Weighed> big{431 * gram, 180 * gram, std::nullopt, 430 * gram};
-    const std::vector<workshop::Weighed> small{180 * gram, 431 * gram, 181 * gram, std::nullopt};
-    EXPECT_EQ(workshop::swapped_rod_ends(big, small), std::vector<std::size_t>{1});
-    EXPECT_TRUE(workshop::swapped_rod_ends(big, std::vector<workshop::Weighed>{}).empty());
+    const std::vector<shop::Weighed> big{431 * gram, 180 * gram, std::nullopt, 430 * gram};
+    const std::vector<shop::Weighed> small{180 * gram, 431 * gram, 181 * gram, std::nullopt};
+    EXPECT_EQ(shop::swapped_rod_ends(big, small), std::vector<std::size_t>{1});
+    EXPECT_TRUE(shop::swapped_rod_ends(big, std::vector<shop::Weighed>{}).empty());
 }
 
 TEST(WeighInSheet, StatisticsOfAColumn) {

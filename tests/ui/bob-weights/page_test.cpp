@@ -265,8 +265,8 @@ TEST_F(BobPageTest, TheBobWeightOfUnequalCrankpinsIsCalledTheirMean) {
     typeShopCard();
     EXPECT_FALSE(card().contains(u"Weights of the parts"_s));
     model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
-        sheet[workshop::Part::piston].mass.assign(8, 0.5839);
-        sheet[workshop::Part::piston].mass[2] = 0.7839;
+        sheet[shop::Part::piston].mass.assign(8, 0.5839);
+        sheet[shop::Part::piston].mass[2] = 0.7839;
     });
     EXPECT_EQ(label("headline"), u"Mean bob weight 1530.2 g"_s) << "half of 200 g on one of four";
     const QString single =
@@ -280,14 +280,14 @@ TEST_F(BobPageTest, TheBobWeightOfUnequalCrankpinsIsCalledTheirMean) {
     }
     // Alike, there is one bob weight.
     model->editWeights(u"Weights"_s,
-                       [](WeighIn& sheet) { sheet[workshop::Part::piston].mass[2] = 0.5839; });
+                       [](WeighIn& sheet) { sheet[shop::Part::piston].mass[2] = 0.5839; });
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
 }
 
 TEST_F(BobPageTest, TheCardSaysWhetherPartsAreMoved) {
     typeShopCard();
     model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
-        sheet[workshop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+        sheet[shop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
     });
     const QString suggested = u"suggested, not applied yet"_s;
     const QString applied = u"Matched parts: applied"_s;
@@ -302,7 +302,7 @@ TEST_F(BobPageTest, NoPartIsMovedByDoubtedWeights) {
     typeShopCard();
     const auto weigh = [&](double first, double bigEnd) {
         model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {
-            using workshop::Part;
+            using shop::Part;
             sheet[Part::piston].mass = {first, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
             sheet[Part::rod_big_end].mass = {0.45, bigEnd, 0.45, 0.46, 0.45, 0.45, 0.46, 0.45};
             sheet[Part::rod_small_end].mass = {0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
@@ -445,7 +445,7 @@ TEST_F(BobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
     Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
     const QString said = model->weighInText();
     const auto off = model->takeOffResults().rows;
-    const auto note = model->columnNote(workshop::Part::piston);
+    const auto note = model->columnNote(shop::Part::piston);
     QSettings().clear();
     Preferences::instance().load();
     EXPECT_TRUE(said.contains(u"oz: "_s)) << said.toStdString();
@@ -455,7 +455,7 @@ TEST_F(BobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
     // In the cells the points stand below each other.
     Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
     model->editWeights(u"Paste"_s, [](WeighIn& sheet) {
-        sheet[workshop::Part::piston].mass = {20.5 * units::ounce, 3.0625 * units::ounce};
+        sheet[shop::Part::piston].mass = {20.5 * units::ounce, 3.0625 * units::ounce};
     });
     BobWeightsPage inOunces(QString(), nullptr);
     inOunces.model()->loadInput(model->inputJson(), {});
@@ -487,8 +487,8 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     };
     choose("moves_pistons", Qt::Key_End);
     choose("moves_rods", Qt::Key_Down);
-    EXPECT_EQ(model->input().weigh_in->matching.pistons, workshop::SetMoves::stays);
-    EXPECT_EQ(model->input().weigh_in->matching.rods, workshop::SetMoves::within_bank);
+    EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
+    EXPECT_EQ(model->input().weigh_in->matching.rods, shop::SetMoves::within_bank);
     EXPECT_EQ(placing().pistons, asItIs);
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(placing().rods[i] / 4, static_cast<int>(i) / 4);
@@ -500,7 +500,7 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(moves->isVisibleTo(&page));
     EXPECT_TRUE(label("weigh_in_summary").contains(u"is missing"_s));
     type("permitted_crankpin_spread", u"3"_s);
-    EXPECT_EQ(placing().goal, workshop::MatchingGoal::fewest_moves);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::fewest_moves);
     EXPECT_LE(placing().spread, 3e-3 + 1e-9);
     choose("goal", Qt::Key_Down);
     EXPECT_EQ(rowsOf("What the placing makes of the differences"), 3);
@@ -510,10 +510,10 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     type("service_speed_rpm", u"6000"_s);
     EXPECT_EQ(rowsOf("What the placing makes of the differences"), 6);
     type("crankpin_angles_deg", u"0; 180; 180"_s);
-    EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_spread);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_spread);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"4 angles of the crankpins"_s));
     type("crankpin_angles_deg", u"0 180 180 0"_s);
-    EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_shaking);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
     // The weights move as the parts do, which keep their numbers.
     const auto wanted = placing();
@@ -548,9 +548,9 @@ TEST_F(BobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.spread, units::gram, 2));
     QTest::mouseClick(back, Qt::LeftButton);
     for (std::size_t i = 0; i < 8; ++i) {
-        EXPECT_NEAR(*(*model->input().weigh_in)[workshop::Part::rod_big_end].mass[i],
+        EXPECT_NEAR(*(*model->input().weigh_in)[shop::Part::rod_big_end].mass[i],
                     ends[i] * units::gram, 1e-12);
-        EXPECT_NEAR(*(*model->input().weigh_in)[workshop::Part::piston].mass[i],
+        EXPECT_NEAR(*(*model->input().weigh_in)[shop::Part::piston].mass[i],
                     pistons[i] * units::gram, 1e-12);
     }
     EXPECT_FALSE(back->isVisibleTo(&page));
@@ -581,8 +581,8 @@ TEST_F(BobPageTest, NoQuantityOfAPlacingIsCutOff) {
             {});
         narrow.sheets()->setCurrentIndex(2);
         narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
-            sheet[workshop::Part::piston].mass.assign(8, 0.5);
-            sheet[workshop::Part::piston].mass[0] = 0.54;
+            sheet[shop::Part::piston].mass.assign(8, 0.5);
+            sheet[shop::Part::piston].mass[0] = 0.54;
             sheet.matching.crank_radius.reset();
             sheet.matching.cylinder_spacing = 0.1;
         });
@@ -608,7 +608,7 @@ TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
     }
     model->moveParts();
     ASSERT_TRUE(model->input().weigh_in->is_moved());
-    const auto weighed = (*model->input().weigh_in)[workshop::Part::piston].mass;
+    const auto weighed = (*model->input().weigh_in)[shop::Part::piston].mass;
     const double mean = *model->solution().bob_weight;
     for (const char* cylinders : {"4", "6", "12", "8"}) {
         type("cylinders", QLatin1String(cylinders));
@@ -625,7 +625,7 @@ TEST_F(BobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
         }
         EXPECT_FALSE(page.grab().isNull());
     }
-    EXPECT_EQ((*model->input().weigh_in)[workshop::Part::piston].mass, weighed);
+    EXPECT_EQ((*model->input().weigh_in)[shop::Part::piston].mass, weighed);
     EXPECT_NEAR(*model->solution().bob_weight, mean, 1e-12);
 }
 
@@ -1391,14 +1391,14 @@ TEST_F(BobPageTest, ColumnsArePasted) {
         QTest::keyClick(first, Qt::Key_V, Qt::ControlModifier);
     };
     paste(u"Piston\tPin\n590\t170 g\n592\t0.172 kg\n"_s);
-    const auto mass = [&](workshop::Part part, std::size_t cylinder) {
+    const auto mass = [&](shop::Part part, std::size_t cylinder) {
         return (*model->input().weigh_in)[part].mass.at(cylinder).value_or(0) / units::gram;
     };
-    EXPECT_NEAR(mass(workshop::Part::piston, 1), 592, 1e-9);
-    EXPECT_NEAR(mass(workshop::Part::pin, 1), 172, 1e-9);
+    EXPECT_NEAR(mass(shop::Part::piston, 1), 592, 1e-9);
+    EXPECT_NEAR(mass(shop::Part::pin, 1), 172, 1e-9);
     paste(u"1\n2\n3\n4\n5\n"_s);
     EXPECT_TRUE(label("weigh_in_trouble").contains(u"does not fit"_s));
-    EXPECT_NEAR(mass(workshop::Part::piston, 0), 590, 1e-9);
+    EXPECT_NEAR(mass(shop::Part::piston, 0), 590, 1e-9);
     QTest::keyClick(first, Qt::Key_Down);
     EXPECT_EQ(page.focusWidget(), find<NumberField>("mass_piston_2"));
     // More cylinders than the sheet has lines.

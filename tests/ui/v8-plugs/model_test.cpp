@@ -551,7 +551,7 @@ TEST_F(V8ModelTest, WithoutAJournalNothingIsWritten) {
     V8PlugsModel model({});
     EXPECT_FALSE(model.desk()->openJournal());
     number(model, "1");
-    model.desk()->flushDraft();
+    model.desk()->keepDraft();
     bool ok = true;
     EXPECT_FALSE(model.desk()->saveJob(&ok).isEmpty());
     EXPECT_FALSE(ok);

@@ -198,7 +198,7 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     choose("goal", Qt::Key_End);
     const auto placing = [&] { return model->solution().assignment.value(); };
     EXPECT_EQ(placing().pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
-    EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_shaking);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"needs the cylinder spacing"_s))
         << qPrintable(label("weigh_in_summary"));
@@ -219,7 +219,7 @@ TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     EXPECT_TRUE(printed.contains(u"First-order unbalance of the differences"_s));
     page.sheets()->setCurrentIndex(2);
     model->newJob();
-    EXPECT_EQ(model->input().weigh_in->matching.pistons, workshop::SetMoves::stays);
+    EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
 }
 
 TEST_F(V8PageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {

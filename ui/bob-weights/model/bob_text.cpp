@@ -9,6 +9,7 @@
 #include "bob-weights/matching.h"
 #include "bob-weights/weighing.h"
 #include "case-file/field_index.h"
+#include "shop/balance_grade.h"
 #include "text/capital.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
@@ -16,7 +17,6 @@
 #include "workshop/model/scale_settings.h"
 #include "workshop/model/verdict.h"
 #include "workshop/model/weigh_again.h"
-#include "workshop/tolerance.h"
 
 namespace ravnoves::bob_text {
 
@@ -52,7 +52,7 @@ QString limitOrigin(const Words& words, const Tolerance& tolerance) {
     const QString grade =
         words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
             .arg(words.plain(*tolerance.grade / units::mm_per_s, 2),
-                 words.plainWithUnit(*tolerance.rotor_mass, workshop::field::rotor_mass, 2),
+                 words.plainWithUnit(*tolerance.rotor_mass, shop::field::rotor_mass, 2),
                  words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
     const QString share =
         tolerance.front_bearing && tolerance.rear_bearing
@@ -181,7 +181,7 @@ QString sheetError(const Words& words, const Input& input, const InputError& err
                    : QString();
     }
     if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
-        for (const Word& word : workshop::part_words) {
+        for (const Word& word : shop::part_words) {
             if (place[2] == QLatin1String(word.word.data())) {
                 return words
                     .translate("BobWeights",
@@ -350,9 +350,9 @@ QStringList bearingTexts(const Words& words, const Input& input) {
 
 /// Of a rod whose ends were typed without a weigh-in.
 QStringList swappedRodText(const Words& words, const Parts& parts) {
-    const workshop::Weighed big[] = {parts.big_end};
-    const workshop::Weighed small[] = {parts.small_end};
-    if (workshop::swapped_rod_ends(big, small).empty()) {
+    const shop::Weighed big[] = {parts.big_end};
+    const shop::Weighed small[] = {parts.small_end};
+    if (shop::swapped_rod_ends(big, small).empty()) {
         return {};
     }
     return {words

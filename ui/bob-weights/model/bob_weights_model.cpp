@@ -9,11 +9,11 @@
 #include "bob-weights/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "shop/weigh_in.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "workshop/model/verdict.h"
 #include "workshop/model/workshop_model_json.h"
-#include "workshop/weigh_in.h"
 
 namespace ravnoves {
 
@@ -355,8 +355,7 @@ void BobWeightsModel::confirmReadings() {
         }
         for (EarlierRun& run : correction.earlier_runs) {
             const EarlierReading& first = run.readings.front();
-            if (first.shaft == shaft &&
-                !workshop::is_other_bob_weight(first.bob_weight, bobWeight)) {
+            if (first.shaft == shaft && !shop::is_other_bob_weight(first.bob_weight, bobWeight)) {
                 hold(run.readings);
             }
         }
@@ -382,7 +381,7 @@ QString BobWeightsModel::otherReadingsText() const {
     return bob_text::otherReadings(Words(), solution());
 }
 
-WeighedColumn BobWeightsModel::columnNote(workshop::Part part) const {
+WeighedColumn BobWeightsModel::columnNote(shop::Part part) const {
     for (const Matching& each : solution().matching) {
         if (each.part->column == part) {
             return weighedColumn(Words(), part, each.statistics, {},

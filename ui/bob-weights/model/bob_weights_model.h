@@ -79,7 +79,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     QString otherRunText() const;
     /// What is wrong with readings of another bob weight; empty where nothing.
     QString otherReadingsText() const;
-    WeighedColumn columnNote(workshop::Part part) const;
+    WeighedColumn columnNote(shop::Part part) const;
     /// Each crankpin's own bob weight.
     QString weighInText() const;
     QString weighAgain() const override;

@@ -172,9 +172,9 @@ void V8PlugsModel::noteShaft(Input& input, const Input& before) const {
         return;
     }
     const auto note = [&](const std::optional<double>& reading,
-                          workshop::ReadShaft BalancingSheet::*shaft) {
+                          shop::ReadShaft BalancingSheet::*shaft) {
         if (reading) {
-            workshop::ReadShaft& noted = *input.balancing.*shaft;
+            shop::ReadShaft& noted = *input.balancing.*shaft;
             noted = *before.balancing.*shaft;
             noted.note(before.job, input.job);
         }

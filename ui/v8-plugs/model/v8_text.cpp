@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shop/kilograms.h"
 #include "text/capital.h"
 #include "text/number_text.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/presets.h"
-#include "workshop/kilograms.h"
 #include "workshop/model/mass_doubts.h"
 #include "workshop/model/verdict.h"
 #include "workshop/model/weigh_again.h"
@@ -176,7 +176,7 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
     QStringList list;
     for (const Part part : all_parts) {
         const auto s = statistics(sheet[part]);
-        const bool isOdd = workshop::odd_mass(sheet[part].nominal, sheet[part].mass).has_value();
+        const bool isOdd = shop::odd_mass(sheet[part].nominal, sheet[part].mass).has_value();
         if (s && !s->within_permitted && !isOdd) {  // that is said by itself
             list << words
                         .translate(

@@ -11,9 +11,7 @@ WeighingNote weighingNote(const Words& words, const v8_plugs::Input& input) {
     if (!found) {
         return {};
     }
-    const auto digit = [&](double mass) {
-        return words.plainWithUnit(mass, units::gram, 6);
-    };
+    const auto digit = [&](double mass) { return words.plainWithUnit(mass, units::gram, 6); };
     const QString sure =
         words
             .translate("V8",

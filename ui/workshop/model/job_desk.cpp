@@ -184,10 +184,10 @@ QString JobDesk::numbersOf(const JournalJob& job) {
 
 QStringList JobDesk::wordsOf(const CaseFile& file) {
     QStringList words;
-    const std::string head(workshop::field::job.key);
+    const std::string head(shop::field::job.key);
     if (file.input.is_object() && file.input.contains(head) && file.input.at(head).is_object()) {
-        for (const Field& field : {workshop::field::engine_number,
-                                   workshop::field::crankshaft_number, workshop::field::customer}) {
+        for (const Field& field :
+             {shop::field::engine_number, shop::field::crankshaft_number, shop::field::customer}) {
             const auto found = file.input.at(head).find(std::string(field.key));
             if (found != file.input.at(head).end() && found->is_string()) {
                 words << QString::fromStdString(found->get<std::string>());
@@ -426,7 +426,7 @@ void JobDesk::discardDraft(const QString& session) {
     }
 }
 
-JournalJob JobDesk::entryOf(const workshop::JobHeader& head) {
+JournalJob JobDesk::entryOf(const shop::JobHeader& head) {
     JournalJob job;
     job.engineNumber = QString::fromStdString(head.engine_number);
     job.crankshaftNumber = QString::fromStdString(head.crankshaft_number);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "model/scene_model.h"
-#include "workshop/job_header.h"
+#include "shop/job_header.h"
 #include "workshop/model/journal.h"
 #include "workshop/model/words.h"
 
@@ -113,7 +113,7 @@ class JobDesk : public QObject {
     /// The same of a draft; a dash where it has none.
     static QString nameOf(const JournalDraft& draft);
     /// What the journal keeps of the head of a job card.
-    static JournalJob entryOf(const workshop::JobHeader& head);
+    static JournalJob entryOf(const shop::JobHeader& head);
     /// Who did the job that was saved last on this computer.
     static QString rememberedTechnician();
 

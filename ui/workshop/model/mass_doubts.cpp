@@ -1,7 +1,7 @@
 #include "workshop/model/mass_doubts.h"
 
 #include "numerics/units.h"
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
 namespace ravnoves {
 
@@ -13,23 +13,23 @@ QString kilogramText(const Words& words, const QString& name, double mass) {
 QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_mass,
                        const std::optional<double>& service_speed) {
     QStringList list;
-    if (workshop::is_mass_in_grams(rotor_mass)) {
+    if (shop::is_mass_in_grams(rotor_mass)) {
         list << words.translate("Workshop", "%1: %2 looks like grams; it is in kilograms.")
-                    .arg(words.name(workshop::field::rotor_mass),
+                    .arg(words.name(shop::field::rotor_mass),
                          words.plainWithUnit(*rotor_mass, units::kg, 0));
     }
-    if (workshop::is_odd_speed(service_speed)) {
+    if (shop::is_odd_speed(service_speed)) {
         list << words
                     .translate("Workshop",
                                "%1: no engine runs at %2 in service; look at the decimal sign.")
-                    .arg(words.name(workshop::field::service_speed),
+                    .arg(words.name(shop::field::service_speed),
                          words.plainWithUnit(*service_speed, units::rpm, 1));
     }
     return list;
 }
 
-QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd) {
-    const QString name = words.text(workshop::part_word(part).label);
+QString oddMassText(const Words& words, shop::Part part, const shop::OddMass& odd) {
+    const QString name = words.text(shop::part_word(part).label);
     const auto grams = [&](double mass) { return words.plainWithUnit(mass, units::gram, 3); };
     if (!odd.also.empty()) {
         QStringList cylinders;
@@ -58,10 +58,10 @@ QString oddMassText(const Words& words, workshop::Part part, const workshop::Odd
                : text;
 }
 
-QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,
-                             std::span<const workshop::Weighed> small_ends) {
+QStringList swappedEndsTexts(const Words& words, std::span<const shop::Weighed> big_ends,
+                             std::span<const shop::Weighed> small_ends) {
     QStringList cylinders;
-    for (const std::size_t cylinder : workshop::swapped_rod_ends(big_ends, small_ends)) {
+    for (const std::size_t cylinder : shop::swapped_rod_ends(big_ends, small_ends)) {
         cylinders << QString::number(cylinder + 1);
     }
     if (cylinders.isEmpty()) {

@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <optional>
 
-#include "workshop/kilograms.h"
+#include "shop/kilograms.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves {
@@ -11,11 +11,11 @@ namespace ravnoves {
 /// "Piston: 0.584 g looks like kilograms; masses are in g."
 QString kilogramText(const Words& words, const QString& name, double mass);
 /// "Piston: cylinder 3 weighs 5840 g, the others about 584 g; look at the decimal sign."
-QString oddMassText(const Words& words, workshop::Part part, const workshop::OddMass& odd);
+QString oddMassText(const Words& words, shop::Part part, const shop::OddMass& odd);
 
 /// "Rod of cylinder 3: the big end weighs less than the small end; are the two swapped?"
-QStringList swappedEndsTexts(const Words& words, std::span<const workshop::Weighed> big_ends,
-                             std::span<const workshop::Weighed> small_ends);
+QStringList swappedEndsTexts(const Words& words, std::span<const shop::Weighed> big_ends,
+                             std::span<const shop::Weighed> small_ends);
 
 /// What of a crankshaft's mass, kg, and its speed in service, rad/s, was mistyped, as it seems;
 /// then more may remain than is meant.
@@ -27,15 +27,15 @@ QStringList rotorTexts(const Words& words, const std::optional<double>& rotor_ma
 template <typename Sheet>
 QStringList oddMassTexts(const Words& words, const Sheet& sheet) {
     QStringList list;
-    for (const workshop::Part part : workshop::all_parts) {
+    for (const shop::Part part : shop::all_parts) {
         const auto& column = sheet[part];
-        const auto odd = workshop::odd_mass(column.nominal, column.mass);
-        if (odd && !workshop::mass_in_kilograms(part, column.nominal, column.mass)) {
+        const auto odd = shop::odd_mass(column.nominal, column.mass);
+        if (odd && !shop::mass_in_kilograms(part, column.nominal, column.mass)) {
             list << oddMassText(words, part, *odd);
         }
     }
-    return list + swappedEndsTexts(words, sheet[workshop::Part::rod_big_end].mass,
-                                   sheet[workshop::Part::rod_small_end].mass);
+    return list + swappedEndsTexts(words, sheet[shop::Part::rod_big_end].mass,
+                                   sheet[shop::Part::rod_small_end].mass);
 }
 
 }  // namespace ravnoves

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "workshop/kilograms.h"
+#include "shop/kilograms.h"
 
 namespace ravnoves::matching_text {
 
-using namespace workshop;
+using namespace shop;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <QVector>
 
-#include "workshop/matching.h"
+#include "shop/matching.h"
 #include "workshop/model/words.h"
 
 /// What the pages of the workshop and their job cards say of matched parts.
@@ -11,30 +11,30 @@ namespace ravnoves::matching_text {
 
 /// A placing, and what the scene knows of the engine beside it.
 struct Shown {
-    workshop::Matched matched;
-    workshop::Crank crank;
+    shop::Matched matched;
+    shop::Crank crank;
     std::optional<double> crank_radius;  ///< m
     std::optional<double> speed;         ///< rad/s
-    workshop::SetNumbers piston_sets;    ///< as they are on the sheet
-    workshop::SetNumbers rod_sets;
+    shop::SetNumbers piston_sets;        ///< as they are on the sheet
+    shop::SetNumbers rod_sets;
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
     bool is_origin_unknown = false;
     /// Of the parts where they were weighed, once they have been moved.
     std::optional<double> spread_as_weighed = {};  ///< kg
-    std::optional<workshop::Shaking> shaking_as_weighed = {};
+    std::optional<shop::Shaking> shaking_as_weighed = {};
 
     bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
 };
 
 /// Says what the parts make where they were weighed, if they are elsewhere now.
 template <typename Masses>
-void takeAsWeighed(Shown& shown, const workshop::MatchingTask& task,
-                   const workshop::WeighIn<Masses>& sheet) {
+void takeAsWeighed(Shown& shown, const shop::MatchingTask& task,
+                   const shop::WeighIn<Masses>& sheet) {
     if (sheet.is_moved()) {
         const auto from =
-            workshop::to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
-        shown.spread_as_weighed = workshop::crankpin_spread(task, sheet.matching, from);
-        shown.shaking_as_weighed = workshop::shaking_of(task, sheet.matching, from);
+            shop::to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
+        shown.spread_as_weighed = shop::crankpin_spread(task, sheet.matching, from);
+        shown.shaking_as_weighed = shop::shaking_of(task, sheet.matching, from);
     }
 }
 
@@ -54,17 +54,16 @@ QStringList cylinderHead(const Words& words, std::size_t cylinders);
 Results assignment(const Words& words, const Shown& shown);
 /// The number of the set that goes to each cylinder, a row of pistons and one of rods.
 /// @param placing  null: as the sheet has them
-ResultRows setsOfCylinders(const Words& words, const workshop::SetNumbers& pistons,
-                           const workshop::SetNumbers& rods, std::size_t cylinders,
-                           const workshop::Matched* placing);
+ResultRows setsOfCylinders(const Words& words, const shop::SetNumbers& pistons,
+                           const shop::SetNumbers& rods, std::size_t cylinders,
+                           const shop::Matched* placing);
 
 /// What to take off each part to reach the lightest of its column, for columns that differ.
 Results takeOff(const Words& words, std::size_t cylinders,
-                const std::array<std::span<const workshop::Weighed>, 6>& masses);
+                const std::array<std::span<const shop::Weighed>, 6>& masses);
 /// The same of one column, empty cells for what is the lightest or not weighed, and for all of it
 /// where its weights are doubted: nobody is told to grind parts to a slip of the keys.
-ResultRow takeOff(const Words& words,
-                  const std::array<std::span<const workshop::Weighed>, 6>& masses,
-                  workshop::Part part);
+ResultRow takeOff(const Words& words, const std::array<std::span<const shop::Weighed>, 6>& masses,
+                  shop::Part part);
 
 }  // namespace ravnoves::matching_text

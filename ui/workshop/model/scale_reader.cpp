@@ -7,7 +7,7 @@
 namespace ravnoves {
 
 using namespace std::chrono_literals;
-using workshop::ScaleLine;
+using shop::ScaleLine;
 
 namespace {
 
@@ -125,7 +125,7 @@ void ScaleReader::read() {
 }
 
 void ScaleReader::take(const std::string& raw) {
-    ScaleLine line = workshop::parse_scale_line(raw, settings_.unit());
+    ScaleLine line = shop::parse_scale_line(raw, settings_.unit());
     // One scale has one form: what says less of itself than the lines before is not whole.
     if (line.has_weight() && line.form < form_) {
         line.kind = ScaleLine::Kind::garbled;

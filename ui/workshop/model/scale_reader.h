@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <QtSerialPort/QSerialPort>
 
+#include "shop/scale_line.h"
 #include "workshop/model/scale_settings.h"
-#include "workshop/scale_line.h"
 
 namespace ravnoves {
 
@@ -30,18 +30,18 @@ class ScaleReader : public QObject {
     /// It was connected or has gone: isConnected() and trouble() say which.
     void connectionChanged();
     /// A line as it came, whatever it is.
-    void lineRead(const QByteArray& raw, const ravnoves::workshop::ScaleLine& line);
+    void lineRead(const QByteArray& raw, const ravnoves::shop::ScaleLine& line);
     /// A weight that counts: stable, and of Print or of a part that was not weighed yet.
-    void weighed(const ravnoves::workshop::ScaleLine& line);
+    void weighed(const ravnoves::shop::ScaleLine& line);
     /// The same weight again, sooner than a part is changed: it is not taken.
-    void repeated(const ravnoves::workshop::ScaleLine& line);
+    void repeated(const ravnoves::shop::ScaleLine& line);
 
   private:
     void open();
     void lose(QSerialPort::SerialPortError error);
     void read();
     void take(const std::string& raw);
-    bool isTaken(const workshop::ScaleLine& line);
+    bool isTaken(const shop::ScaleLine& line);
     QString reason(QSerialPort::SerialPortError error) const;
 
     ScaleSettings settings_;
@@ -50,9 +50,9 @@ class ScaleReader : public QObject {
     QTimer half_;  ///< gives up what has begun and does not go on
     QString trouble_;
     bool wasConnected_ = false;
-    workshop::ScaleLines lines_;
-    workshop::ScaleLine::Form form_ = workshop::ScaleLine::Form::number;
-    workshop::PartByPart parts_;
+    shop::ScaleLines lines_;
+    shop::ScaleLine::Form form_ = shop::ScaleLine::Form::number;
+    shop::PartByPart parts_;
     QElapsedTimer sinceLast_;
     double last_ = 0.0;  ///< kg
 };

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "workshop/scale_line.h"
+#include "shop/scale_line.h"
 
 namespace ravnoves {
 

@@ -4,9 +4,9 @@
 
 namespace ravnoves {
 
-QString partOfCylinder(const Words& words, workshop::Part part, std::size_t cylinder) {
+QString partOfCylinder(const Words& words, shop::Part part, std::size_t cylinder) {
     return words.translate("Workshop", "%1 of cylinder %2")
-        .arg(inSentence(words.text(workshop::part_word(part).label)))
+        .arg(inSentence(words.text(shop::part_word(part).label)))
         .arg(cylinder + 1);
 }
 

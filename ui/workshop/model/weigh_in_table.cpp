@@ -7,7 +7,7 @@
 
 namespace ravnoves {
 
-using namespace workshop;
+using namespace shop;
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "case-file/field.h"
 #include "model/editable_table.h"
-#include "workshop/weigh_in.h"
+#include "shop/weigh_in.h"
 
 namespace ravnoves {
 
@@ -101,8 +101,8 @@ struct WeighedColumn {
 /// @param statistics  of the column; nothing where nothing is weighed
 /// @param nominal     kg, where it is known
 /// @param whyNot      it does not count
-WeighedColumn weighedColumn(const Words& words, workshop::Part part,
-                            const std::optional<workshop::ColumnStatistics>& statistics,
+WeighedColumn weighedColumn(const Words& words, shop::Part part,
+                            const std::optional<shop::ColumnStatistics>& statistics,
                             const std::optional<double>& nominal, bool counts,
                             const QString& whyNot = {});
 

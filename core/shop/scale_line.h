@@ -5,7 +5,7 @@
 
 #include "numerics/units.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 // The lines that weighing scales send, without the port that they come from.
 
@@ -83,4 +83,4 @@ class PartByPart {
     bool loaded_ = false;
 };
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,4 +1,4 @@
-#include "workshop/scale_line.h"
+#include "shop/scale_line.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 namespace {
 
 using Kind = ScaleLine::Kind;
@@ -148,4 +148,4 @@ TEST(PartByPart, TakesEachPartOnce) {
 }
 
 }  // namespace
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

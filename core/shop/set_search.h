@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// One kind of sets that change places among themselves.
 struct SetKind {
@@ -53,4 +53,4 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 /// worse. The thread's last search is kept: most edits of a case change nothing of it.
 SetsFound best_placing(const SetSearch& search);
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

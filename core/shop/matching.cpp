@@ -1,4 +1,4 @@
-#include "workshop/matching.h"
+#include "shop/matching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "case-file/json.h"
 #include "numerics/constants.h"
 #include "numerics/demand.h"
-#include "workshop/set_search.h"
+#include "shop/set_search.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 namespace {
 
@@ -398,4 +398,4 @@ void check_matching(const MatchingRules& rules, int angle_count) {
     }
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,4 +1,4 @@
-#include "workshop/kilograms.h"
+#include "shop/kilograms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::vector<std::size_t> swapped_rod_ends(std::span<const Weighed> big_ends,
     return swapped;
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

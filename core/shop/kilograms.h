@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "workshop/weigh_in.h"
+#include "shop/weigh_in.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// A mass that was typed in kilograms, as it seems: the first of these that is less than any such
 /// part of a car or truck weighs (a piston of 0.5 g is no piston), or a hundredth of the nominal
@@ -42,4 +42,4 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
 std::vector<std::size_t> swapped_rod_ends(std::span<const Weighed> big_ends,
                                           std::span<const Weighed> small_ends);
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

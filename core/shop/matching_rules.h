@@ -9,7 +9,7 @@ namespace ravnoves {
 class FieldVisitor;
 }
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// What the matching of weighed parts aims at.
 enum class MatchingGoal {
@@ -147,4 +147,4 @@ void visit_fields(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius)
 /// The object "matching" of a weigh-in, written where one of its fields is changed.
 void visit_matching(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -9,11 +9,11 @@
 #include "case-file/field.h"
 #include "case-file/field_visitor.h"
 #include "case-file/json_fwd.h"
-#include "workshop/matching_rules.h"
+#include "shop/matching_rules.h"
 
 /// What the scenes of the workshop share: the weigh-in sheet, the head of the job card, grades of
 /// balance quality.
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 // The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
 
@@ -221,4 +221,4 @@ void check_weighed(const WeighIn<Masses>& sheet) {
     }
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

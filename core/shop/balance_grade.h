@@ -7,7 +7,7 @@
 #include "bibliography/formula.h"
 #include "case-file/field.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
 inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
@@ -67,4 +67,4 @@ inline constexpr Field service_speed{
     .hint = CORE_TEXT("V8", "The highest speed in service, not that of the machine.")};
 
 }  // namespace field
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,6 +1,6 @@
-#include "workshop/tolerance.h"
+#include "shop/balance_grade.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 std::span<const BalanceGrade> balance_grades() {
     static constexpr BalanceGrade grades[] = {
@@ -31,4 +31,4 @@ Formula permissible_unbalance_formula() {
                       "rad/s")};
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -7,11 +7,11 @@
 
 #include "case-file/json_fwd.h"
 #include "case-file/message.h"
-#include "workshop/weigh_in.h"
+#include "shop/weigh_in.h"
 
 /// Weighed parts are matched: what to take off each to reach the lightest, and which set goes to
 /// which cylinder.
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// What to take off each part, so that it equals the lightest of its column; kg. Nothing for those
 /// that are not weighed.
@@ -150,4 +150,4 @@ Json take_off_json(std::span<const Weighed> masses);
 /// @throws InputError
 void check_matching(const MatchingRules& rules, int angle_count);
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

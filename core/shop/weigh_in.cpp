@@ -1,4 +1,4 @@
-#include "workshop/weigh_in.h"
+#include "shop/weigh_in.h"
 
 #include <limits>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
                                            const std::optional<double>& permitted_spread) {
@@ -144,4 +144,4 @@ void check_weighed(Part part, std::span<const Weighed> masses) {
     }
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,8 +1,8 @@
-#include "workshop/job_header.h"
+#include "shop/job_header.h"
 
 #include "case-file/field_visitor.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 void visit_fields(FieldVisitor& visitor, JobHeader& job) {
     visitor.optional_text(field::engine_number, job.engine_number);
@@ -39,4 +39,4 @@ std::optional<OtherShaft> other_shaft(const ReadShaft& read, const JobHeader& no
                : std::optional(OtherShaft{read.engine_number, now.engine_number});
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

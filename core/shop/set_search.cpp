@@ -1,4 +1,4 @@
-#include "workshop/set_search.h"
+#include "shop/set_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <span>
 #include <tuple>
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 namespace {
 
@@ -406,4 +406,4 @@ SetsFound best_placing(const SetSearch& search) {
     return kept->found;
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,11 +1,11 @@
-#include "workshop/scale_line.h"
+#include "shop/scale_line.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 namespace {
 
@@ -287,4 +287,4 @@ bool PartByPart::takes(const ScaleLine& line) {
     return true;
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

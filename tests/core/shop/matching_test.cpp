@@ -1,6 +1,6 @@
 // Matching of weighed parts: which set goes where, against every placing there is.
 
-#include "workshop/matching.h"
+#include "shop/matching.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 #include "numerics/constants.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 namespace {
 
 constexpr double gram = 1e-3;
@@ -408,4 +408,4 @@ TEST(TakeOff, ReachesTheLightest) {
 }
 
 }  // namespace
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

@@ -1,8 +1,8 @@
-#include "workshop/matching_rules.h"
+#include "shop/matching_rules.h"
 
 #include "case-file/field_visitor.h"
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 void visit_fields(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius) {
     const MatchingRules usual;
@@ -28,4 +28,4 @@ void visit_matching(FieldVisitor& visitor, MatchingRules& rules, bool asks_radiu
                       [&] { visit_fields(visitor, rules, asks_radius); });
 }
 
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop

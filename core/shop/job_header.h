@@ -9,7 +9,7 @@ namespace ravnoves {
 class FieldVisitor;
 }
 
-namespace ravnoves::workshop {
+namespace ravnoves::shop {
 
 /// The head of the job card.
 struct JobHeader {
@@ -86,4 +86,4 @@ inline constexpr Field notes{.key = "notes",
                              .hint = CORE_TEXT("V8", "Printed on the job card.")};
 
 }  // namespace field
-}  // namespace ravnoves::workshop
+}  // namespace ravnoves::shop
