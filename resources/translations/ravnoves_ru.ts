@@ -2273,6 +2273,10 @@
         <source>Weigh again first: %1.</source>
         <translation>Сначала взвесьте снова: %1.</translation>
     </message>
+    <message>
+        <source>Deviation: %1 times the scatter of the others.</source>
+        <translation>Отклонение: в %1 раз больше разброса остальных.</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
@@ -11539,16 +11543,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Лист работы не читается: %1</translation>
     </message>
     <message>
-        <source>The job is still being saved.</source>
-        <translation>Работа ещё сохраняется.</translation>
-    </message>
-    <message>
         <source>A number of engine or crankshaft, or a customer, is needed to find it again.</source>
         <translation>Чтобы найти её потом, нужен номер двигателя или коленвала либо заказчик.</translation>
-    </message>
-    <message>
-        <source>Another program is busy with the journal. It is opened as soon as that is over.</source>
-        <translation>Журнал занят другой программой. Он откроется, как только она закончит.</translation>
     </message>
 </context>
 <context>
@@ -11581,10 +11577,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Не удалось создать папку журнала %1.</translation>
     </message>
     <message>
-        <source>The journal %1 cannot be opened: its folder cannot be written, or another program is busy with it.</source>
-        <translation>Журнал %1 не открывается: в папку нельзя писать или журнал занят другой программой.</translation>
-    </message>
-    <message>
         <source>The journal is not open.</source>
         <translation>Журнал не открыт.</translation>
     </message>
@@ -11599,10 +11591,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The journal %1 was written by a newer program; update to open it.</source>
         <translation>Журнал %1 записан более новой программой; обновите программу.</translation>
-    </message>
-    <message>
-        <source>%1 is a database of another program; it was left as it is.</source>
-        <translation>%1 — база данных другой программы; файл не тронут.</translation>
     </message>
     <message>
         <source>The journal %1 is damaged and cannot be set aside; nothing was changed.</source>
@@ -11661,20 +11649,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Журнал был повреждён. Повреждённый файл сохранён как %1, начат новый журнал.</translation>
     </message>
     <message>
-        <source>Jobs taken over from it: %1.</source>
-        <translation>Перенесено из него работ: %1.</translation>
-    </message>
-    <message>
-        <source>Jobs that could not be read: %1.</source>
-        <translation>Не удалось прочитать работ: %1.</translation>
-    </message>
-    <message>
         <source>The backup %1 could not be written.</source>
         <translation>Не удалось записать резервную копию %1.</translation>
-    </message>
-    <message>
-        <source>%1 is no backup of a journal.</source>
-        <translation>%1 — не резервная копия журнала.</translation>
     </message>
     <message>
         <source>another program is writing to the journal</source>
@@ -11703,6 +11679,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>the file is damaged</source>
         <translation>файл повреждён</translation>
+    </message>
+    <message>
+        <source>it does not read as it was written</source>
+        <translation>читается не то, что записано</translation>
+    </message>
+    <message>
+        <source>%1 is a database of another program, or another program has changed it; it was left as it is.</source>
+        <translation>%1 — база данных другой программы или изменена другой программой; файл не тронут.</translation>
+    </message>
+    <message>
+        <source>Its last backup is of %1.</source>
+        <translation>Последняя резервная копия от %1.</translation>
+    </message>
+    <message>
+        <source>%1 is no backup of a journal, or is damaged.</source>
+        <translation>%1 — не резервная копия журнала или повреждён.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored.</source>
+        <translation>Ничего не восстановлено.</translation>
     </message>
 </context>
 <context>
@@ -11734,6 +11730,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Others are offered after it: %1.</source>
         <translation>Затем будут предложены и другие: %1.</translation>
+    </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>Восстановить из копии</translation>
     </message>
 </context>
 <context>
@@ -16726,10 +16726,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::WorkshopPage</name>
     <message>
-        <source>Another program is writing to the journal; waiting for it…</source>
-        <translation>В журнал пишет другая программа; ожидание…</translation>
-    </message>
-    <message>
         <source>&amp;Save job in the journal</source>
         <translation>&amp;Сохранить работу в журнале</translation>
     </message>
@@ -16878,10 +16874,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
     </message>
     <message>
-        <source>The job is still being saved.</source>
-        <translation>Работа ещё сохраняется.</translation>
-    </message>
-    <message>
         <source>The job of %1 in the journal is finished, its verdict: %2. On the sheet the readings are not of the bob weight and crankshaft there; saved so, the verdict is: %3.</source>
         <translation>Работа %1 в журнале закончена, её заключение: %2. На листе показания не с тем грузом или не с того вала, которые указаны; если сохранить так, заключение будет: %3.</translation>
     </message>
@@ -16928,6 +16920,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>A new job: weights and readings are those of its own parts, still empty.</source>
         <translation>Новая работа: массы и показания у неё свои, они пока пусты.</translation>
+    </message>
+    <message>
+        <source>Restoring %1…</source>
+        <translation>Восстановление из %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
     </message>
 </context>
 <context>

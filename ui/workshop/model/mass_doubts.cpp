@@ -53,7 +53,7 @@ QString oddMassText(const Words& words, shop::Part part, const shop::OddMass& od
         said.arg(name).arg(odd.cylinder + 1).arg(grams(odd.mass), grams(odd.usual));
     return odd.score
                ? text + QLatin1Char(' ') +
-                     words.translate("Workshop", "It is %1 times the scatter of the others away.")
+                     words.translate("Workshop", "Deviation: %1 times the scatter of the others.")
                          .arg(words.plain(*odd.score, 0))
                : text;
 }
