@@ -75,14 +75,11 @@ class SpeedStudy {
     std::optional<Map> map(std::size_t angles, const Progress& progress = {}) const;
 
     /// Minimax over every speed of the band, proven: cutting planes over α, and for the worst speed
-    /// at an α its convexity (absolute: an end of the band), a quotient of quadratics (relative,
-    /// RMS) or branch and bound (relative, range). The study must be complete.
-    LeastBad least_bad_angle(Criterion criterion, Measure measure) const {
-        return least_bad_angle(criterion, measure, whole_turn());
-    }
-    /// The same among these angles, one stretch at least.
+    /// at an α its convexity (absolute: an end of the band) or branch and bound (relative). The
+    /// study must be complete.
+    /// @param within  the angles to choose from, one stretch at least
     LeastBad least_bad_angle(Criterion criterion, Measure measure,
-                             std::vector<AngleStretch> within) const;
+                             std::vector<AngleStretch> within = whole_turn()) const;
     const BuildableAngles& buildable() const { return buildable_; }
 
   private:

@@ -13291,10 +13291,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Export drawing</source>
         <translation>Запись чертежа</translation>
     </message>
-    <message>
-        <source>Not of what stands in the form, but of the values before it; refused entries: %1</source>
-        <translation>Посчитано не по тому, что стоит в форме, а по прежним значениям; не принято: %1</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::ReportWords</name>

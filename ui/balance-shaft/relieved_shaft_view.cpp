@@ -106,8 +106,6 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
-    constexpr double muted = 0.35;
-    painter.setOpacity(isEnabled() ? 1.0 : muted);
     if (!(shaft_.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
@@ -215,7 +213,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     drawing_->setMinimumHeight(Theme::withText(leastDrawing));
     column->addWidget(drawing_, 1);
 
-    connect(model, &SceneModel::changed, this, &RelievedShaftView::refresh);
+    connect(model, &SceneModel::changed, this, &RelievedShaftView::showShaft);
 }
 
 QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
@@ -260,35 +258,19 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
 
 void RelievedShaftView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    // Fields on the page's other tabs go into the shaft too.
-    for (const EntryField* field : entriesOfPage(this)) {
-        connect(field, &EntryField::troubleChanged, this, &RelievedShaftView::refresh,
-                Qt::UniqueConnection);
-    }
     showShaft();
 }
 
-void RelievedShaftView::refresh() {
-    if (isVisible()) {
-        showShaft();
-    }
-}
-
 void RelievedShaftView::showShaft() {
+    if (!isVisible()) {
+        return;
+    }
+    const RelievedShaft shaft = model_->shaft();
     table_->setRows(model_->rows());
-    const QStringList refused = refusedEntries(this);
-    const bool isTyped = refused.isEmpty();
-    verdict_->setText(isTyped ? model_->verdict()
-                              : tr("Not of what stands in the form, but of the values before it; "
-                                   "refused entries: %1")
-                                    .arg(refused.join(QLatin1Char(' '))));
-    colourText(verdict_, !isTyped                   ? &Theme::error
-                         : model_->shaft().feasible ? &Theme::text
-                                                    : &Theme::warning);
-    table_->setEnabled(isTyped);
-    drawing_->setEnabled(isTyped);
-    export_->setEnabled(model_->shaft().feasible);
-    drawing_->setShaft(model_->shaft());
+    verdict_->setText(model_->verdict());
+    colourText(verdict_, shaft.feasible ? &Theme::text : &Theme::warning);
+    export_->setEnabled(shaft.feasible);
+    drawing_->setShaft(shaft);
 }
 
 void RelievedShaftView::chooseFile() {

