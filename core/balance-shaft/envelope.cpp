@@ -9,8 +9,6 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double largest = 1e100;
-
 double bore_of(const Input& input) {
     return input.envelope.cylinder_bore.value_or(
         input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * input.crank_radius);
@@ -18,7 +16,7 @@ double bore_of(const Input& input) {
 
 /// Of steel, as long as the bore.
 double half_disc_radius(double unbalance, double bore) {
-    return std::min(std::cbrt(1.5 * unbalance / (steel_density * bore)), largest);
+    return std::cbrt(1.5 * unbalance / (steel_density * bore));
 }
 
 }  // namespace
@@ -45,7 +43,7 @@ FrontView front_view(const Input& input) {
     double shaft_radius = half_disc;
     if (input.relieved_shaft) {
         const double bar = design_relieved_shaft(*input.relieved_shaft, unbalance).diameter / 2.0;
-        shaft_radius = bar > 0.0 ? std::min(bar, largest) : half_disc;
+        shaft_radius = bar > 0.0 ? bar : half_disc;
     }
     view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(shaft_radius);
     view.gear_tip_radius = sizes.gear_tip_radius.value_or(0.0);

@@ -29,7 +29,10 @@ Field field_of(const NamedMass& part) {
             return listed;
         }
     }
-    return {.key = part.name, .unit = units::kg, .range = field::mass_parts[0].range};
+    return {.key = part.name,
+            .unit = units::kg,
+            .range = field::mass_parts[0].range,
+            .size = field::engine_masses};
 }
 
 void visit_masses(FieldVisitor& visitor, Input& input) {

@@ -10,6 +10,8 @@ namespace ravnoves::balance_shaft::field {
 
 /// What no engine leaves: beyond them results leave double's range, or searches have no end.
 inline constexpr Range engine_lengths = Range::between(1e-3, 1e6);  ///< mm
+inline constexpr Range some_lengths = Range::between(0, 1e6);       ///< mm, of what may be none
+inline constexpr Range engine_masses = {.max = 1e9};                ///< kg
 inline constexpr Range engine_speeds = Range::between(1e-6, 1e7);   ///< min⁻¹ or rad/s
 
 inline constexpr Field speed{
@@ -48,6 +50,7 @@ inline constexpr Field reciprocating_mass{
     .key = "reciprocating_mass_kg",
     .unit = units::kg,
     .range = Range::greater_than(0),
+    .size = engine_masses,
     .symbol = "mⱼ",
     .hint = CORE_TEXT("balance-shaft", "Reciprocating mass of the cylinder as one number.")};
 /// The parts that the form lists, in the paper's order; others have the same range.
@@ -55,6 +58,7 @@ inline constexpr std::array mass_parts{
     Field{.key = "piston",
           .unit = units::kg,
           .range = Range::at_least(0),
+          .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "&Piston"),
           .hint = CORE_TEXT("balance-shaft",
                             "Mass of the piston. TMZ-650D: 0.645 kg (0.640). Source: Gots and "
@@ -62,18 +66,21 @@ inline constexpr std::array mass_parts{
     Field{.key = "pin",
           .unit = units::kg,
           .range = Range::at_least(0),
+          .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "Piston p&in"),
           .hint = CORE_TEXT("balance-shaft",
                             "Mass of the piston pin. TMZ-650D: 0.241 kg. Source: Table 1.")},
     Field{.key = "rings",
           .unit = units::kg,
           .range = Range::at_least(0),
+          .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "Rin&gs"),
           .hint = CORE_TEXT("balance-shaft",
                             "Mass of the piston rings. TMZ-650D: 0.1 kg. Source: Table 1.")},
     Field{.key = "rod_small_end",
           .unit = units::kg,
           .range = Range::at_least(0),
+          .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "Rod, small-&end share"),
           .hint = CORE_TEXT("balance-shaft",
                             "Part of the rod's mass that moves with the piston. TMZ-650D: 0.33 kg "
@@ -83,6 +90,7 @@ inline constexpr Field rod_mass{
     .key = "rod_mass_kg",
     .unit = units::kg,
     .range = Range::greater_than(0),
+    .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Whole rod with she&lls"),
     .hint = CORE_TEXT("balance-shaft",
                       "Its small-end share above is a part of it; the rest turns with the crankpin "
@@ -93,6 +101,7 @@ inline constexpr Field counterweight_radius{
     .key = "counterweight_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Coun&terweight radius ρ₁"),
     .symbol = "ρ₁",
     .hint = CORE_TEXT("balance-shaft",
@@ -102,6 +111,7 @@ inline constexpr Field counterweight_mass{
     .key = "counterweight_mass_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
+    .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
     .symbol = "m₁",
     .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights. TMZ-650D: 0.658 kg."),
@@ -157,6 +167,7 @@ inline constexpr Field rod_length{
     .key = "rod_length_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
     .symbol = "L",
     .hint = CORE_TEXT("balance-shaft",
@@ -179,6 +190,7 @@ inline constexpr Field envelope{.key = "envelope",
 inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
                                      .unit = units::mm,
                                      .range = Range::greater_than(0),
+                                     .size = engine_lengths,
                                      .label = CORE_TEXT("balance-shaft", "Cylinder &bore"),
                                      .if_empty = CORE_TEXT("balance-shaft",
                                                            "that of the computed cycle, else the "
@@ -188,6 +200,7 @@ inline constexpr Field cylinder_top{
     .key = "cylinder_top_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Cylinder &top"),
     .hint = CORE_TEXT("balance-shaft", "Top of the engine above the crank axis."),
     .if_empty = CORE_TEXT("balance-shaft", "the piston pin at top dead centre and half the bore"),
@@ -196,6 +209,7 @@ inline constexpr Field cylinder_bottom{
     .key = "cylinder_bottom_mm",
     .unit = units::mm,
     .range = Range::at_least(0),
+    .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "Cylinder bott&om"),
     .hint = CORE_TEXT("balance-shaft", "Lower end of the cylinder above the crank axis."),
     .if_empty =
@@ -205,6 +219,7 @@ inline constexpr Field cylinder_wall{
     .key = "cylinder_wall_mm",
     .unit = units::mm,
     .range = Range::at_least(0),
+    .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "C&ylinder wall"),
     .hint = CORE_TEXT("balance-shaft",
                       "Thickness of the cylinder's wall, which the shaft must not meet."),
@@ -214,6 +229,7 @@ inline constexpr Field rod_width{
     .key = "rod_width_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Rod widt&h"),
     .hint = CORE_TEXT("balance-shaft",
                       "Across the rod, round ends included, in the front view; the shaft must "
@@ -224,6 +240,7 @@ inline constexpr Field clearance{
     .key = "clearance_mm",
     .unit = units::mm,
     .range = Range::at_least(0),
+    .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "Gap of the sha&ft"),
     .hint = CORE_TEXT("balance-shaft",
                       "Least gap between the shaft's swing circle and crank, rod and cylinder; "
@@ -232,6 +249,7 @@ inline constexpr Field crank_swing_radius{
     .key = "crank_swing_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
     .hint = CORE_TEXT("balance-shaft", "Circle swept by crank and counterweight."),
     .if_empty = CORE_TEXT(
@@ -241,6 +259,7 @@ inline constexpr Field shaft_swing_radius{
     .key = "shaft_swing_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
     .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft."),
     .if_empty =
@@ -252,6 +271,7 @@ inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
+    .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Gear tip r&adius"),
     .hint = CORE_TEXT("balance-shaft", "Tip circle of each of the two gears."),
     .if_empty = CORE_TEXT("balance-shaft", "l/2, the pitch circle"),
@@ -259,6 +279,7 @@ inline constexpr Field gear_tip_radius{
 inline constexpr Field wall{.key = "wall_mm",
                             .unit = units::mm,
                             .range = Range::at_least(0),
+                            .size = some_lengths,
                             .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
                             .hint = CORE_TEXT("balance-shaft",
                                               "Added around every circle, and above and beside "

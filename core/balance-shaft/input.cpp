@@ -215,65 +215,6 @@ void check_limits(const PlaceLimits& limits) {
     }
 }
 
-/// Each number alone may be fine and their products not. Offset, bore, speed, crank radius and
-/// centre distance have ranges or sizes of their own.
-void check_together(const Input& input) {
-    const double speed = input.angular_speed;
-    const double reciprocating = input.reciprocating_mass();
-    const double counterweight = input.counterweight();
-    const double force = input.unbalance() * speed * speed;
-    constexpr Text mechanism = CORE_TEXT("balance-shaft", "the mechanism");
-    constexpr Text envelope = CORE_TEXT("balance-shaft", "the envelope");
-    const EnvelopeSizes& sizes = input.envelope;
-    enum class Place { input, cylinder, envelope };
-    struct Product {
-        double value;
-        Text what;
-        const Field& field;
-        Place place = Place::input;
-    };
-    const auto of_envelope = [&](const std::optional<double>& size, const Field& field) {
-        return Product{size.value_or(0.0), envelope, field, Place::envelope};
-    };
-    const Product products[] = {
-        {reciprocating * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia force"), field::crank_radius},
-        {counterweight, CORE_TEXT("balance-shaft", "the counterweight's mass"),
-         input.counterweight_mass ? field::counterweight_mass : field::counterweight_radius},
-        {input.counterweight_radius, mechanism, field::counterweight_radius},
-        {force, CORE_TEXT("balance-shaft", "the counterweight's force"),
-         field::counterweight_radius},
-        {force * input.centre_distance, CORE_TEXT("balance-shaft", "the shaft's moment"),
-         field::centre_distance},
-        {input.effective_rod_length(), mechanism, field::rod_length, Place::cylinder},
-        {reciprocating * input.crank_radius * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia torque"), field::crank_radius},
-        of_envelope(sizes.cylinder_bore, field::cylinder_bore),
-        of_envelope(sizes.cylinder_top, field::cylinder_top),
-        of_envelope(sizes.crank_swing_radius, field::crank_swing_radius),
-        of_envelope(sizes.shaft_swing_radius, field::shaft_swing_radius),
-        of_envelope(sizes.cylinder_bottom, field::cylinder_bottom),
-        of_envelope(sizes.cylinder_wall, field::cylinder_wall),
-        of_envelope(sizes.rod_width, field::rod_width),
-        of_envelope(sizes.gear_tip_radius, field::gear_tip_radius),
-        of_envelope(sizes.clearance, field::clearance),
-        of_envelope(sizes.wall, field::wall),
-    };
-    for (const Product& product : products) {
-        if (!(std::abs(product.value) <= 1e100)) {
-            const std::string parent = product.place == Place::input ? "/input"
-                                       : product.place == Place::cylinder
-                                           ? cylinder_place(input)
-                                           : pointer(field::envelope);
-            throw InputError(pointer(product.field, parent),
-                             {CORE_TEXT("balance-shaft",
-                                        "makes %1 larger than this program can work with (%2) "
-                                        "together with the other inputs"),
-                              product.what, "1e100"});
-        }
-    }
-}
-
 }  // namespace
 
 Message TorqueSource::changed_note() const {
@@ -328,7 +269,6 @@ void check_input(const Input& input) {
 
 void check_joined(const Input& input) {
     check_masses(input);
-    check_together(input);
     check_torque(input);
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {

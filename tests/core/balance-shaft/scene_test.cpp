@@ -221,8 +221,7 @@ TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
                   input.rod_length = 1e101;
                   check_input(input);
               }),
-              "/input/torque/cycle/rod_length_mm: makes the mechanism larger than this program can "
-              "work with (1e100) together with the other inputs");
+              "/input/torque/cycle/rod_length_mm: must be from 0.001 to 1000000, got 1e+104");
 }
 
 // Each ended in an internal error or in no end at all.
