@@ -149,7 +149,10 @@ std::vector<AngleStretch> clear_angles(const ShaftPlaces& places, double distanc
     if (ends.empty()) {
         return at_zero ? whole_turn() : std::vector<AngleStretch>();
     }
-    if (at_zero) {  // the last stretch goes on over 0
+    if (at_zero && ends.back() >= two_pi) {  // 0 is the end of a stretch
+        std::rotate(ends.begin(), ends.end() - 1, ends.end());
+        ends.front() = 0.0;
+    } else if (at_zero) {  // the last stretch goes on over 0
         std::rotate(ends.begin(), ends.begin() + 1, ends.end());
         ends.back() += two_pi;
     }
