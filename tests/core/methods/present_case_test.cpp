@@ -101,7 +101,8 @@ TEST(Sweep, PlacesAndValuesAreInverse) {
             for (int i = 0; i <= 50; ++i) {
                 const double place = i / 50.0;
                 const double value = sweep.at(place);
-                EXPECT_NEAR(sweep.place(value), place, 1e-9) << kernel.id << ' ' << sweep.id;
+                // Next to a limit a value holds its distance to seven digits.
+                EXPECT_NEAR(sweep.place(value), place, 1e-8) << kernel.id << ' ' << sweep.id;
                 EXPECT_TRUE(i == 0 || value > before) << kernel.id << ' ' << sweep.id << place;
                 before = value;
             }
