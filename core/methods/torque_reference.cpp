@@ -145,7 +145,7 @@ std::vector<TorqueReference::Candidate> TorqueReference::candidates(double a, do
         }
         const double rise = sign * (left.slope + degree * (b * left.cosine - a * left.sine));
         const double fall = -sign * (right.slope + degree * (b * right.cosine - a * right.sine));
-        if (!(rise > 0.0 && fall > 0.0) ||
+        if (!(rise >= 0.0 && fall >= 0.0 && rise + fall > 0.0) ||
             std::max(height(left) + rise * (right.t - left.t),
                      height(right) + fall * (right.t - left.t)) < best - margin) {
             continue;
@@ -241,7 +241,8 @@ Real50 TorqueReference::least_range() const {
         const auto at = [&](int k) {
             return scan[static_cast<std::size_t>((k + angles) % angles)];
         };
-        if (at(i) > at(i - 1) || at(i) > at(i + 1) || at(i) - steepest > best) {
+        // Of equal neighbours the first; where all are equal, any angle is the best.
+        if (at(i) >= at(i - 1) || at(i) > at(i + 1) || at(i) - steepest > best) {
             continue;
         }
         // Between the neighbours the slope goes from falling to rising.

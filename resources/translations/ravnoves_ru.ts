@@ -6991,16 +6991,8 @@
         <translation>экстремум между узлами срезается, а узкий пик не виден вовсе</translation>
     </message>
     <message>
-        <source>golden section between the rows</source>
-        <translation>золотое сечение между строками</translation>
-    </message>
-    <message>
         <source>finds one of two extrema between two rows, which long straight pieces have</source>
         <translation>находит один из двух экстремумов между строками, какие бывают на длинных прямых участках</translation>
-    </message>
-    <message>
-        <source>to %1°</source>
-        <translation>до %1°</translation>
     </message>
     <message>
         <source>exact extrema of the pieces</source>
@@ -8045,6 +8037,14 @@
     <message>
         <source>The paper prints no m_p of this engine: it was found from this number.</source>
         <translation>В статье нет m_p этого двигателя: она найдена из этого числа.</translation>
+    </message>
+    <message>
+        <source>Brent&apos;s method between the rows</source>
+        <translation>метод Брента между строками</translation>
+    </message>
+    <message>
+        <source>to %1 bits</source>
+        <translation>до %1 бит</translation>
     </message>
 </context>
 <context>
