@@ -198,7 +198,7 @@ TEST_F(FixtureRecovery, IsOfferedAndRestored) {
     for (const RecoveredCase& each : found.cases) {
         const auto model = modelOf(each.content.scene);
         CaseDocument document(model.get(), {});
-        ASSERT_NO_THROW(document.restore(each.content, each.context, each.path, each.known));
+        ASSERT_NO_THROW(document.restore(each.content, each));
         EXPECT_TRUE(document.needsSaving());
         EXPECT_EQ(document.path().isEmpty(), each.content.scene == "elastic-hinge");
         inputs[each.content.scene] = model->inputJson();
