@@ -101,8 +101,8 @@ class Progress {
         constexpr unsigned rights = 0666;
         lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, rights);
         if (lock_ < 0) {
-            throw ProgressError(
-                lock_path_, {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)});
+            throw ProgressError(lock_path_,
+                                {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)});
         }
         const bool locked = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat now {};
@@ -261,9 +261,9 @@ class StudyCommand final : public Command {
     int run_problem(const studies::Problem& problem) {
         const Shard shard = read_shard();
         std::error_code ignored;
-        const bool keeps = !output_path_.empty() &&
-                           (!std::filesystem::exists(output_path_, ignored) ||
-                            std::filesystem::is_regular_file(output_path_, ignored));
+        const bool keeps =
+            !output_path_.empty() && (!std::filesystem::exists(output_path_, ignored) ||
+                                      std::filesystem::is_regular_file(output_path_, ignored));
         auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
         auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
         Part part = left ? std::move(*left)

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "case-file/message.h"
 

@@ -265,8 +265,10 @@ std::optional<Message> note_of_samples(const Part& part, std::size_t w,
     return Message{CORE_TEXT("studies",
                              "The linear answer fails for %1: mean %2 and standard deviation %3 "
                              "against %4 and %5 of the samples."),
-                   part.study.watch[w].pointer, shown(mean, size, 6),
-                   shown(linear.deviation, size, 4), shown(mean + shift, size, 6),
+                   part.study.watch[w].pointer,
+                   shown(mean, size, 6),
+                   shown(linear.deviation, size, 4),
+                   shown(mean + shift, size, 6),
                    shown(found.plain_deviation, size, 4)};
 }
 
@@ -307,11 +309,11 @@ std::vector<Note> noted(const Part& part) {
         return notes;
     }
     if (linear_study && !basis.refusals.empty()) {
-        notes.push_back({{CORE_TEXT("studies",
-                                    "%1 of %2 samples that were tried cannot be solved; the linear "
-                                    "answer does not show that."),
-                          std::to_string(count_of(basis.refusals)),
-                          std::to_string(tried_samples)}});
+        notes.push_back(
+            {{CORE_TEXT("studies",
+                        "%1 of %2 samples that were tried cannot be solved; the linear "
+                        "answer does not show that."),
+              std::to_string(count_of(basis.refusals)), std::to_string(tried_samples)}});
     }
     if (!linear_study && part.tally.solved() < 2) {
         notes.push_back(
@@ -388,14 +390,16 @@ Part read_part(Json json) {
     const std::string sum = reader.text("sha256");
     json.erase("sha256");
     if (sum != sum_of(json)) {
-        throw InputError("/sha256",
-                         CORE_TEXT("studies", "is not the sum of the part, which was changed since "
+        throw InputError("/sha256", CORE_TEXT("studies",
+                                              "is not the sum of the part, which was changed since "
                                               "it was written; run it again"));
     }
     try {
         Part part;
-        part.origin = {json.at("scene").get<std::string>(), json.at("title").get<std::string>(),
-                       json.at("case_sha256").get<std::string>(), {},
+        part.origin = {json.at("scene").get<std::string>(),
+                       json.at("title").get<std::string>(),
+                       json.at("case_sha256").get<std::string>(),
+                       {},
                        json.at("program").get<std::string>()};
         for (const auto& [name, file_sum] : json.at("files_sha256").items()) {
             part.origin.files_sha256.emplace_back(name, file_sum.get<std::string>());

@@ -212,7 +212,8 @@ std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& par
             constexpr auto often = std::chrono::milliseconds(50);
             if (i == 0 && goes_on && Clock::now() - told > often) {
                 told = Clock::now();
-                stopped = !goes_on(static_cast<double>(k) / static_cast<double>(count + part.size()));
+                stopped =
+                    !goes_on(static_cast<double>(k) / static_cast<double>(count + part.size()));
             }
         }
     };
@@ -395,19 +396,19 @@ void PartMerger::add(Part part, const std::string& name) {
     const auto label = [&](std::uint64_t shard) {
         return std::to_string(shard) + "/" + std::to_string(part.shards);
     };
-    if (whole_ && (part.origin.case_sha256 != whole_->origin.case_sha256 ||
-                   part.origin.files_sha256 != whole_->origin.files_sha256 ||
-                   part.study != whole_->study)) {
+    if (whole_ &&
+        (part.origin.case_sha256 != whole_->origin.case_sha256 ||
+         part.origin.files_sha256 != whole_->origin.files_sha256 || part.study != whole_->study)) {
         throw InputError(name,
                          {CORE_TEXT("studies", "is a part of another case than %1"), first_name_});
     }
     if (whole_ && part.shards != whole_->shards) {
-        throw InputError(name, {CORE_TEXT("studies", "is one of %1 parts, but %2 is one of %3"),
-                                std::to_string(part.shards), first_name_,
-                                std::to_string(whole_->shards)});
+        throw InputError(
+            name, {CORE_TEXT("studies", "is one of %1 parts, but %2 is one of %3"),
+                   std::to_string(part.shards), first_name_, std::to_string(whole_->shards)});
     }
-    if (whole_ && (part.origin.program != whole_->origin.program ||
-                   !same_basis(part.basis, whole_->basis))) {
+    if (whole_ &&
+        (part.origin.program != whole_->origin.program || !same_basis(part.basis, whole_->basis))) {
         throw InputError(name, {CORE_TEXT("studies",
                                           "was computed by another program or machine than %1: "
                                           "it began with other numbers"),
@@ -458,10 +459,10 @@ Part PartMerger::finish() {
     }
     if (count != 0) {
         missing += count > most_named ? ", …" : "";
-        throw InputError("",
-                         {CORE_TEXT("studies", "%1 of %2 parts are missing; run them again: "
-                                               "--shard %3"),
-                          std::to_string(count), std::to_string(names_.size()), missing});
+        throw InputError("", {CORE_TEXT("studies",
+                                        "%1 of %2 parts are missing; run them again: "
+                                        "--shard %3"),
+                              std::to_string(count), std::to_string(names_.size()), missing});
     }
     whole_->shard = whole_->shards = 1;
     return std::move(*whole_);

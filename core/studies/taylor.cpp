@@ -73,8 +73,7 @@ std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law
             return found;
         }
         for (std::size_t w = 0; w < periods.size(); ++w) {
-            differences[w][level] =
-                difference((*above)[w], (*below)[w], periods[w]) / (high + low);
+            differences[w][level] = difference((*above)[w], (*below)[w], periods[w]) / (high + low);
             size[w] = std::max({size[w], std::abs((*above)[w]), std::abs((*below)[w])});
         }
     }

@@ -6,8 +6,8 @@ usage() {
     cat <<END
 usage: study-parallel.sh [--hosts FILE] CASE SHARDS RESULT [OPTION-OF-PARALLEL...]
 
-Solves the study of the case file CASE in SHARDS parts, RESULT.K.part, one process for each core, and
-writes RESULT. Parts that are there are not computed again: after a fault run the same command.
+Solves the study of the case file CASE in SHARDS parts (at most 1024), RESULT.K.part, one process for
+each core, and writes RESULT. Parts that are there are not computed again: after a fault run the same command.
 
   --hosts FILE  the hosts, one a line, as parallel --sshloginfile has them: "8/host" takes eight
                 processes, ":" is this machine. The case goes there and the parts come back by rsync,

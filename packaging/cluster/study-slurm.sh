@@ -11,8 +11,8 @@ usage() {
     cat <<END
 usage: study-slurm.sh CASE SHARDS RESULT [OPTION-OF-SBATCH...]
 
-Submits a job array that solves the study of the case file CASE in SHARDS parts, RESULT.K.part, and a
-job that then writes RESULT. A task that is stopped (time limit, preemption) keeps what it has done
+Submits a job array that solves the study of the case file CASE in SHARDS parts (at most 1024), RESULT.K.part,
+and a job that then writes RESULT. A task that is stopped (time limit, preemption) keeps what it has done
 and goes on from there. Lost parts are named by the second job; run them again by
   sbatch --array=3,7 study-slurm.sh CASE SHARDS RESULT
 and then ravnoves-cli study --merge RESULT.*.part -o RESULT.

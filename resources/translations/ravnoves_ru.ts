@@ -16937,24 +16937,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>должно указывать на число в результате</translation>
     </message>
     <message>
-        <source>is not a sum of this program</source>
-        <translation>не сумма, записанная этой программой</translation>
-    </message>
-    <message>
         <source>Linear</source>
         <translation>Линейный</translation>
     </message>
     <message>
-        <source>Second order</source>
-        <translation>Второго порядка</translation>
-    </message>
-    <message>
         <source>Monte Carlo</source>
         <translation>Монте-Карло</translation>
-    </message>
-    <message>
-        <source>Latin hypercube</source>
-        <translation>Латинский гиперкуб</translation>
     </message>
     <message>
         <source>Sobol points</source>
@@ -16993,32 +16981,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>должно давать не больше %1 точек</translation>
     </message>
     <message>
-        <source>the inputs act on it together</source>
-        <translation>входные данные действуют на неё совместно</translation>
-    </message>
-    <message>
-        <source>it jumps by %1 where %2 is %3</source>
-        <translation>она скачет на %1 там, где %2 равно %3</translation>
-    </message>
-    <message>
-        <source>it has a corner where %1 is %2</source>
-        <translation>у неё излом там, где %1 равно %2</translation>
-    </message>
-    <message>
-        <source>it does not exist where %1 is %2</source>
-        <translation>её нет там, где %1 равно %2</translation>
-    </message>
-    <message>
-        <source>it is curved along %1</source>
-        <translation>она искривлена вдоль %1</translation>
-    </message>
-    <message>
         <source>%1 has no linear answer: a derivative does not exist at the inputs&apos; means.</source>
         <translation>Для %1 линейного ответа нет: при средних значениях входных данных нет производной.</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1: mean %2 and standard deviation %3 against %4 and %5 of the samples; %6.</source>
-        <translation>Линейный ответ для %1 неверен: среднее %2 и стандартное отклонение %3 против %4 и %5 по пробам; %6.</translation>
     </message>
     <message>
         <source>is not what this program writes</source>
@@ -17057,30 +17021,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>должно быть ближе к from: их разность уже не число</translation>
     </message>
     <message>
-        <source>it does not exist where %1 is %2 (%3)</source>
-        <translation>её нет там, где %1 равно %2 (%3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples that were tried cannot be solved; an expansion does not know of these.</source>
-        <translation>Из %2 испытанных проб не решаются %1; разложение о них не знает.</translation>
-    </message>
-    <message>
-        <source>The second order fails for %1 within two standard deviations of an input: %2.</source>
-        <translation>Второй порядок для %1 неверен в пределах двух стандартных отклонений исходной величины: %2.</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1 within two standard deviations of an input: %2.</source>
-        <translation>Линейный ответ для %1 неверен в пределах двух стандартных отклонений исходной величины: %2.</translation>
-    </message>
-    <message>
-        <source>The second order fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3; %4.</source>
-        <translation>Второй порядок для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3; %4.</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3; %4.</source>
-        <translation>Линейный ответ для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3; %4.</translation>
-    </message>
-    <message>
         <source>A standard deviation takes two samples that can be solved.</source>
         <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
     </message>
@@ -17089,20 +17029,40 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
     </message>
     <message>
-        <source>No angle can be built: %1</source>
-        <translation>Ни один угол нельзя построить: %1</translation>
-    </message>
-    <message>
-        <source>Too few samples can be solved: %1 of %2.</source>
-        <translation>Решается слишком мало проб: %1 из %2.</translation>
-    </message>
-    <message>
-        <source>No angle is better than another.</source>
-        <translation>Ни один угол не лучше другого.</translation>
-    </message>
-    <message>
         <source>must be at least %1; across 0° write %2</source>
         <translation>должно быть не меньше %1; через 0° пишите %2</translation>
+    </message>
+    <message>
+        <source>must be &quot;linear&quot; or &quot;sobol&quot;: second-order studies are no longer supported</source>
+        <translation>должно быть «linear» или «sobol»: исследования второго порядка больше не поддерживаются</translation>
+    </message>
+    <message>
+        <source>must be &quot;sobol&quot; or &quot;monte-carlo&quot;: Latin hypercubes are no longer supported</source>
+        <translation>должно быть «sobol» или «monte-carlo»: латинские гиперкубы больше не поддерживаются</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3.</source>
+        <translation>Линейный ответ для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3.</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: mean %2 and standard deviation %3 against %4 and %5 of the samples.</source>
+        <translation>Линейный ответ для %1 неверен: среднее %2 и стандартное отклонение %3 против %4 и %5 по пробам.</translation>
+    </message>
+    <message>
+        <source>%1 does not scatter: its tolerance is below the rounding of its value. It has no derivative.</source>
+        <translation>%1 не меняется: допуск меньше ошибки округления значения. Производной нет.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples that were tried cannot be solved; the linear answer does not show that.</source>
+        <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
+    </message>
+    <message>
+        <source>must be %1; run the parts of other versions again</source>
+        <translation>должно быть %1; части других версий запустите снова</translation>
+    </message>
+    <message>
+        <source>is not the sum of the part, which was changed since it was written; run it again</source>
+        <translation>не сумма этой части, изменённой после записи; запустите её снова</translation>
     </message>
 </context>
 <context>

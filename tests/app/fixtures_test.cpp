@@ -24,7 +24,8 @@ const std::vector<Difference> differences_of_studies{
     {"*sha256", "of the file that the test writes"},
     {"*/linear/standard_deviation_error", "rounding, which no two machines share"},
     {"*/derivatives/*/error", "the same"},
-    {"*/notes/*", "errors of replicates decide whether samples are too few, the linear answer fails"},
+    {"*/notes/*",
+     "errors of replicates decide whether samples are too few, the linear answer fails"},
     {"*/robust_best", "the sweep over the angle shows it"},
     {"*/first_order*", "by products of independent replicates, null where samples do not tell"},
     {"*/total*", "the same"},
@@ -94,13 +95,13 @@ TEST_F(Fixtures, AStudyThatAnotherVersionBeganIsKept) {
     ASSERT_FALSE(was.empty());
     const Outcome outcome = run("study interrupted.case.json -o interrupted.study.json");
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(outcome.err.starts_with("interrupted.study.json.unfinished: is not what an "
-                                        "interrupted study leaves"))
+    EXPECT_TRUE(
+        outcome.err.starts_with("interrupted.study.json.unfinished: is not what an "
+                                "interrupted study leaves"))
         << outcome.err;
     EXPECT_EQ(test::read_all(left), was);
-    expect_same("interrupted/" + fixture("interrupted.result-of-study.json")
-                                     .at("method")
-                                     .get<std::string>(),
+    expect_same("interrupted/" +
+                    fixture("interrupted.result-of-study.json").at("method").get<std::string>(),
                 fixture("interrupted.result-of-study.json"), run("study interrupted.case.json"));
 }
 

@@ -157,8 +157,8 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
     expect_refused(run("study case.json -o r.json --shard 1/2"), "r.json.unfinished: belongs to");
     EXPECT_TRUE(read_all(folder / "r.json.unfinished") == left);
     // On a disk without room for more it is that file that is named.
-    const Outcome full = run("study case.json -o r.json", "",
-                             "trap '' XFSZ; ulimit -f 8; timeout -s TERM 1 ");
+    const Outcome full =
+        run("study case.json -o r.json", "", "trap '' XFSZ; ulimit -f 8; timeout -s TERM 1 ");
     EXPECT_EQ(full.err, "r.json.unfinished: cannot be written: File too large\n");
     EXPECT_TRUE(read_all(folder / "r.json.unfinished") == left);
 }

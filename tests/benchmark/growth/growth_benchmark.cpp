@@ -123,9 +123,8 @@ Work study_of(int samples) {
                     {"/centre_distance_mm", {{"plus_minus_percent", 0.1}}}}},
                   {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
                   {"samples", samples}};
-    return [problem = studies::problem_of(file, {}), samples] {
+    return [problem = studies::problem_of(file, {})] {
         studies::Part part = studies::begin_part(problem, 1, 1, 1);
-        part.to = static_cast<std::uint64_t>(samples);
         studies::run_part(problem, part, 1);
     };
 }

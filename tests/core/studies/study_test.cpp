@@ -200,26 +200,30 @@ std::vector<Known> known_functions() {
         };
     };
     const std::vector<double> shares{0.00908, 0.01675, 0.0014, 0.97277};
-    std::vector<Known> all{
-        {"linear", {{"plus_minus", 1}}, shares, shares, linear(shares)},
-        {"linear, normal", {{"normal_sd", 1}}, shares, shares, linear(shares)},
-        {"Ishigami",
-         {{"plus_minus", pi}},
-         {},
-         {},
-         [](auto x, auto y) {
-             y[0] = std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
-                    0.1 * std::pow(x[2], 4) * std::sin(x[0]);
-             return true;
-         }},
-        {"product with corners", {{"plus_minus", 2}}, {}, {}, [](auto x, auto y) {
-             y[0] = (std::abs(x[0]) + 0.0) * (std::abs(x[1]) + 1.0) * (std::abs(x[2]) + 4.5);
-             return true;
-         }},
-        {"product, normal", {{"normal_sd", 1}}, {}, {}, [](auto x, auto y) {
-             y[0] = std::exp(0.3 * x[0] + 0.5 * x[1] + 0.6 * x[2]);
-             return true;
-         }}};
+    std::vector<Known> all{{"linear", {{"plus_minus", 1}}, shares, shares, linear(shares)},
+                           {"linear, normal", {{"normal_sd", 1}}, shares, shares, linear(shares)},
+                           {"Ishigami",
+                            {{"plus_minus", pi}},
+                            {},
+                            {},
+                            [](auto x, auto y) {
+                                y[0] = std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
+                                       0.1 * std::pow(x[2], 4) * std::sin(x[0]);
+                                return true;
+                            }},
+                           {"product with corners",
+                            {{"plus_minus", 2}},
+                            {},
+                            {},
+                            [](auto x, auto y) {
+                                y[0] = (std::abs(x[0]) + 0.0) * (std::abs(x[1]) + 1.0) *
+                                       (std::abs(x[2]) + 4.5);
+                                return true;
+                            }},
+                           {"product, normal", {{"normal_sd", 1}}, {}, {}, [](auto x, auto y) {
+                                y[0] = std::exp(0.3 * x[0] + 0.5 * x[1] + 0.6 * x[2]);
+                                return true;
+                            }}};
     const double mixed = 8.0 * std::pow(pi, 8) / 22'500.0;
     const double one = 0.5 * std::pow(1.0 + std::pow(pi, 4) / 50.0, 2);
     const double two = 49.0 / 8.0;
@@ -257,8 +261,8 @@ TEST(Study, SensitivitiesAreWithinTheirErrorsAtTheRateTheyClaim) {
                     for (auto& law : study["vary"]) {
                         law = known.law;
                     }
-                    const Statistics found = statistics(
-                        whole(problem(study, std::vector<double>(inputs), known.value)));
+                    const Statistics found =
+                        statistics(whole(problem(study, std::vector<double>(inputs), known.value)));
                     for (std::size_t j = 0; j < inputs; ++j) {
                         const auto count = [&](const std::optional<Estimate>& estimate,
                                                double exact, double& of_these) {
@@ -378,12 +382,11 @@ TEST(Study, AToleranceBelowTheRoundingHasNoDerivative) {
 }
 
 TEST(Study, SaysHowFarItIs) {
-    const Problem slow =
-        problem(normal_study(2, "sobol", 256, 1), {0.0, 0.0}, [](auto x, auto y) {
-            std::this_thread::sleep_for(std::chrono::microseconds(1500));
-            y[0] = x[0] + x[1];
-            return true;
-        });
+    const Problem slow = problem(normal_study(2, "sobol", 256, 1), {0.0, 0.0}, [](auto x, auto y) {
+        std::this_thread::sleep_for(std::chrono::microseconds(1500));
+        y[0] = x[0] + x[1];
+        return true;
+    });
     double last = 0.0;
     int told = 0;
     const auto goes_on = [&](double done) {
@@ -520,7 +523,9 @@ TEST(Study, APartThatWasChangedIsRefused) {
     old["version"] = 1;
     EXPECT_EQ(fault([&] { read_part(old); }),
               "/version: must be 2; run the parts of other versions again, got 1");
-    EXPECT_EQ(fault([&] { read_part({{"format", "ravnoves-study-part"}, {"version", 2}}); }),
+    EXPECT_EQ(fault([&] {
+                  read_part({{"format", "ravnoves-study-part"}, {"version", 2}});
+              }),
               "/sha256: is required and missing");
 }
 

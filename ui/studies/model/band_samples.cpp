@@ -27,13 +27,13 @@ ScatteredInputs::ScatteredInputs(Json input, const studies::Study& study)
         }
     }
     const bool isRandom = study.method == studies::Method::monte_carlo;
-    sampler_.emplace(isRandom ? studies::Method::monte_carlo : studies::Method::sobol, count,
-                     study.seed, sources_.size());
+    sampler_.emplace(isRandom ? studies::Method::monte_carlo : studies::Method::sobol, study.seed,
+                     sources_.size());
     point_.resize(sources_.size());
 }
 
 Json ScatteredInputs::next() {
-    sampler_->point(next_++, point_);
+    sampler_->point(studies::replicates * next_++, point_);  // one replicate: even by itself
     Json changed = input_;
     for (std::size_t j = 0; j < sources_.size(); ++j) {
         changed[sources_[j].place] = sources_[j].law.at(point_[j]);

@@ -51,7 +51,7 @@ StudyAnswer answerOf(const Watched& watched, std::size_t place, const Json& foun
                                  numberAt(total, key)});
     }
     if (studies::is_sampled(part.study.method) && part.tally.solved() > 1) {
-        const studies::Statistics statistics = part.tally.statistics(place);
+        const studies::Statistics statistics = part.tally.statistics(place, part.blocks);
         const double low = statistics.percentiles.front();
         const double high = statistics.percentiles.back();
         if (high > low) {

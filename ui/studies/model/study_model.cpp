@@ -288,8 +288,7 @@ void StudyModel::start() {
         const studies::Problem problem = studies::problem_of(file, context);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-        studies::Part part = studies::begin_part(
-            problem, 1, 1, threads, [&](double done, const auto&) { return progress(done); });
+        studies::Part part = studies::begin_part(problem, 1, 1, threads, progress);
         if (!progress(studies::share_done(part))) {
             return {};
         }

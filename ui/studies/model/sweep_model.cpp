@@ -36,13 +36,13 @@ class Sweeper {
         : problem_(problem), tellsBuilt_(tellsBuilt), progress_(progress) {
         const std::size_t others = problem.study.vary.size() - 1;
         const int count = others > 0 ? SweepModel::samples : 1;
-        studies::Sampler sampler(studies::Method::sobol, SweepModel::samples, problem.study.seed,
-                                 others);
+        studies::Sampler sampler(studies::Method::sobol, problem.study.seed, others);
         std::vector<double> u(others);
         for (int i = 0; i < count; ++i) {
             std::vector<double>& x = inputs_.emplace_back(1);
             if (others > 0) {
-                sampler.point(static_cast<std::uint64_t>(i), u);
+                // Of one replicate, whose points are even by themselves.
+                sampler.point(studies::replicates * static_cast<std::uint64_t>(i), u);
             }
             for (std::size_t j = 0; j < others; ++j) {
                 const studies::Varied& varied = problem.study.vary[j + 1];
