@@ -122,9 +122,7 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
 void showShares(TornadoView& view, const StudyAnswer& value, const StudyModel& study) {
     std::vector<TornadoView::Bar> bars;
     for (const StudyAnswer::Share& share : value.shares) {
-        const double alone = share.first.value_or(share.linear.value_or(0.0));
-        bars.push_back(
-            {study.inputName(share.pointer), alone, std::max(alone, share.total.value_or(alone))});
+        bars.push_back({study.inputName(share.pointer), share.alone, share.whole});
     }
     view.setBars(
         TornadoView::tr("Shares of the variance of %1").arg(resultName(value.pointer).withUnit()),

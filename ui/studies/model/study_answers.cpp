@@ -3,66 +3,64 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/json.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
-
-using studies::Varied;
-using studies::Watched;
 
 namespace {
 
 constexpr std::size_t bars = 48;
 
-std::optional<double> numberAt(const Json& json, const char* key) {
-    return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>())
-                                                       : std::nullopt;
+void addHistogram(StudyAnswer& answer, const studies::Part& part, std::size_t place, double low,
+                  double high) {
+    if (!(high > low)) {
+        return;
+    }
+    const auto counts = part.tally.histogram(place, low, high, bars);
+    const double width = (high - low) / static_cast<double>(counts.size());
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        answer.middles.push_back(low + (static_cast<double>(i) + 0.5) * width);
+        answer.heights.push_back(static_cast<double>(counts[i]) /
+                                 static_cast<double>(part.tally.solved()));
+    }
 }
 
-StudyAnswer answerOf(const Watched& watched, std::size_t place, const Json& found,
-                     const studies::Part& part) {
+StudyAnswer answerOf(const studies::Part& part, std::size_t place) {
+    const studies::Watched& watched = part.study.watch[place];
+    const studies::Taylor& expansion = part.basis.expansions[place];
+    const auto linear = expansion.propagated(part.basis.laws);
+    const bool isSampled = studies::is_sampled(part.study.method);
     StudyAnswer answer;
     answer.pointer = watched.pointer;
-    answer.nominal = numberAt(found, "nominal");
-    answer.mean = numberAt(found, "mean");
-    answer.deviation = numberAt(found, "standard_deviation");
-    if (found.contains("percentiles") && found["percentiles"].is_object()) {
-        answer.low = numberAt(found["percentiles"], "5");
-        answer.high = numberAt(found["percentiles"], "95");
+    answer.nominal = part.basis.nominal[place];
+    if (linear) {
+        answer.linearDeviation = linear->deviation;
     }
-    if (found.contains("within") && found["within"].is_object()) {
-        answer.within = numberAt(found["within"], "share");
-        answer.withinLow = numberAt(found["within"], "low");
-        answer.withinHigh = numberAt(found["within"], "high");
+    if (part.tally.solved() < 2 || !(isSampled || linear)) {
+        return answer;
     }
-    const auto object = [&](const char* key) {
-        return found.contains(key) && found[key].is_object() ? found[key] : Json::object();
+    const studies::Statistics found = part.tally.statistics(place, part.blocks);
+    answer.mean = isSampled ? found.mean : *expansion.value;
+    answer.deviation = isSampled ? found.deviation : linear->deviation;
+    static_assert(studies::percent_points[2] == 5.0 && studies::percent_points[6] == 95.0);
+    answer.low = found.percentiles[2];
+    answer.high = found.percentiles[6];
+    if (watched.min || watched.max) {
+        answer.within = found.share;
+        answer.withinLow = found.share_low;
+        answer.withinHigh = found.share_high;
+    }
+    const auto told = [isSampled](const std::vector<std::optional<studies::Estimate>>& all,
+                                  std::size_t j) {
+        return isSampled && j < all.size() && all[j] ? std::optional(all[j]->value) : std::nullopt;
     };
-    const Json linear = object("linear");
-    answer.linearDeviation = numberAt(linear, "standard_deviation");
-    const Json contributions =
-        linear.contains("contributions") ? linear["contributions"] : Json::object();
-    const Json first = object("first_order");
-    const Json total = object("total");
-    for (const Varied& varied : part.study.vary) {
-        const char* key = varied.pointer.c_str();
-        answer.shares.push_back({varied.pointer, numberAt(contributions, key), numberAt(first, key),
-                                 numberAt(total, key)});
+    for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
+        const double alone = told(found.first_order, j).value_or(linear ? linear->shares[j] : 0.0);
+        answer.shares.push_back({part.study.vary[j].pointer, alone,
+                                 std::max(alone, told(found.total, j).value_or(alone))});
     }
-    if (studies::is_sampled(part.study.method) && part.tally.solved() > 1) {
-        const studies::Statistics statistics = part.tally.statistics(place, part.blocks);
-        const double low = statistics.percentiles.front();
-        const double high = statistics.percentiles.back();
-        if (high > low) {
-            const auto counts = part.tally.histogram(place, low, high, bars);
-            const double width = (high - low) / static_cast<double>(counts.size());
-            for (std::size_t i = 0; i < counts.size(); ++i) {
-                answer.middles.push_back(low + (static_cast<double>(i) + 0.5) * width);
-                answer.heights.push_back(static_cast<double>(counts[i]) /
-                                         static_cast<double>(part.tally.solved()));
-            }
-        }
+    if (isSampled) {
+        addHistogram(answer, part, place, found.percentiles.front(), found.percentiles.back());
     }
     return answer;
 }
@@ -96,27 +94,17 @@ QString StudyAnswer::withinText() const {
 }
 
 StudyAnswers answersOf(const studies::Part& part) {
-    const Json results = studies::write_results(part);
-    StudyAnswers answers;
-    answers.solved = results.value("solved", std::uint64_t{0});
-    answers.refused = studies::refusals_of(part);
-    const std::vector<studies::Note> notes = studies::noted(part);
-    for (const studies::Note& note : notes) {
+    StudyAnswers answers{.values = {},
+                         .solved = part.tally.solved(),
+                         .refused = studies::refusals_of(part),
+                         .notes = {}};
+    for (std::size_t place = 0; place < part.study.watch.size(); ++place) {
+        answers.values.push_back(answerOf(part, place));
+    }
+    for (const studies::Note& note : studies::noted(part)) {
         answers.notes.push_back(note.text);
-    }
-    if (!results.contains("watched")) {
-        return answers;  // a grid is a table, nothing scatters
-    }
-    const Json& watched = results.at("watched");
-    for (std::size_t i = 0; i < part.study.watch.size(); ++i) {
-        const Watched& each = part.study.watch[i];
-        if (watched.contains(each.pointer)) {
-            answers.values.push_back(answerOf(each, i, watched[each.pointer], part));
-            for (const studies::Note& note : notes) {
-                if (note.fails == i) {
-                    answers.values.back().fails = note.text;
-                }
-            }
+        if (note.fails) {
+            answers.values[*note.fails].fails = note.text;
         }
     }
     return answers;

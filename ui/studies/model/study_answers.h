@@ -13,11 +13,11 @@ namespace ravnoves {
 
 /// What a study has found of one watched value, in the unit of its key.
 struct StudyAnswer {
+    /// Of the variance, by an input.
     struct Share {
-        std::string pointer;  ///< of the input
-        std::optional<double> linear;
-        std::optional<double> first;  ///< of the variance, by itself
-        std::optional<double> total;  ///< with what it does together with others
+        std::string pointer;
+        double alone = 0.0;
+        double whole = 0.0;  ///< with what it does together with others
     };
     std::string pointer;
     std::optional<double> nominal, mean, deviation, linearDeviation, low, high;  ///< 5 %, 95 %
