@@ -2601,38 +2601,6 @@
         <translation>должно давать рабочий объём от 1e-6 см³ до 1e9 см³</translation>
     </message>
     <message>
-        <source>the mechanism</source>
-        <translation>механизм</translation>
-    </message>
-    <message>
-        <source>the envelope</source>
-        <translation>габарит</translation>
-    </message>
-    <message>
-        <source>the inertia force</source>
-        <translation>сила инерции</translation>
-    </message>
-    <message>
-        <source>the counterweight&apos;s mass</source>
-        <translation>масса противовеса</translation>
-    </message>
-    <message>
-        <source>the counterweight&apos;s force</source>
-        <translation>сила противовеса</translation>
-    </message>
-    <message>
-        <source>the shaft&apos;s moment</source>
-        <translation>момент вала</translation>
-    </message>
-    <message>
-        <source>the inertia torque</source>
-        <translation>момент сил инерции</translation>
-    </message>
-    <message>
-        <source>makes %1 larger than this program can work with (%2) together with the other inputs</source>
-        <translation>вместе с остальными данными: %1 больше того, с чем может работать программа (%2)</translation>
-    </message>
-    <message>
         <source>must be less than the teeth, which must be from %1 to %2</source>
         <translation>должно быть меньше числа зубьев, а оно — от %1 до %2</translation>
     </message>
