@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "case-file/decimal.h"
-#include "case-file/json.h"
 #include "text/typed_number.h"
 
 namespace ravnoves {
@@ -108,19 +107,6 @@ QString EditableTable::paste(int row, int column, const std::vector<QStringList>
 Qt::ItemFlags EditableTable::flags(const QModelIndex& index) const {
     return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable
                            : Qt::NoItemFlags;
-}
-
-Json EditableTable::refusedState() const {
-    Json cells;
-    for (int row = 0; row < rowCount(); ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
-            const QModelIndex at = index(row, column);
-            if (at.data(TroubleRole).toBool()) {
-                cells.push_back({row, column, at.data(Qt::EditRole).toString().toStdString()});
-            }
-        }
-    }
-    return cells;
 }
 
 }  // namespace ravnoves

@@ -67,8 +67,6 @@ class EditableTable : public QAbstractTableModel {
     }
     /// Takes that back; of a whole table what was typed last.
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
-    /// What is refused in it; null where nothing is.
-    virtual Json refusedState() const;
     /// The model holds another state as a whole: nothing is refused any more.
     virtual void forgetRefused() {}
 

@@ -70,9 +70,14 @@ int SceneModel::stepOf(const QString& name) {
 }
 
 void SceneModel::undo() {
-    history_.undo();
-    finishDrag();
+    if (!hasRefused()) {
+        history_.undo();
+        finishDrag();
+    }
     Q_EMIT broughtIn();
+    if (!std::exchange(refusedIn_, {}).isEmpty()) {
+        Q_EMIT refusedInChanged();
+    }
 }
 
 void SceneModel::redo() {
@@ -98,7 +103,7 @@ Json SceneModel::placeJson() const {
 
 void SceneModel::noteRefused(QObject* where, bool isRefused) {
     if (!isRefused) {
-        const bool isNewest = where == newestRefused();
+        const bool isNewest = hasRefused() && where == refusedIn_.last();
         forgetRefusedIn(where);
         if (isNewest) {
             sayRefused({});  // what was said of it

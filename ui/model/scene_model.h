@@ -152,10 +152,9 @@ class SceneModel : public QObject {
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
 
     /// A widget says whether something that is refused stands in it now. That is in no history, and
-    /// newer than all that is: undo takes it back first.
+    /// newer than all that is: undo takes it back first, wherever it stands.
     void noteRefused(QObject* where, bool isRefused);
-    /// Where something was refused last; null where nothing is.
-    QObject* newestRefused() const { return refusedIn_.isEmpty() ? nullptr : refusedIn_.last(); }
+    bool hasRefused() const { return !refusedIn_.isEmpty(); }
 
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }

@@ -400,7 +400,7 @@ void MainWindow::updateHistoryActions() {
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
     // What is refused is in no history; undo takes it back.
-    const bool isRefused = model.newestRefused() != nullptr;
+    const bool isRefused = model.hasRefused();
     show(undo_, isRefused || history.canUndo(), tr("&Undo"),
          isRefused ? QString() : history.undoText());
     show(redo_, history.canRedo(), tr("&Redo"), history.redoText());

@@ -22,7 +22,6 @@
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
 #include "shell/page_drawing.h"
-#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
@@ -218,12 +217,7 @@ void MainWindow::buildMenus() {
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this] {
-        showWhatChanges(*currentPage(), [](SceneModel& model) {
-            // What is refused is the newest of all, and in no history.
-            if (!takeBackRefused(model)) {
-                model.undo();
-            }
-        });
+        showWhatChanges(*currentPage(), [](SceneModel& model) { model.undo(); });
     });
     redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {}, [this] {
         showWhatChanges(*currentPage(), [](SceneModel& model) { model.redo(); });

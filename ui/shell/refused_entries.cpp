@@ -1,12 +1,10 @@
 #include "shell/refused_entries.h"
 
 #include <QCoreApplication>
-#include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableView>
 
-#include "model/editable_table.h"
 #include "model/scene_model.h"
 #include "shell/scene_page.h"
 #include "studies/tolerance_window.h"
@@ -72,18 +70,6 @@ QStringList refusedEntries(const QWidget* part) {
 
 QStringList refusedInputs(const QWidget* part) {
     return refusedOf(part, true);
-}
-
-bool takeBackRefused(const SceneModel& model) {
-    QObject* where = model.newestRefused();
-    if (auto* table = qobject_cast<TableEditor*>(where)) {
-        return table->takeBackAnyRefused();
-    }
-    if (where != nullptr) {
-        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
-        QCoreApplication::sendEvent(where, &escape);
-    }
-    return where != nullptr;
 }
 
 QString refusedWords(const QWidget* part) {

@@ -21,10 +21,6 @@ QStringList refusedInputs(const QWidget* part);
 /// The same as a paragraph that goes with a question; empty where nothing is refused.
 QString refusedWords(const QWidget* part);
 
-/// Takes back what was refused last, in an entry or a table: what was there before stands there
-/// again, as after Escape. @return false where nothing is refused
-bool takeBackRefused(const SceneModel& model);
-
 /// Says which entries of that page are refused and that the values before them are used.
 /// @param title  what is about to be done
 /// @return true where there are none, or the user wants to go on without them

@@ -27,7 +27,6 @@
 #include "model/background_job.h"
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
-#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
@@ -111,11 +110,7 @@ void ToleranceWindow::addKeys() {
         connect(new QShortcut(keys, this), &QShortcut::activated, this, std::move(use));
     };
     SceneModel* scene = model_->scene();
-    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [scene] {
-        if (!takeBackRefused(*scene)) {
-            scene->undo();
-        }
-    });
+    add(QKeySequence(Qt::CTRL | Qt::Key_Z), [scene] { scene->undo(); });
     add(QKeySequence(Qt::CTRL | Qt::Key_Y), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { Q_EMIT saveWanted(); });

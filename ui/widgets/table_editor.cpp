@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <utility>
 
-#include "case-file/json.h"
 #include "model/scene_model.h"
 #include "text/error_text.h"
 #include "theme/icons.h"
@@ -156,31 +154,10 @@ void TableEditor::paste() {
         return;
     }
     const QModelIndex at = view_->currentIndex();
-    const SceneModel* scene = table_->scene();
-    const int step = scene != nullptr ? scene->history()->index() : 0;
     const QString trouble = table_->paste(std::max(at.row(), 0), std::max(at.column(), 0), cells);
     if (!trouble.isEmpty()) {
         say(trouble, true);
-    } else if (scene != nullptr && !trouble_.isEmpty()) {
-        pasted_ = {step, scene->history()->index() > step, table_->refusedState().dump()};
     }
-}
-
-bool TableEditor::takeBackPasted() {
-    SceneModel* scene = table_->scene();
-    if (!pasted_ || trouble_.isEmpty() || scene == nullptr) {
-        return false;
-    }
-    const Pasted pasted = *std::exchange(pasted_, std::nullopt);
-    const int steps = scene->history()->index() - pasted.step;
-    if (steps != (pasted.isTaken ? 1 : 0) || table_->refusedState().dump() != pasted.refused) {
-        return false;
-    }
-    if (pasted.isTaken) {
-        scene->undo();
-    }
-    table_->forgetRefused();
-    return true;
 }
 
 bool TableEditor::takeBackRefused() {
@@ -195,22 +172,6 @@ bool TableEditor::takeBackRefused() {
         view_->setCurrentIndex(table_->index(row, column));
     }
     return true;
-}
-
-bool TableEditor::takeBackAnyRefused() {
-    if (takeBackPasted()) {
-        return true;
-    }
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        for (int column = 0; column < table_->columnCount(); ++column) {
-            const QModelIndex at = table_->index(row, column);
-            if (table_->canTakeBackRefused(at)) {
-                table_->takeBackRefused(at);
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
@@ -232,8 +193,6 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
             }
         } else if (isCopy) {
             copy();
-        } else if (key->matches(QKeySequence::Undo) && takeBackPasted()) {
-            return true;
         } else if (key->matches(QKeySequence::Undo) || key->key() == Qt::Key_Escape) {
             return takeBackRefused();
         } else if (key->key() == Qt::Key_Delete) {

@@ -2,8 +2,6 @@
 
 #include <QWidget>
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "model/editable_table.h"
 
@@ -37,10 +35,7 @@ class TableEditor : public QWidget {
     EditableTable* table() const { return table_; }
     /// What was typed and is refused now, in words; empty where nothing is.
     QString trouble() const { return trouble_; }
-    /// Undo: takes back something that is refused, wherever it stands, or the block that was pasted
-    /// with it. @return false where nothing is
-    bool takeBackAnyRefused();
-    /// Undo and Escape are the table's while something in it is refused, else the document's.
+    /// Undo and Escape are the table's while its present cell is refused, else the document's.
     bool takeBackRefused();
 
   protected:
@@ -53,20 +48,10 @@ class TableEditor : public QWidget {
     QLabel* caption() const { return caption_; }
 
   private:
-    /// A block of which some cells were refused: they and the step of the others are one change.
-    struct Pasted {
-        int step;      ///< of the history when it came
-        bool isTaken;  ///< some cells were
-        std::string refused;
-    };
-
     void removeSelected();
-    /// @return false where something else was changed or refused since, or nothing is
-    bool takeBackPasted();
 
     EditableTable* table_;
     QString trouble_;
-    std::optional<Pasted> pasted_;
     QHBoxLayout* tools_;
     QTableView* view_;
     QLabel* caption_;

@@ -13,7 +13,10 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "numerics/units.h"
+#include "text/file_path.h"
 #include "text/write_file.h"
 #include "workshop/card_page.h"
 
@@ -33,7 +36,7 @@ void drawShop(CardPage& page, const Shop& shop) {
     constexpr double top = 4.0;
     constexpr double height = 6.4;
     double x = CardPage::left;
-    const QImage logo = shop.logo.isEmpty() ? QImage() : QImage(shop.logo);
+    const QImage logo = Shop::read(shop.logo);
     if (!logo.isNull()) {
         const double width = std::min(60.0, height * logo.width() / logo.height());
         const double scaled = width * logo.height() / logo.width();
@@ -44,6 +47,16 @@ void drawShop(CardPage& page, const Shop& shop) {
 }
 
 }  // namespace
+
+QImage Shop::read(const QString& file) {
+    try {
+        return file.isEmpty()
+                   ? QImage()
+                   : QImage::fromData(QByteArray::fromStdString(read_text_file(fsPath(file))));
+    } catch (const InputError&) {
+        return {};
+    }
+}
 
 Shop Shop::kept() {
     const QSettings settings;
@@ -59,11 +72,9 @@ QString Shop::keep() const {
     QString trouble;
     if (!logo.isEmpty() && chosen.absolutePath() != folder.absolutePath()) {
         own = folder.filePath(QStringLiteral("shop-logo.") + chosen.suffix().toLower());
-        QFile source(logo);
-        if (!source.open(QIODevice::ReadOnly)) {
-            trouble = this->trouble();
-        } else if (QDir().mkpath(folder.path())) {
-            trouble = writeFile(own, [&] { return source.readAll().toStdString(); });
+        trouble = this->trouble();
+        if (trouble.isEmpty() && QDir().mkpath(folder.path())) {
+            trouble = writeFile(own, [&] { return read_text_file(fsPath(logo)); });
         }
         own = trouble.isEmpty() ? own : logo;
     }
@@ -78,7 +89,7 @@ QString Shop::keep() const {
 }
 
 QString Shop::trouble() const {
-    return logo.isEmpty() || !QImage(logo).isNull()
+    return logo.isEmpty() || !read(logo).isNull()
                ? QString()
                : QCoreApplication::translate("ravnoves::JobCard",
                                              "The shop’s logo cannot be read, and the card is "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QRectF>
 #include <QString>
 #include <QStringList>
@@ -21,6 +22,8 @@ struct Shop {
     QString logo;  ///< file of a picture
 
     static Shop kept();
+    /// Of a file; null where that is none. A picture that never ends is not waited for.
+    static QImage read(const QString& file);
     /// With a copy of the picture, which stays where its file goes.
     /// @return an empty string, or why it could not be copied
     QString keep() const;

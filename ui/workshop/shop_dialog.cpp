@@ -43,7 +43,7 @@ ShopDialog::ShopDialog(QWidget* parent) : QDialog(parent) {
     connect(choose, &QPushButton::clicked, this, [this] {
         const QString file = askOpenPath(this, tr("Logo of the shop"), {},
                                          tr("Pictures (*.png *.jpg *.jpeg *.svg)"));
-        if (!file.isEmpty() && QPixmap(file).isNull()) {
+        if (!file.isEmpty() && Shop::read(file).isNull()) {
             QMessageBox::warning(this, windowTitle(), tr("%1 is no picture.").arg(file));
         } else if (!file.isEmpty()) {
             logo_ = file;
@@ -60,7 +60,7 @@ ShopDialog::ShopDialog(QWidget* parent) : QDialog(parent) {
 }
 
 void ShopDialog::showLogo() {
-    const QPixmap logo(logo_);
+    const QPixmap logo = QPixmap::fromImage(Shop::read(logo_));
     if (logo.isNull()) {
         picture_->setText(logo_.isEmpty() ? tr("none") : tr("%1 cannot be read").arg(logo_));
     } else {

@@ -2,6 +2,7 @@
 // job_card_test.cpp.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QLabel>
@@ -75,6 +76,12 @@ TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
         EXPECT_TRUE(words.contains(u">note499<"_s));
         EXPECT_EQ(words.count(u"<page "_s), 2);
     }
+}
+
+TEST_F(V8PageTest, ALogoThatNeverEndsIsSaid) {
+    const QString pipe = QDir(folder.path()).filePath(u"logo.png"_s);
+    ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    EXPECT_TRUE(Shop{.name = {}, .logo = pipe}.trouble().contains(pipe));
 }
 
 TEST_F(V8PageTest, ShopStandsOnTheCard) {

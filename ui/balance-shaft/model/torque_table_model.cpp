@@ -413,21 +413,6 @@ void TorqueTableModel::takeBackRefused(const QModelIndex& at) {
     put(at, ownText(rows_[static_cast<std::size_t>(at.row())], at.column()));
 }
 
-Json TorqueTableModel::refusedState() const {
-    constexpr std::size_t longest = 20'000;
-    if (trouble_.isEmpty() || rows_.size() > longest) {
-        return {};
-    }
-    const auto cell = [](const Row& row, int column, const std::optional<double>& number) {
-        return number ? Json(*number) : Json(textOf(row, column).toStdString());
-    };
-    Json rows = Json::array();
-    for (const Row& row : rows_) {
-        rows.push_back({cell(row, CrankAngle, angleOf(row)), cell(row, Torque, torqueOf(row))});
-    }
-    return rows;
-}
-
 void TorqueTableModel::put(const QModelIndex& index, const QString& text) {
     type(rows_[static_cast<std::size_t>(index.row())], index.column(), text);
     const int last = rowCount() - 1;

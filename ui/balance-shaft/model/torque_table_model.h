@@ -47,7 +47,6 @@ class TorqueTableModel : public EditableTable {
     void forgetRefused() override;
     /// The whole table, whose numbers are in SI units; nothing of one so long that it takes a
     /// while.
-    Json refusedState() const override;
     SceneModel* scene() const override;
     /// Puts the table into an input.
     static void putInto(balance_shaft::Input& input, const balance_shaft::TorqueTable& table);
