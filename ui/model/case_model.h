@@ -253,6 +253,7 @@ class CaseModel : public SceneModel {
         if (!solved && !(state.input == input_)) {
             solved = solve(state.input);  // what may fail comes before anything changes
         }
+        const bool isRenamed = state.title != title() || state.notes != notes();
         Input input = state.input;
         setContext({state.directory});
         named_ = state.named;
@@ -262,6 +263,8 @@ class CaseModel : public SceneModel {
         setStudy(state.study);
         if (solved) {
             apply(std::move(input), *std::move(solved));
+        } else if (isRenamed) {
+            Q_EMIT changed();
         }
     }
     void apply(Input&& input, Solved&& solved) {
