@@ -10,12 +10,16 @@ namespace ravnoves {
 class NumberedStep : public QUndoCommand {
   public:
     int number() const { return number_; }
+    /// Its undo takes it out of the history.
+    void goWithUndo() { goes_ = true; }
 
   protected:
     NumberedStep(const QString& text, int number) : QUndoCommand(text), number_(number) {}
+    bool goes() const { return goes_; }
 
   private:
     int number_;
+    bool goes_ = false;
 };
 
 /// One undoable change of a scene's input, made already: the whole input before and after. Inputs
@@ -31,7 +35,10 @@ class InputCommand : public NumberedStep {
           after_(std::move(after)),
           apply_(std::move(apply)) {}
 
-    void undo() override { apply_(before_); }
+    void undo() override {
+        apply_(before_);
+        setObsolete(goes());
+    }
     void redo() override {
         if (!std::exchange(isMade_, false)) {
             apply_(after_);

@@ -53,7 +53,7 @@ bool SceneModel::takeBack() {
     if (!isTyped()) {
         return false;
     }
-    const_cast<NumberedStep*>(lastStep(history_))->setObsolete(true);
+    const_cast<NumberedStep*>(lastStep(history_))->goWithUndo();
     history_.undo();
     return true;
 }
