@@ -7943,8 +7943,8 @@
         <translation>где зазор становится связью, доля разброса исходной величины</translation>
     </message>
     <message>
-        <source>What scatters is known to a few digits itself, so five thousandths of the standard deviation do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
-        <translation>То, что рассеивается, само известно до нескольких цифр, так что пяти тысячных стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
+        <source>What scatters is known to a few digits itself, so a hundredth of the standard deviation will do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
+        <translation>То, что рассеивается, само известно до нескольких цифр, так что сотой доли стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
     </message>
     <message>
         <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 − λ(1 + K)</source>

@@ -237,11 +237,15 @@ TEST(Validation, ZotovAndSviridov) {
 }
 
 TEST(Validation, Nazarov) {
+    int given = 0;
     for (const char* quantity : {"k_p", "k_y", "Δm_y", "slope"}) {
         for (const ValidationRow& row : rows_of("v8-plugs", quantity)) {
-            EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity.english();
+            given += row.verdict == Verdict::given ? 1 : 0;
+            EXPECT_TRUE(row.verdict == Verdict::reproduced || row.verdict == Verdict::given)
+                << row.quantity.english();
         }
     }
+    EXPECT_EQ(given, 1);  // (12) of the 4.25 l engine, from which m_p was found
     // A steel cup of that thread weighs six times what is printed.
     EXPECT_GT(*rows_of("v8-plugs", "mass m_p").front().ours, 20.0);
 }
