@@ -99,7 +99,7 @@ class PictureTest : public ::testing::Test {
         auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
         for (methods::WorkPoint& point : still->work.points) {
             const double time =
-                20.0 * static_cast<double>(point.method + 1) * std::exp2(2.0 * point.setting);
+                20.0 * static_cast<double>(point.method + 1) * std::exp2(2.0 * static_cast<double>(point.setting));
             point.timing = {time, 0.9 * time, 1.2 * time, 9};
         }
         const methods::StabilityMap* map = still->map.get();
