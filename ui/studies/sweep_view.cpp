@@ -173,15 +173,18 @@ void SweepView::showSweep() {
 
 QString SweepView::bestText() const {
     const Sweep& sweep = *model_->sweep();
+    const QString few = tr("At no value can 95 % of the samples be built.");
     if (!sweep.best) {
-        return tr("At no value can 95 % of the samples be built.");
+        return few;
     }
     const ShownTitle input = study_->inputTitle(sweep.input);
     const ShownUnit unit = resultName(sweep.result).shown();
-    return tr("Lowest 95 % value: %1 at %2; %3 of the samples can be built.")
-        .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
-             shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
-             percentText(sweep.best->built));
+    const QString best =
+        tr("Lowest 95 % value: %1 at %2; %3 of the samples can be built.")
+            .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
+                 shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
+                 percentText(sweep.best->built));
+    return sweep.best->built < Sweep::leastBuilt ? few + QLatin1Char(' ') + best : best;
 }
 
 void SweepView::showCurves() {

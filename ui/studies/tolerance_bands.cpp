@@ -191,7 +191,7 @@ void ToleranceBands::begin() {
         isOfAll_ = false;
         return;
     }
-    ScatteredInputs inputs(page_->model()->inputJson(), study_);
+    ScatteredInputs inputs(page_->model()->caseFile().input, study_);  // with its defaults
     const bool canSolve = !inputs.isEmpty() && makeTwin();
     const SceneModel::SolveApart solve =
         canSolve ? twin_->model()->solvesApart() : SceneModel::SolveApart();

@@ -26,6 +26,9 @@ ScatteredInputs::ScatteredInputs(Json input, const studies::Study& study)
             sources_.push_back({place, law});
         }
     }
+    if (sources_.empty()) {
+        return;
+    }
     const bool isRandom = study.method == studies::Method::monte_carlo;
     sampler_.emplace(isRandom ? studies::Method::monte_carlo : studies::Method::sobol, study.seed,
                      sources_.size());

@@ -36,7 +36,8 @@ class Sweeper {
         : problem_(problem), tellsBuilt_(tellsBuilt), progress_(progress) {
         const std::size_t others = problem.study.vary.size() - 1;
         const int count = others > 0 ? SweepModel::samples : 1;
-        studies::Sampler sampler(studies::Method::sobol, problem.study.seed, others);
+        studies::Sampler sampler(studies::Method::sobol, problem.study.seed,
+                                 std::max<std::size_t>(others, 1));
         std::vector<double> u(others);
         for (int i = 0; i < count; ++i) {
             std::vector<double>& x = inputs_.emplace_back(1);
@@ -115,10 +116,12 @@ class Sweeper {
     std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
 };
 
-std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places) {
+/// Where the 95 % value is least, of the places at which so many of the samples can be built.
+std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, double built) {
     std::optional<Sweep::Place> best;
     for (const Sweep::Place& place : places) {
-        if (place.built >= Sweep::leastBuilt && (!best || place.high < best->high)) {
+        if (std::isfinite(place.high) && place.built > 0.0 && place.built >= built &&
+            (!best || place.high < best->high)) {
             best = place;
         }
     }
@@ -134,7 +137,12 @@ Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
     Sweeper sweeper(problem, tellsBuilt, progress);
     double done = static_cast<double>(places) / (places + rounds * finer);
     sweep.places = sweeper.at(studies::spaced(from, to, places), {0.0, done});
-    sweep.best = bestOf(sweep.places);
+    double most = 0.0;
+    for (const Sweep::Place& place : sweep.places) {
+        most = std::max(most, place.built);
+    }
+    const double built = std::min(most, Sweep::leastBuilt);
+    sweep.best = bestOf(sweep.places, built);
     double step = (to - from) / (places - 1);
     for (int round = 0; round < rounds && sweep.best && !sweep.places.empty(); ++round) {
         const double next = std::min(1.0, done + (1.0 - done) / (rounds - round));
@@ -146,7 +154,7 @@ Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
         }
         done = next;
         step *= 2.0 / (finer - 1);
-        if (const auto best = bestOf(near); best && best->high < sweep.best->high) {
+        if (const auto best = bestOf(near, built); best && best->high < sweep.best->high) {
             sweep.best = best;
         }
     }

@@ -32,7 +32,8 @@ struct Sweep {
     double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places;
-    /// Where the 95 % value is least, and so many samples can be built; between the places.
+    /// Where the 95 % value is least, and so many samples can be built, or as many as anywhere;
+    /// between the places.
     std::optional<Place> best = {};
 };
 
