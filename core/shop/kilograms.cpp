@@ -109,8 +109,8 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
     }
     const auto weighed = std::count_if(masses.begin(), masses.end(),
                                        [](const Weighed& mass) { return mass && *mass > 0.0; });
-    // More than a quarter of them are another kind of part, and no slips.
-    if (!found && !scattered.empty() && 4 * std::ssize(scattered) <= weighed) {
+    // More than a fifth of them are another kind of part, and no slips.
+    if (!found && !scattered.empty() && 5 * std::ssize(scattered) <= weighed) {
         return *std::max_element(
             scattered.begin(), scattered.end(),
             [](const OddMass& a, const OddMass& b) { return *a.score < *b.score; });

@@ -586,7 +586,12 @@ TEST_F(BobPageTest, NoQuantityOfAPlacingIsCutOff) {
             sheet.matching.crank_radius.reset();
             sheet.matching.cylinder_spacing = 0.1;
         });
-        QCoreApplication::processEvents();
+        const QList<ResultTable*> tables = narrow.sheets()->findChildren<ResultTable*>();
+        EXPECT_TRUE(QTest::qWaitFor([&] {
+            return std::any_of(tables.begin(), tables.end(), [](const ResultTable* table) {
+                return table->isVisible() && table->rowCount() > 0;
+            });
+        }));
         int quantities = 0;
         for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
             for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
