@@ -23,6 +23,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 
 #include "bob-weights/bob_card.h"
 #include "bob-weights/model/bob_text.h"

@@ -186,9 +186,9 @@ std::optional<Head> headOf(QSqlQuery& query) {
         head.isOurs = head.isOurs && !isVirtual &&
                       (isSystems || known.contains(type + QLatin1Char(' ') + name));
     }
-    // Version 1 did not name its program.
+    // Version 1 did not name its program, nor what was made of it.
     head.isOurs = head.isOurs && (head.application == applicationId ||
-                                  (head.application == 0 && (head.isEmpty || head.version == 1)));
+                                  (head.application == 0 && (head.isEmpty || head.version > 0)));
     return head;
 }
 
@@ -227,6 +227,10 @@ bool Journal::prepareSchema() {
             tr("The journal %1 was written by a newer program; update to open it.").arg(path_), {});
     }
     if (!isWhole()) {
+        return false;
+    }
+    const QString named = QStringLiteral("PRAGMA application_id = %1").arg(applicationId);
+    if (version > 0 && head->application == 0 && !runText(named, cannot)) {
         return false;
     }
     if (version == schemaVersion) {
