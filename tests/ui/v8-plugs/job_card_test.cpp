@@ -305,7 +305,7 @@ TEST_F(JobCardTest, NothingIsLeftOutWhenThereIsMuchToSay) {
     EXPECT_TRUE(text.contains(u"Ближе всего «Алюминиевые пробки»"_s));
     EXPECT_FALSE(text.contains(u'…') && text.contains(u"вместо допус…"_s));
     EXPECT_TRUE(text.contains(u"Массы деталей по цилиндрам"_s));
-    EXPECT_TRUE(text.contains(u"Массы деталей не учитываются"_s)) << "typed changes count";
+    EXPECT_TRUE(text.contains(u"Взвешенное не учитывается"_s)) << "typed changes count";
     EXPECT_TRUE(text.contains(u"M22×1,5"_s));
     EXPECT_TRUE(text.contains(u"Исполнитель, подпись"_s));
     // Nothing is cut off: an ellipsis stands only where there is room to write by hand.

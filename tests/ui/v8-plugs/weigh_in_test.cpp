@@ -103,7 +103,7 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
     for (const char* name : {"troubles", "weigh_in_summary"}) {
-        EXPECT_TRUE(label(name).contains(u"The weights of the parts do not count"_s)) << name;
+        EXPECT_TRUE(label(name).contains(u"The weights do not count"_s)) << name;
         EXPECT_EQ(find<QLabel>(name)->palette().color(QPalette::WindowText),
                   Theme::instance().warning())
             << name;
