@@ -118,33 +118,24 @@ Row read_row(const Json& json) {
     return row;
 }
 
-/// Of replicates that have a sample, the sums.
 Json write_block(const Block& block) {
-    if (block.done == block.from) {
-        return nullptr;
+    Json json = {block.done - block.from};
+    for (const Sums& each : block.sums) {
+        json.push_back(each.n == 0.0
+                           ? Json(nullptr)
+                           : Json{each.n, each.sum, each.squares, each.versines, each.sines});
     }
-    Json sums = Json::array();
-    for (std::size_t i = 0; i < block.sums.size(); ++i) {
-        if (block.solved[i % replicates] != 0) {
-            const Sums& each = block.sums[i];
-            sums.push_back({each.sum, each.squares, each.cosines, each.sines});
-        }
-    }
-    return {block.done - block.from, block.solved, std::move(sums)};
+    return json;
 }
 
 void read_block(const Json& json, Block& block) {
-    if (json.is_null()) {
-        return;
-    }
     block.done = block.from + std::min(json.at(0).get<std::uint64_t>(), block.to - block.from);
-    block.solved = json.at(1).get<std::array<std::uint64_t, replicates>>();
-    std::size_t next = 0;
     for (std::size_t i = 0; i < block.sums.size(); ++i) {
-        if (block.solved[i % replicates] != 0) {
-            const Json& each = json.at(2).at(next++);
-            block.sums[i] = {each.at(0).get<double>(), each.at(1).get<double>(),
-                             each.at(2).get<double>(), each.at(3).get<double>()};
+        const Json& from = json.at(i + 1);
+        if (!from.is_null()) {
+            block.sums[i] = {from.at(0).get<double>(), from.at(1).get<double>(),
+                             from.at(2).get<double>(), from.at(3).get<double>(),
+                             from.at(4).get<double>()};
         }
     }
 }
@@ -416,13 +407,13 @@ Part read_part(Json json) {
             read_block(json.at("blocks").at(b), part.blocks[b]);
         }
         part.tally = Tally::read(json.at("counts"), part.basis.plan, part.study.vary.size());
-        std::uint64_t solved = part.tally.solved();
+        auto solved = static_cast<double>(part.tally.solved() * part.basis.plan.size());
         for (const Block& block : part.blocks) {
-            for (const std::uint64_t each : block.solved) {
-                solved -= each;
+            for (const Sums& each : block.sums) {
+                solved -= each.n;
             }
         }
-        if (solved != 0) {
+        if (solved != 0.0) {
             throw InputError("/counts", not_ours);
         }
         for (std::uint64_t i = 0; part.study.method == Method::grid && i < part.size(); ++i) {

@@ -1,16 +1,13 @@
 #include "studies/tally.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string_view>
+#include <regex>
 #include <tuple>
 #include <utility>
 
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
@@ -43,44 +40,24 @@ void add_each(Counts& sums, const Counts& others) {
     }
 }
 
-/// Numbers with a space between, and ~n for n zeros.
-std::string write_counts(const std::vector<std::int64_t>& counts) {
-    std::string text;
-    std::size_t zeros = 0;
-    for (const std::int64_t count : counts) {
-        if (count == 0) {
-            ++zeros;
-            continue;
+/// Those that are not 0, each behind its place.
+Json write_counts(const std::vector<std::int64_t>& counts) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] != 0) {
+            list.push_back(i);
+            list.push_back(counts[i]);
         }
-        if (zeros != 0) {
-            text += '~' + std::to_string(zeros) + ' ';
-        }
-        text += std::to_string(count) + ' ';
-        zeros = 0;
     }
-    return text;
+    return list;
 }
 
-void read_counts(const Json& json, std::vector<std::int64_t>& counts) {
-    const auto& text = json.get_ref<const std::string&>();
-    std::size_t at = 0;
-    const char* place = text.data();
-    const char* const end = place + text.size();
-    while (place != end) {
-        const bool skips = *place == '~';
-        std::int64_t number = 0;
-        const auto [stopped, fault] = std::from_chars(place + (skips ? 1 : 0), end, number);
-        const auto rest = static_cast<std::int64_t>(counts.size() - at);
-        if (fault != std::errc{} || stopped == end || *stopped != ' ' || rest == 0 ||
-            (skips && (number < 0 || number > rest))) {
-            throw InputError("/counts", CORE_TEXT("studies", "is not what this program writes"));
+void read_counts(const Json& list, std::vector<std::int64_t>& counts) {
+    for (std::size_t i = 0; i < list.size(); i += 2) {
+        const auto place = list.at(i).get<std::size_t>();
+        if (place < counts.size()) {
+            counts[place] = list.at(i + 1).get<std::int64_t>();
         }
-        if (skips) {
-            at += static_cast<std::size_t>(number);
-        } else {
-            counts[at++] = number;
-        }
-        place = stopped + 1;
     }
 }
 
@@ -103,6 +80,15 @@ Estimate jackknife(const Of& of) {
     return {of(replicates), student * std::sqrt(variance)};
 }
 
+/// The sums of all replicates but one.
+Sums without(const std::array<Sums, replicates>& all, std::size_t replicate) {
+    Sums sums;
+    for (std::size_t i = 0; i < replicates; ++i) {
+        sums += i == replicate ? Sums() : all[i];
+    }
+    return sums;
+}
+
 }  // namespace
 
 double CountingPlan::unwrapped(double value) const {
@@ -114,48 +100,18 @@ bool CountingPlan::within(double value) const {
     return inside(value) || (period != 0.0 && (inside(value - period) || inside(value + period)));
 }
 
-/// The sums of all blocks.
-struct Tally::Whole {
-    Whole(std::size_t watched, std::span<const Block> blocks) {
-        for (const Block& block : blocks) {  // in their order: so that digits stay
-            for (std::size_t i = 0; i < replicates && !block.sums.empty(); ++i) {
-                const Sums& more = block.sums[watched * replicates + i];
-                counts[i] += static_cast<double>(block.solved[i]);
-                sums[i].sum += more.sum;
-                sums[i].squares += more.squares;
-                sums[i].cosines += more.cosines;
-                sums[i].sines += more.sines;
-            }
-        }
-    }
+double Sums::variance() const {
+    return std::max(0.0, squares - sum * sum / n) / (n - 1.0);
+}
 
-    struct Moments {
-        double n = 0.0;
-        double mean = 0.0;  ///< from the centre
-        double variance = 0.0;
-        Sums sums;
-    };
-    /// Of all replicates but one.
-    Moments without(std::size_t replicate) const {
-        Moments found;
-        for (std::size_t i = 0; i < replicates; ++i) {
-            if (i != replicate) {
-                found.n += counts[i];
-                found.sums.sum += sums[i].sum;
-                found.sums.squares += sums[i].squares;
-                found.sums.cosines += sums[i].cosines;
-                found.sums.sines += sums[i].sines;
-            }
-        }
-        found.mean = found.sums.sum / found.n;
-        found.variance =
-            std::max(0.0, found.sums.squares - found.mean * found.sums.sum) / (found.n - 1.0);
-        return found;
-    }
-
-    std::array<double, replicates> counts{};
-    std::array<Sums, replicates> sums{};
-};
+Sums& Sums::operator+=(const Sums& more) {
+    n += more.n;
+    sum += more.sum;
+    squares += more.squares;
+    versines += more.versines;
+    sines += more.sines;
+    return *this;
+}
 
 Tally::Tally(std::vector<CountingPlan> plan, std::size_t inputs)
     : plan_(std::move(plan)), inputs_(inputs), values_(plan_.size()) {
@@ -186,15 +142,16 @@ void Tally::add(Block& block, std::uint64_t sample, std::span<const double> u,
         const CountingPlan& plan = plan_[w];
         const double number = plan.unwrapped(y[w]);
         const double from_centre = number - plan.centre;
+        sums.n += 1.0;
         sums.sum += from_centre;
         sums.squares += from_centre * from_centre;
         if (plan.period != 0.0) {
             const double angle = from_centre * (two_pi / plan.period);
-            sums.cosines += std::cos(angle);
+            sums.versines += 2.0 * square(std::sin(0.5 * angle));
             sums.sines += std::sin(angle);
         }
-        value.min = solved_ == 0 ? number : std::min(value.min, number);
-        value.max = solved_ == 0 ? number : std::max(value.max, number);
+        value.min = std::min(value.min, number);
+        value.max = std::max(value.max, number);
         value.within += plan.within(y[w]) ? 1 : 0;
         const double bin = std::floor((number - plan.low) / plan.width);
         ++value.bins[bin < 0.0                               ? below
@@ -207,7 +164,6 @@ void Tally::add(Block& block, std::uint64_t sample, std::span<const double> u,
             }
         }
     }
-    ++block.solved[replicate];
     ++solved_;
 }
 
@@ -229,10 +185,8 @@ void Tally::add(const Tally& other) {
         Value& value = values_[w];
         const Value& more = other.values_[w];
         add_each(value.bins, more.bins);
-        if (other.solved_ != 0) {
-            value.min = solved_ == 0 ? more.min : std::min(value.min, more.min);
-            value.max = solved_ == 0 ? more.max : std::max(value.max, more.max);
-        }
+        value.min = std::min(value.min, more.min);
+        value.max = std::max(value.max, more.max);
         value.within += more.within;
         add_each(value.slices, more.slices);
         add_each(value.pairs, more.pairs);
@@ -318,36 +272,37 @@ double Tally::order_statistic(const Value& value, const CountingPlan& plan,
 Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks) const {
     const Value& value = values_[watched];
     const CountingPlan& plan = plan_[watched];
-    const Whole whole(watched, blocks);
-    const Whole::Moments all = whole.without(replicates);
+    Replicates whole{};
+    for (const Block& block : blocks) {  // in their order: so that digits stay
+        for (std::size_t i = 0; i < replicates; ++i) {
+            whole[i] += block.sums[watched * replicates + i];
+        }
+    }
+    const Sums all = without(whole, replicates);
     const double n = all.n;
     Statistics found;
-    found.mean = plan.centre + all.mean;
-    found.plain_deviation = solved_ < 2 ? 0.0 : std::sqrt(all.variance);
+    found.mean = plan.centre + all.mean();
+    found.plain_deviation = solved_ < 2 ? 0.0 : std::sqrt(all.variance());
     found.deviation = found.plain_deviation;
     const auto error = [&](const auto& of) {
         const double of_jackknife = jackknife(of).error;
         return solved_ < 2 * replicates || std::isnan(of_jackknife) ? infinite : of_jackknife;
     };
-    found.mean_error = error([&](std::size_t i) { return whole.without(i).mean; });
+    found.mean_error = error([&](std::size_t i) { return without(whole, i).mean(); });
     found.deviation_error =
-        error([&](std::size_t i) { return std::sqrt(whole.without(i).variance); });
+        error([&](std::size_t i) { return std::sqrt(without(whole, i).variance()); });
     found.min = value.min;
     found.max = value.max;
     double shift = 0.0;
     if (plan.period != 0.0) {
-        const Sums& sums = all.sums;
         const double to_degrees = plan.period / two_pi;
-        const double length = std::min(std::hypot(sums.cosines, sums.sines) / n, 1.0);
-        found.mean = plan.centre + std::atan2(sums.sines, sums.cosines) * to_degrees;
-        if (solved_ >= 2) {
-            // Of narrow scatter 1 − R keeps few digits, while the plain deviation is the same.
-            const double around = found.mean - plan.centre;
-            const double narrow = std::sqrt(std::max(
-                0.0, (sums.squares - 2.0 * around * sums.sum + n * around * around) / (n - 1.0)));
-            const double wide = std::sqrt(-2.0 * std::log(length) * n / (n - 1.0)) * to_degrees;
-            found.deviation = narrow < 1e-4 * plan.period ? narrow : wide;
-        }
+        const double versine = all.versines / n;
+        const double sine = all.sines / n;
+        found.mean = plan.centre + std::atan2(sine, 1.0 - versine) * to_degrees;
+        // −ln R², which keeps its digits where angles scatter little.
+        const double length = square(versine) + square(sine) - 2.0 * versine;  // R² − 1
+        const double spread = -std::log1p(std::clamp(length, -1.0, 0.0));
+        found.deviation = solved_ < 2 ? 0.0 : std::sqrt(spread * n / (n - 1.0)) * to_degrees;
         if (plan.centre >= 0.0 && plan.centre < plan.period) {
             shift = wrap(found.mean, plan.period) - found.mean;
         }
@@ -374,7 +329,7 @@ Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks)
 /// It rests on products of different replicates alone: these are independent, so that what the
 /// other inputs leave in a slice's mean adds nothing on average, however evenly the points lie.
 double Tally::between_slices(const Value& value, std::size_t input, double mean,
-                             std::size_t without, std::size_t joined) const {
+                             std::size_t left_out, std::size_t joined) const {
     struct Products {
         double count = 0.0;
         double sum = 0.0;
@@ -398,7 +353,7 @@ double Tally::between_slices(const Value& value, std::size_t input, double mean,
     for (std::size_t k = 0; k < slice_count; k += joined) {
         Products slice;
         for (std::size_t i = 0; i < replicates; ++i) {
-            if (i == without) {
+            if (i == left_out) {
                 continue;
             }
             const std::size_t first = (input * replicates + i) * slice_count + k;
@@ -422,7 +377,8 @@ double Tally::between_slices(const Value& value, std::size_t input, double mean,
     return between / all.count - all.mean_square();
 }
 
-void Tally::set_sensitivities(std::size_t watched, const Whole& whole, Statistics& found) const {
+void Tally::set_sensitivities(std::size_t watched, const Replicates& whole,
+                              Statistics& found) const {
     const Value& value = values_[watched];
     const double width = plan_[watched].width;
     constexpr std::int64_t least_pairs = 64;
@@ -431,7 +387,7 @@ void Tally::set_sensitivities(std::size_t watched, const Whole& whole, Statistic
     const std::size_t joined = solved_ >= for_all_slices ? 1 : 4;
     found.first_order.resize(inputs_);
     found.total.resize(inputs_);
-    if (!(whole.without(replicates).variance > 0.0)) {
+    if (!(without(whole, replicates).variance() > 0.0)) {
         return;
     }
     const auto known = [](Estimate estimate) {
@@ -445,9 +401,9 @@ void Tally::set_sensitivities(std::size_t watched, const Whole& whole, Statistic
             // about as much as that.
             double hidden = 0.0;
             Estimate estimate = jackknife([&](std::size_t i) {
-                const Whole::Moments moments = whole.without(i);
-                const double scale = square(width) / moments.variance;
-                const double mean = moments.mean / width;
+                const Sums sums = without(whole, i);
+                const double scale = square(width) / sums.variance();
+                const double mean = sums.mean() / width;
                 const double fine = scale * between_slices(value, j, mean, i, joined);
                 const double coarse = scale * between_slices(value, j, mean, i, 2 * joined);
                 hidden = std::max(fine - coarse, 0.0);
@@ -459,14 +415,14 @@ void Tally::set_sensitivities(std::size_t watched, const Whole& whole, Statistic
         const std::span counts = std::span(pair_counts_).subspan(j * replicates, replicates);
         const std::span pairs = std::span(value.pairs).subspan(j * replicates, replicates);
         if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >= least_pairs) {
-            found.total[j] = known(jackknife([&](std::size_t without) {
+            found.total[j] = known(jackknife([&](std::size_t left_out) {
                 double count = 0.0;
                 double sum = 0.0;
                 for (std::size_t i = 0; i < replicates; ++i) {
-                    count += i == without ? 0.0 : static_cast<double>(counts[i]);
-                    sum += i == without ? 0.0 : static_cast<double>(pairs[i]);
+                    count += i == left_out ? 0.0 : static_cast<double>(counts[i]);
+                    sum += i == left_out ? 0.0 : static_cast<double>(pairs[i]);
                 }
-                return 0.5 * square(width) * sum / count / whole.without(without).variance;
+                return 0.5 * square(width) * sum / count / without(whole, left_out).variance();
             }));
         }
     }
@@ -529,28 +485,8 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
 }
 
 std::string without_numbers(const std::string& text) {
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const bool inside_word =
-            i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 ||
-                      text[i - 1] == '_' || text[i - 1] == '/');
-        if (std::isdigit(c) != 0 && !inside_word) {
-            if (plain.ends_with(" -")) {
-                plain.pop_back();
-            }
-            plain += '#';
-            while (i + 1 < text.size() &&
-                   (std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0 ||
-                    text[i + 1] == '.' || text[i + 1] == 'e' ||
-                    (text[i] == 'e' && (text[i + 1] == '-' || text[i + 1] == '+')))) {
-                ++i;
-            }
-        } else {
-            plain += text[i];
-        }
-    }
-    return plain;
+    static const std::regex number(R"((^|[^\w/])-?\d[\d.]*(e[-+]?\d+)?)");
+    return std::regex_replace(text, number, "$1#");
 }
 
 std::pair<double, double> wilson_interval(std::uint64_t hits, std::uint64_t count) {

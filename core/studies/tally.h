@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -71,12 +72,17 @@ void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason);
 Json write_refusals(const Refusals& refusals);
 Refusals read_refusals(const Json& json);
 
-/// Sums of the solved samples of one watched value in one replicate, about the plan's centre.
+/// Sums of solved samples of one watched value, about the plan's centre.
 struct Sums {
+    double n = 0.0;
     double sum = 0.0;
     double squares = 0.0;
-    double cosines = 0.0;  ///< of angles
+    double versines = 0.0;  ///< 1 − cosines, of angles
     double sines = 0.0;
+
+    double mean() const { return sum / n; }
+    double variance() const;  ///< with n − 1
+    Sums& operator+=(const Sums& more);
 };
 
 /// Samples from … to, solved one after the other by one thread: so the sums do not depend on
@@ -85,7 +91,6 @@ struct Block {
     std::uint64_t from = 0;
     std::uint64_t done = 0;  ///< the next sample
     std::uint64_t to = 0;
-    std::array<std::uint64_t, replicates> solved{};
     std::vector<Sums> sums{};  ///< by watched value, then replicate
 };
 
@@ -119,25 +124,25 @@ class Tally {
                                          std::size_t bars) const;
 
     Json write() const;
-    /// @throws InputError or Json::exception where it is not what write() writes
+    /// @throws Json::exception where it is not what write() writes
     static Tally read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs);
 
   private:
     using Counts = std::vector<std::int64_t>;
     struct Value {
         Counts bins;  ///< the last two: below and above
-        double min = 0.0;
-        double max = 0.0;
+        double min = std::numeric_limits<double>::max();
+        double max = std::numeric_limits<double>::lowest();
         std::int64_t within = 0;
         Counts slices;  ///< sums of places in bins, by input, replicate and slice
         Counts pairs;   ///< sums of squared differences of places, by input and replicate
     };
-    struct Whole;
+    using Replicates = std::array<Sums, replicates>;
 
     double order_statistic(const Value& value, const CountingPlan& plan, std::uint64_t place) const;
-    double between_slices(const Value& value, std::size_t input, double mean, std::size_t without,
+    double between_slices(const Value& value, std::size_t input, double mean, std::size_t left_out,
                           std::size_t joined) const;
-    void set_sensitivities(std::size_t watched, const Whole& whole, Statistics& found) const;
+    void set_sensitivities(std::size_t watched, const Replicates& whole, Statistics& found) const;
 
     std::vector<CountingPlan> plan_;
     std::size_t inputs_ = 0;

@@ -137,7 +137,7 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
         int count = 0;
         const Json left = Json::parse(read_all(folder / "r.json.unfinished"));
         for (const Json& block : left.at("blocks")) {
-            count += block.is_null() ? 0 : block[0].get<int>();
+            count += block[0].get<int>();
         }
         return count;
     };

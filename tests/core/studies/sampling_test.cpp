@@ -147,7 +147,7 @@ TEST(Tally, TakesAPairOfAnglesByTheShorterWay) {
         return tally.write().at("values").at(0).at("pairs").dump();
     };
     const std::string two_degrees = pairs(0.0, -1.0, 1.0);
-    EXPECT_EQ(two_degrees, "\"65536 \"");  // (2/2⁻⁷)²
+    EXPECT_EQ(two_degrees, "[0,65536]");  // (2/2⁻⁷)²
     EXPECT_EQ(pairs(360.0, 359.0, 1.0), two_degrees);
     EXPECT_EQ(pairs(360.0, 1.0, 359.0), two_degrees);
     EXPECT_EQ(pairs(360.0, 179.0, -179.0), two_degrees);
