@@ -65,6 +65,11 @@ Recovery::Recovery(const QString& folder, QObject* parent)
       session_(newSession()),
       lock_(QDir(folder).filePath(session_ + lockEnding)) {
     lock_.setStaleLockTime(0);
+    isLocked();  // else keep() tries again
+}
+
+bool Recovery::isLocked() {
+    return lock_.isLocked() || (QDir().mkpath(folder_) && lock_.tryLock(0));
 }
 
 QString Recovery::defaultFolder() {
@@ -142,9 +147,8 @@ bool Recovery::keep(CaseDocument* document) {
             return true;
         }
         check_text_size(text.size());
-        QDir().mkpath(folder_);
         // Without the lock another program would take the case for one that a crash has left.
-        if (!lock_.isLocked() && !lock_.tryLock(0)) {
+        if (!isLocked()) {
             return fail(tr("%1 cannot be written to").arg(folder_));
         }
         write_text_file(fsPath(found->file), text);
@@ -217,9 +221,7 @@ Recovery::Found Recovery::leftBehind() {
     for (const QString& name : folder.entryList({QLatin1Char('*') + lockEnding}).mid(0, most)) {
         isLeft(name, locks);
     }
-    if (!leftFiles().isEmpty()) {
-        lock_.tryLock(0);
-    }
+    isLocked();
     qint64 read = 0;
     int files = 0;
     for (const QFileInfo& left : leftFiles()) {

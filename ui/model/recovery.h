@@ -95,6 +95,7 @@ class Recovery : public QObject {
     /// Locks of the programs whose files are looked at; null: it runs.
     using Locks = std::map<QString, std::unique_ptr<QLockFile>>;
 
+    bool isLocked();
     void forget(Watched& watched);
     QString newFile();
     QFileInfoList leftFiles() const;
