@@ -323,7 +323,7 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
                     const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
     RAVNOVES_DEMAND(scene.has_value(), "every scene of a case file has a page");
-    OpenDocument* reused = there != nullptr || id != 0 ? there : untouchedOf(*scene, nullptr);
+    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
     OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);
     try {
         load(*target.document);
@@ -334,6 +334,7 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
         throw;
     }
     if (reused != nullptr) {
+        target.id = id != 0 ? id : target.id;
         target.page->resetZoom();
     }
     bringToFront(target);
@@ -592,7 +593,8 @@ void Documents::arrangeTabs() {
     tabs_->arrange(caseTabs(), current_ != nullptr ? current_->id : 0);
     // Who has stood in the bar beside others does not vanish from it.
     if (current_ != nullptr) {
-        current_->hasTab = current_->hasTab || hasSeveralTabs();
+        const auto opened = tabs_->count() - static_cast<int>(later_.size());
+        current_->hasTab = current_->hasTab || opened > 1;
     }
 }
 
