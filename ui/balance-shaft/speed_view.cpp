@@ -138,6 +138,7 @@ QWidget* SpeedView::buildSliders() {
                              .hint = tr("Indicated mean effective pressure of the computed cycle."),
                              .name = QStringLiteral("study_load_bar"),
                              .isMovable = [this] { return study_->hasLoad(); },
+                             .isGiven = [this] { return study_->load().has_value(); },
                              .read = [this] { return study_->load().value_or(0.0); },
                              .write = [this](double value) { study_->setLoad(value); }});
     column->addWidget(load_);
@@ -195,7 +196,6 @@ void SpeedView::showEvent(QShowEvent* event) {
 }
 
 void SpeedView::showInput() {
-    load_->setGiven(study_->load().has_value());
     load_->setToolTip(study_->hasLoad() ? QString()
                                         : tr("The load can be moved when the torque is a computed "
                                              "cycle (Torque tab)."));

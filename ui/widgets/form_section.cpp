@@ -54,7 +54,8 @@ class Scrolled final : public QScrollArea {
             giveRoom();
             const bool isOver = verticalScrollBar()->maximum() > 0;
             setFocusPolicy(isOver && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
-            const auto* text = widget()->findChild<QLabel*>();
+            const auto* text = qobject_cast<QLabel*>(widget());
+            text = text != nullptr ? text : widget()->findChild<QLabel*>();
             // Each setting is told to screen readers.
             if (const QString name = text != nullptr ? text->text() : QString();
                 name != accessibleName()) {
