@@ -81,7 +81,8 @@ TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
 TEST_F(V8PageTest, ALogoThatNeverEndsIsSaid) {
     const QString pipe = QDir(folder.path()).filePath(u"logo.png"_s);
     ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-    EXPECT_TRUE(Shop{.name = {}, .logo = pipe}.trouble().contains(pipe));
+    const Shop shop{.name = {}, .logo = pipe};
+    EXPECT_TRUE(shop.trouble().contains(pipe));
 }
 
 TEST_F(V8PageTest, ShopStandsOnTheCard) {
