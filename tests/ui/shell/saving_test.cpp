@@ -285,7 +285,7 @@ TEST_F(SavingTest, RefusedEntriesAreSaidBeforeTheCaseIsWritten) {
     const std::string before = read_text_file(fsPath(path));
     refuse("crank_radius_mm", "abc");
     refuse("speed_rpm", "");
-    refuse("bearing_span_mm", "-5");  // on a tab that is not in front
+    refuse("backlash_mm", "-5");  // on a tab that is not in front
     answer("Stay");
     press(Qt::Key_S);
     ASSERT_EQ(asked.size(), 1);
