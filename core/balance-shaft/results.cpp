@@ -74,30 +74,44 @@ void visit_moments(ResultVisitor& visitor, const Result& result) {
                    [&] { visit_optima(visitor, result.best_range, result.best_rms); });
 }
 
-/// What visit_moments() does not visit.
-constexpr std::array beside_moments{&ravnoves::result_field::verdict,
-                                    &ravnoves::result_field::notes,
-                                    &key::printed_mean,
-                                    &key::optimum_buildable,
-                                    &key::buildable,
-                                    &key::order_1,
-                                    &key::dead_centre,
-                                    &key::counterweight_lag,
-                                    &key::envelope,
-                                    &key::inertia_check,
-                                    &key::spectrum,
-                                    &key::flywheel,
-                                    &key::indicated,
-                                    &key::curves,
-                                    &key::sweep,
-                                    &key::clearances,
-                                    &key::crank_only,
-                                    &key::envelope_study,
-                                    &key::best_position,
-                                    &key::best_position_buildable,
-                                    &key::gear_error,
-                                    &key::relieved_shaft,
-                                    &key::speed_band};
+/// What neither visit_moments() nor RepeatedResults gives by themselves.
+constexpr std::array needs_solver{&ravnoves::result_field::verdict,
+                                  &ravnoves::result_field::notes,
+                                  &key::printed_mean,
+                                  &key::optimum_buildable,
+                                  &key::order_1,
+                                  &key::dead_centre,
+                                  &key::counterweight_lag,
+                                  &key::envelope,
+                                  &key::inertia_check,
+                                  &key::spectrum,
+                                  &key::flywheel,
+                                  &key::indicated,
+                                  &key::curves,
+                                  &key::sweep,
+                                  &key::clearances,
+                                  &key::crank_only,
+                                  &key::envelope_study,
+                                  &key::best_position,
+                                  &key::best_position_buildable,
+                                  &key::gear_error,
+                                  &key::relieved_shaft,
+                                  &key::speed_band};
+
+void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& buildable, double alpha) {
+    visitor.object(key::buildable, [&] {
+        std::vector<double> ends;
+        for (const AngleStretch& stretch : buildable.stretches) {
+            ends.push_back(stretch.from / degree);
+            ends.push_back(stretch.to / degree);
+        }
+        visitor.rows(key::buildable_angles, ends, 2);
+        visitor.flag(key::at_shaft_angle, buildable.contains(alpha));
+        if (!buildable.reason.empty()) {
+            visitor.text(reason, buildable.reason);
+        }
+    });
+}
 
 void visit_buildable(ResultVisitor& visitor, const Result& result) {
     // Of what can be built; null, with the reason, where nothing can.
@@ -110,18 +124,7 @@ void visit_buildable(ResultVisitor& visitor, const Result& result) {
             visit_optima(visitor, result.best_range_buildable, result.best_rms_buildable);
         }
     });
-    visitor.object(key::buildable, [&] {
-        std::vector<double> ends;
-        for (const AngleStretch& stretch : result.buildable.stretches) {
-            ends.push_back(stretch.from / degree);
-            ends.push_back(stretch.to / degree);
-        }
-        visitor.rows(key::buildable_angles, ends, 2);
-        visitor.flag(key::at_shaft_angle, result.is_buildable);
-        if (!result.buildable.reason.empty()) {
-            visitor.text(reason, result.buildable.reason);
-        }
-    });
+    visit_feasible_angles(visitor, result.buildable, result.shaft_angle);
 }
 
 void visit_inertia_check(ResultVisitor& visitor, const InertiaCheck& check) {
@@ -470,15 +473,44 @@ void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& r
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
-    if (std::any_of(beside_moments.begin(), beside_moments.end(),
+    RepeatedResults({}).visit(visitor, input);
+}
+
+RepeatedResults::RepeatedResults(std::span<const std::string> varied)
+    : keeps_torque_(std::none_of(varied.begin(), varied.end(), [](const std::string& pointer) {
+          return pointer.starts_with("/torque") || pointer == "/offset_mm";
+      })) {}
+
+const Moments& RepeatedResults::moments_of(const Input& input) {
+    if (!moments_ || !keeps_torque_ || !moments_->follow(input)) {
+        moments_.emplace(input);
+    }
+    return *moments_;
+}
+
+const BuildableAngles& RepeatedResults::buildable_of(const Input& input) {
+    const FrontView view = front_view(input);
+    if (view_ != view || limits_ != input.place_limits) {
+        buildable_ = buildable_angles(view, input.place_limits);
+        view_ = view;
+        limits_ = input.place_limits;
+    }
+    return buildable_;
+}
+
+void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
+    if (std::any_of(needs_solver.begin(), needs_solver.end(),
                     [&](const ResultField* field) { return visitor.wants(field->key); })) {
         const Solver solver(input);
         visit_results(visitor, solver, solver.result());
         return;
     }
     Result result;
-    Moments(input).fill(input, visitor.wants(key::optimum.key), result);
+    moments_of(input).fill(input, visitor.wants(key::optimum.key), result);
     visit_moments(visitor, result);
+    if (visitor.wants(key::buildable.key)) {
+        visit_feasible_angles(visitor, buildable_of(input), result.shaft_angle);
+    }
 }
 
 Verdict verdict(const Result& result) {

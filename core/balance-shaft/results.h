@@ -1,6 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
+
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/input.h"
+#include "balance-shaft/moments.h"
 #include "balance-shaft/solver.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
@@ -13,6 +19,28 @@ void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& r
 /// @param input  as check_input() leaves it
 /// @throws InputError as Solver
 void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// visit_results() of inputs that differ in a few numbers: what these leave as it was is computed
+/// once. For one thread at a time.
+class RepeatedResults {
+  public:
+    /// @param varied  pointers below "input" to the numbers that may differ
+    explicit RepeatedResults(std::span<const std::string> varied);
+
+    /// @param input  as check_input() leaves it
+    /// @throws InputError as visit_results()
+    void visit(ResultVisitor& visitor, const Input& input);
+
+  private:
+    const Moments& moments_of(const Input& input);
+    const BuildableAngles& buildable_of(const Input& input);
+
+    bool keeps_torque_;
+    std::optional<Moments> moments_;
+    std::optional<FrontView> view_;
+    PlaceLimits limits_;
+    BuildableAngles buildable_;
+};
 
 /// Whether the shaft fits, and what it does to the moment on the mounts; or a slip of the input
 /// that puts this in doubt.

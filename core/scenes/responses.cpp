@@ -21,12 +21,12 @@ Input read_alone(const Json& json, const CaseContext& /*context*/) {
     return read(json);
 }
 
-template <typename Input, auto read, auto check>
+template <typename Input, auto read, auto check, typename Results = AnewResults<Input>>
 std::unique_ptr<Response> respond(const CaseFile& file, const CaseContext& context,
                                   std::span<const std::string> varied,
                                   std::span<const std::string> watched) {
-    return std::make_unique<TypedResponse<Input, read, check>>(file.input, context, varied,
-                                                               watched);
+    return std::make_unique<TypedResponse<Input, read, check, Results>>(file.input, context, varied,
+                                                                        watched);
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ std::unique_ptr<Response> typed_response(const CaseFile& file, const CaseContext
                                          std::span<const std::string> watched) {
     if (file.scene == "balance-shaft") {
         using Input = balance_shaft::Input;
-        return respond<Input, balance_shaft::read_input, balance_shaft::check_joined>(
-            file, context, varied, watched);
+        return respond<Input, balance_shaft::read_input, balance_shaft::check_joined,
+                       balance_shaft::RepeatedResults>(file, context, varied, watched);
     }
     if (file.scene == "elastic-hinge") {
         using Input = elastic_hinge::Input;

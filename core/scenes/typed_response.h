@@ -18,12 +18,20 @@
 
 namespace ravnoves {
 
+/// Visits each input's results anew.
+template <typename Input>
+struct AnewResults {
+    explicit AnewResults(std::span<const std::string> /*varied*/) {}
+    void visit(ResultVisitor& visitor, const Input& input) { visit_results(visitor, input); }
+};
+
 /// Values of a scene's result as functions of numbers of its input: puts them into the input and
 /// visits what is watched, without a file in between. A number that the fields hand out as a copy
 /// is put into the JSON instead, which is read again for each evaluation.
 /// @tparam read_input   of the scene, from the "input" object of a case
 /// @tparam check_input  throws where the input as a whole is refused
-template <typename Input, auto read_input, auto check_input>
+/// @tparam Results      visits the results of one input after the other
+template <typename Input, auto read_input, auto check_input, typename Results>
 class TypedResponse final : public Response {
   public:
     TypedResponse(const Json& json, const CaseContext& context, std::span<const std::string> varied,
@@ -33,7 +41,8 @@ class TypedResponse final : public Response {
           varied_(varied.begin(), varied.end()),
           input_(read_input(json_, context_)),
           places_(find_numbers(input_, varied)),
-          numbers_(watched) {
+          numbers_(watched),
+          results_(varied) {
         Input other = input_;
         const auto others = find_numbers(other, varied);
         for (std::size_t j = 0; j < places_.size(); ++j) {
@@ -50,7 +59,7 @@ class TypedResponse final : public Response {
             if (!set(x)) {
                 return false;
             }
-            visit_results(numbers_, input_);
+            results_.visit(numbers_, input_);
         } catch (const InputError& error) {
             reason_ = {error.where_message(), error.allowed_message()};
             return false;
@@ -97,6 +106,7 @@ class TypedResponse final : public Response {
     std::vector<Json*> slots_;
     bool has_places_ = true;
     ResultNumbers numbers_;
+    Results results_;
 };
 
 }  // namespace ravnoves

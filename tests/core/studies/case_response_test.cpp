@@ -58,10 +58,11 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
     for (const std::array<std::string, 2>& varied :
          {std::array<std::string, 2>{"/crank_radius_mm", "/reciprocating_masses_kg/piston"},
           std::array<std::string, 2>{"/shaft_angle_deg", "/torque/torque_Nm/26"}}) {
-        std::vector<std::string> watched;
+        // Those that rest on the moments alone; a solver gives the others.
+        std::vector<std::string> watched{"/moment_amplitude_Nm", "/counterweight_mass_kg"};
         for (const auto& item : flat.items()) {
-            const std::array<std::string, 1> one{item.key()};
-            if (typed_response(file, {}, varied, one) != nullptr) {
+            if (item.value().is_number() &&
+                (item.key().starts_with("/metrics/") || item.key().starts_with("/optimum/"))) {
                 watched.push_back(item.key());
             }
         }
