@@ -53,7 +53,6 @@ RecoveredCase readKept(const QString& file) {
     kept.known = QByteArray::fromHex(keptText(json, "known").toLatin1());
     kept.context = {fsPath(keptText(json, "directory"))};
     kept.place = json.value("place", Json());
-    kept.draft = keptText(json, "draft");
     return kept;
 }
 
@@ -91,7 +90,7 @@ QString Recovery::newFile() {
 
 // ------------------------------------------------------------------------------------ keeping
 
-void Recovery::watch(CaseDocument* document, const std::function<QString()>& draft) {
+void Recovery::watch(CaseDocument* document) {
     if (watched_.contains(document) || !document->model()->hasCaseFile()) {
         return;
     }
@@ -99,7 +98,7 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     timer->setSingleShot(true);
     timer->setInterval(keepDelay);
     connect(timer, &QTimer::timeout, this, [this, document] { keep(document); });
-    watched_.insert(document, {newFile(), {}, timer, draft});
+    watched_.insert(document, {newFile(), {}, timer});
     // Not restarted by further changes: the first waits no longer than the delay.
     const auto later = [timer] {
         if (!timer->isActive()) {
@@ -140,8 +139,7 @@ bool Recovery::keep(CaseDocument* document) {
                     {"path", document->path().toStdString()},
                     {"known", document->disk().digest().toHex().toStdString()},
                     {"directory", document->model()->context().directory.string()},
-                    {"place", document->model()->placeJson()},
-                    {"draft", found->draft().toStdString()}});
+                    {"place", document->model()->placeJson()}});
         QByteArray bytes = QByteArray::fromStdString(text);
         if (bytes == found->written) {
             return true;

@@ -32,8 +32,7 @@ struct RecoveredCase {
     QString path;      ///< of the case; empty where it had no file
     QByteArray known;  ///< FileOnDisk::digest() of that file
     CaseContext context;
-    Json place;     ///< SceneModel::placeJson()
-    QString draft;  ///< ScenePage::draftName()
+    Json place;  ///< SceneModel::placeJson()
     CaseFile content;
 };
 
@@ -56,9 +55,7 @@ class Recovery : public QObject {
                       const QString& folder = defaultFolder());
 
     /// Keeps the document from now on.
-    /// @param draft  asked for RecoveredCase::draft whenever it is written
-    void watch(
-        CaseDocument* document, const std::function<QString()>& draft = [] { return QString(); });
+    void watch(CaseDocument* document);
     /// Writes it now rather than soon. @return false where it could not be kept
     bool keep(CaseDocument* document);
     /// The document is closed: nothing of it is kept.
@@ -89,7 +86,6 @@ class Recovery : public QObject {
         QString file;
         QByteArray written;
         QTimer* timer;
-        std::function<QString()> draft;
     };
 
     /// Locks of the programs whose files are looked at; null: it runs.

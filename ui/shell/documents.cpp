@@ -418,7 +418,7 @@ void Documents::keepIn(Recovery* recovery) {
 
 void Documents::keep(OpenDocument& document) {
     if (recovery_ != nullptr) {
-        recovery_->watch(document.document, [&document] { return document.page->draftName(); });
+        recovery_->watch(document.document);
     }
 }
 
@@ -449,16 +449,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
             }
         }
     }
-    if (!recovered.draft.isEmpty()) {
-        current_->page->takeDraft(recovered.draft);
-    }
     return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
-}
-
-void Documents::drop(const RecoveredCase& recovered) {
-    if (!recovered.draft.isEmpty()) {
-        page(QString::fromStdString(recovered.content.scene))->dropDraft(recovered.draft);
-    }
 }
 
 QStringList Documents::paths() const {

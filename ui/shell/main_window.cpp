@@ -343,10 +343,8 @@ void MainWindow::offerRecovered() {
             recovery_->discard(recovered);
         }
     });
-    connect(dialog, &RecoveryDialog::thrownAway, this, [this](const RecoveredCase& recovered) {
-        documents_->drop(recovered);
-        recovery_->discard(recovered);
-    });
+    connect(dialog, &RecoveryDialog::thrownAway, this,
+            [this](const RecoveredCase& recovered) { recovery_->discard(recovered); });
     connect(dialog, &RecoveryDialog::olderThrownAway, recovery_, &Recovery::discardOlder);
     connect(dialog, &RecoveryDialog::olderWanted, this, [this, dialog] {
         dialog->close();

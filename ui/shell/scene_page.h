@@ -36,13 +36,6 @@ class ScenePage : public QWidget {
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
 
-    /// The page's own copy of what is not saved, where it keeps one: for the recovery after a
-    /// crash.
-    virtual QString draftName() const { return {}; }
-    /// Takes over the copy that a crash has left, with what a case file does not hold.
-    virtual void takeDraft(const QString& /*name*/) {}
-    virtual void dropDraft(const QString& /*name*/) {}
-
     /// How to look up what is open on the other pages. Called once, after the page was made.
     virtual void setOpenCases(const OpenCases& /*cases*/) {}
 

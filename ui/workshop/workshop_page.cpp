@@ -85,7 +85,6 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
         }
     });
     buildActions();
-    connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
     connect(banner_, &JournalBanner::restoreWanted, this, &WorkshopPage::restoreFrom);
     connect(desk(), &JobDesk::jobRemoved, this, [this] {
         Q_EMIT status({});  // that it is in the journal was said before
@@ -203,14 +202,6 @@ void WorkshopPage::buildCardLanguages() {
     actions_ << language;
 }
 
-void WorkshopPage::setActive(bool active) {
-    if (active) {
-        banner_->keepOnly(desk()->crashedDrafts());  // another page may have taken one over
-    } else {
-        desk()->keepDraft();
-    }
-}
-
 // -------------------------------------------------------------------------------- going on
 
 bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
@@ -221,8 +212,6 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
             goOn(static_cast<QWidget*>(watched));
             return true;
         }
-    } else if (event->type() == QEvent::FocusOut) {
-        desk()->keepDraft();  // what was typed is in the draft when the next field is entered
     } else if (event->type() == QEvent::FocusIn &&
                static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
         auto* field = static_cast<QWidget*>(watched);
@@ -327,26 +316,7 @@ void WorkshopPage::showEvent(QShowEvent* event) {
 
 void WorkshopPage::openJournal() {
     journalTried_ = true;
-    if (!desk()->openJournal()) {
-        connect(
-            desk(), &JobDesk::journalOpened, this,
-            [this] { banner_->offer(desk()->crashedDrafts()); },
-            static_cast<Qt::ConnectionType>(Qt::AutoConnection | Qt::SingleShotConnection));
-    }
-    banner_->offer(desk()->crashedDrafts());
-}
-
-void WorkshopPage::continueDraft(const JournalDraft& draft) {
-    if (!mayReplaceJob()) {
-        return;
-    }
-    const QString trouble = desk()->restoreDraft(draft);
-    if (trouble.isEmpty()) {
-        Q_EMIT status(tr("The unfinished job is on the sheet again."));
-        banner_->next();
-    } else {
-        QMessageBox::warning(this, tr("Unfinished job"), trouble);
-    }
+    desk()->openJournal();
 }
 
 bool WorkshopPage::refusedEntriesAreKnown() {
@@ -355,26 +325,6 @@ bool WorkshopPage::refusedEntriesAreKnown() {
 
 std::optional<bool> WorkshopPage::askToSave() {
     return leaveJob();
-}
-
-QString WorkshopPage::draftName() const {
-    return desk()->journal() != nullptr ? desk()->journal()->session() : QString();
-}
-
-void WorkshopPage::takeDraft(const QString& name) {
-    openJournal();
-    for (const JournalDraft& draft : desk()->crashedDrafts()) {
-        if (draft.session == name && desk()->restoreDraft(draft, true).isEmpty()) {
-            banner_->keepOnly(desk()->crashedDrafts());
-            return;
-        }
-    }
-}
-
-void WorkshopPage::dropDraft(const QString& name) {
-    openJournal();
-    desk()->discardDraft(name);
-    banner_->keepOnly(desk()->crashedDrafts());
 }
 
 bool WorkshopPage::hasUnsavedJob() {

@@ -30,14 +30,10 @@ class WorkshopPage : public ScenePage {
     using ScenePage::ScenePage;
 
     QList<QAction*> sceneActions() override { return actions_; }
-    void setActive(bool active) override;
     std::optional<bool> askToSave() override;
-    QString draftName() const override;
-    void takeDraft(const QString& name) override;
-    void dropDraft(const QString& name) override;
     void showJournal(const QString& search) override;
 
-    /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
+    /// Opens the journal; happens by itself once shown.
     void openJournal();
 
     // For tests.
@@ -79,7 +75,6 @@ class WorkshopPage : public ScenePage {
     /// Another job is on the sheets: none of them is gone on with where the last one was.
     void beginSheets();
     void goOn(QWidget* from);
-    void continueDraft(const JournalDraft& draft);
     bool hasUnsavedJob();
     /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();

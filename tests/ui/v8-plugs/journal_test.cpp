@@ -315,51 +315,6 @@ TEST_F(V8PageTest, UnsavedJobIsAskedAbout) {
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
 }
 
-TEST_F(V8PageTest, CrashedDraftIsOffered) {
-    JournalDraft draft;
-    draft.session = u"crashed"_s;
-    draft.scene = u"v8-plugs"_s;
-    draft.engineNumber = u"99"_s;
-    Input lost;
-    lost.preset = "6 l";
-    lost.engine = *find_preset("6 l");
-    lost.job.engine_number = "99";
-    lost.job.customer = "Smith";
-    draft.form = QByteArray::fromStdString(write_case({"v8-plugs", "", write_input(lost)}).dump());
-    ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
-    V8PlugsPage next(model->desk()->journal()->path(), nullptr);
-    test::showAt(next, {1187, 712});
-    auto* banner = next.findChild<QLabel*>(u"banner"_s);
-    ASSERT_TRUE(banner->isVisible());
-    EXPECT_TRUE(banner->text().endsWith(u"with an unfinished job: 99, Smith."_s));
-    answer(QMessageBox::No);
-    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_discard"_s), Qt::LeftButton);
-    EXPECT_TRUE(banner->isVisible());
-    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_continue"_s), Qt::LeftButton);
-    EXPECT_FALSE(banner->isVisible());
-    EXPECT_EQ(next.viewModel()->input().job.engine_number, "99");
-    EXPECT_EQ(next.viewModel()->input().preset, "6 l");
-    // It is not offered twice.
-    V8PlugsPage third(model->desk()->journal()->path(), nullptr);
-    test::showAt(third, {1187, 712});
-    EXPECT_FALSE(third.findChild<QLabel*>(u"banner"_s)->isVisible());
-}
-
-TEST_F(V8PageTest, ADraftIsThrownAwayWhenThatIsMeant) {
-    JournalDraft draft;
-    draft.session = u"crashed"_s;
-    draft.scene = u"v8-plugs"_s;
-    draft.engineNumber = u"99"_s;
-    draft.form = "{}";
-    ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
-    V8PlugsPage next(model->desk()->journal()->path(), nullptr);
-    test::showAt(next, {1187, 712});
-    answer(QMessageBox::Yes);
-    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_discard"_s), Qt::LeftButton);
-    EXPECT_FALSE(next.findChild<QLabel*>(u"banner"_s)->isVisible());
-    EXPECT_TRUE(model->desk()->crashedDrafts().isEmpty());
-}
-
 TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     JournalJob job;
     job.scene = u"v8-plugs"_s;

@@ -472,67 +472,6 @@ TEST_F(V8ModelTest, OwnEnginesAreKept) {
     EXPECT_EQ(later.engineIndex(), -1);
 }
 
-TEST_F(V8ModelTest, DraftIsWrittenSoonAndGoneAfterAnOrdinaryEnd) {
-    {
-        V8PlugsModel model(path());
-        ASSERT_TRUE(model.desk()->openJournal());
-        number(model, "1");
-        EXPECT_TRUE(QTest::qWaitFor(
-                        [&] {
-                            Journal other(path());
-                            return other.open() && !other.orphanedDrafts().isEmpty();
-                        },
-                        400) == false);  // of a running program: not offered
-        // Changes that follow each other quickly do not put the writing off.
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < 700) {
-            number(model, std::to_string(clock.elapsed()).c_str());
-            QTest::qWait(10);
-        }
-        Journal raw(path());
-        ASSERT_TRUE(raw.open());
-    }
-    Journal after(path());
-    ASSERT_TRUE(after.open());
-    EXPECT_TRUE(after.orphanedDrafts().isEmpty());
-}
-
-TEST_F(V8ModelTest, KilledSheetLosesAtMostTheFieldBeingTyped) {
-    for (int round = 0; round < 10; ++round) {
-        QProcess typist;
-        typist.start(QStringLiteral(SHEET_TYPIST), {path()});
-        ASSERT_TRUE(typist.waitForStarted());
-        QByteArray output;
-        while (output.count('\n') < 3 + round) {
-            ASSERT_TRUE(typist.waitForReadyRead(30000)) << typist.readAllStandardError().data();
-            output += typist.readAllStandardOutput();
-        }
-        ASSERT_EQ(::kill(static_cast<pid_t>(typist.processId()), SIGKILL), 0);
-        ASSERT_TRUE(typist.waitForFinished());
-        output += typist.readAllStandardOutput();
-        const QByteArray last = output.left(output.lastIndexOf('\n')).split('\n').constLast();
-        const int left = last.split(' ').value(1).toInt();
-
-        V8PlugsModel model(path());
-        ASSERT_TRUE(model.desk()->openJournal());
-        const auto drafts = model.desk()->crashedDrafts();
-        ASSERT_EQ(drafts.size(), 1);
-        ASSERT_EQ(model.desk()->restoreDraft(drafts.constFirst()), QString());
-        const int found = std::stoi(model.input().job.engine_number);
-        EXPECT_GE(found, left);
-        EXPECT_LE(found, left + 1);
-        const auto& masses = (*model.input().weigh_in)[Part::piston].mass;
-        EXPECT_NEAR(*masses[static_cast<std::size_t>(left % 8)], (600.0 + left % 997) * gram,
-                    1e-12);
-        EXPECT_FALSE(model.history()->isClean());  // it still has to be saved
-        EXPECT_TRUE(model.desk()->crashedDrafts().isEmpty());
-        bool ok = false;
-        model.desk()->saveJob(&ok);
-        EXPECT_TRUE(ok);
-    }
-}
-
 TEST_F(V8ModelTest, DamagedJournalIsSaidOnThePage) {
     QFile file(path());
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -551,7 +490,6 @@ TEST_F(V8ModelTest, WithoutAJournalNothingIsWritten) {
     V8PlugsModel model({});
     EXPECT_FALSE(model.desk()->openJournal());
     number(model, "1");
-    model.desk()->keepDraft();
     bool ok = true;
     EXPECT_FALSE(model.desk()->saveJob(&ok).isEmpty());
     EXPECT_FALSE(ok);

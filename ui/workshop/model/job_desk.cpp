@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/case_document.h"
+#include "model/recovery.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "workshop/model/verdict.h"
@@ -16,7 +17,6 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
 
@@ -43,35 +43,12 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
             settings.value(languageKey, settings.value(QStringLiteral("v8-plugs/card-language")))
                 .toString();
     }
-    draftTimer_.setSingleShot(true);
-    draftTimer_.setInterval(draftDelay);
-    connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::keepDraft);
-    connect(model_, &SceneModel::changed, this, [this] {
-        draftStale_ = true;
-        isJournaled_ = false;
-        // Not restarted by further changes: the first waits no longer than the delay.
-        if (journal_ && !draftTimer_.isActive()) {
-            draftTimer_.start();
-        }
-    });
+    connect(model_, &SceneModel::changed, this, [this] { isJournaled_ = false; });
     connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
-    // A job that was saved as a case file, or undone to where it was, needs no draft.
-    connect(model_, &SceneModel::historyChanged, this, [this] {
-        if (!model_->hasChanges() && draftKept_ && isOpen()) {
-            draftStale_ = false;
-            draftTimer_.stop();
-            draftKept_ = false;
-            journal_->discardDraft(journal_->session());
-        }
-    });
 }
 
 JobDesk::~JobDesk() {
     desks().removeOne(this);
-    // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
-    if (draftKept_ && isOpen()) {
-        journal_->discardDraft(journal_->session());
-    }
 }
 
 void JobDesk::setJournalTrouble(const QString& text) {
@@ -96,11 +73,22 @@ bool JobDesk::openJournal() {
         return false;
     }
     setJournalTrouble(journal_->openMessage());
-    if (draftStale_) {
-        draftTimer_.start();
-    }
+    moveDrafts();
     Q_EMIT journalOpened();
     return true;
+}
+
+/// What an older version kept in the journal is offered as any unsaved case is.
+void JobDesk::moveDrafts() {
+    for (const JournalDraft& draft : journal_->orphanedDrafts()) {
+        try {
+            Recovery::leave(parse_case(draft.form.toStdString()),
+                            {{"id", draft.jobId}, {"revision", draft.jobRevision}});
+            journal_->discardDraft(draft.session);
+        } catch (const InputError&) {
+            // It stays where it is: nothing can be made of it here.
+        }
+    }
 }
 
 void JobDesk::putJobId(qint64 id, int revision) {
@@ -138,8 +126,6 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
         putJobId(before.first, before.second);
         throw;
     }
-    draftStale_ = false;
-    draftTimer_.stop();
     // What was refused was typed for another job, and one value may be that of both.
     Q_EMIT model_->broughtIn();
 }
@@ -196,17 +182,6 @@ QStringList JobDesk::wordsOf(const CaseFile& file) {
     }
     words.removeAll(QString());
     return words;
-}
-
-QString JobDesk::nameOf(const JournalDraft& draft) {
-    QStringList words{draft.engineNumber};
-    try {
-        words = wordsOf(parse_case(draft.form.toStdString()));
-    } catch (const InputError&) {
-        // Going on with it says why.
-    }
-    words.removeAll(QString());
-    return words.isEmpty() ? QStringLiteral("–") : words.join(QStringLiteral(", "));
 }
 
 bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) const {
@@ -297,13 +272,9 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     job.scene = model_->sceneName();
     job.isFinished = isFinished && isNamed(job) && scene_.missing().isEmpty();
     job.form = formText();
-    draftTimer_.stop();
     const Journal::Saved saved = journal_->save(job);
     if (saved == Journal::Saved::No) {
         setJournalTrouble(journal_->lastError());
-        if (draftStale_) {
-            draftTimer_.start();
-        }
         return journal_->lastError();
     }
     takeSaved(job);
@@ -320,14 +291,8 @@ void JobDesk::takeSaved(const JournalJob& job) {
     putJobId(job.id, job.revision);
     isJournaled_ = true;
     if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
-        // A case file that does not have it yet: a crash must not part the job from it.
-        draftStale_ = true;
-        keepDraft();
+        Q_EMIT model_->historyChanged();  // its place is kept for a crash
         return;
-    }
-    draftStale_ = false;
-    if (std::exchange(draftKept_, false)) {
-        journal_->discardDraft(journal_->session());
     }
     model_->history()->setClean();
     isJournaled_ = true;
@@ -378,52 +343,6 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
         Q_EMIT model_->begunAnew();
     }
     return trouble;
-}
-
-void JobDesk::keepDraft() {
-    draftTimer_.stop();
-    if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
-        return;
-    }
-    JournalDraft draft;
-    draft.scene = model_->sceneName();
-    draft.jobId = jobId_;
-    draft.jobRevision = jobRevision_;
-    draft.engineNumber = scene_.entry().engineNumber;
-    draft.form = formText();
-    draftStale_ = !journal_->saveDraft(draft);
-    if (draftStale_) {
-        draftTimer_.start();  // another program is writing
-    } else {
-        draftKept_ = true;
-    }
-}
-
-QList<JournalDraft> JobDesk::crashedDrafts() {
-    return isOpen() ? journal_->orphanedDrafts(model_->sceneName()) : QList<JournalDraft>();
-}
-
-QString JobDesk::restoreDraft(const JournalDraft& draft, bool keepsFile) {
-    QString trouble = takeForm(draft.form, draft.jobId, draft.jobRevision, false);
-    if (!trouble.isEmpty()) {
-        return trouble;
-    }
-    if (!keepsFile) {
-        Q_EMIT model_->begunAnew();
-    }
-    model_->history()->resetClean();  // not saved yet; the draft is this program's from now on
-    draftStale_ = true;
-    keepDraft();
-    if (draftKept_ && !draftStale_) {
-        discardDraft(draft.session);
-    }
-    return {};
-}
-
-void JobDesk::discardDraft(const QString& session) {
-    if (isOpen()) {
-        journal_->discardDraft(session);
-    }
 }
 
 JournalJob JobDesk::entryOf(const shop::JobHeader& head) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QTimer>
+#include <QObject>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -12,9 +12,8 @@
 
 namespace ravnoves {
 
-/// Where a job lies while it is worked on: its place in the journal, its draft, the language of its
-/// card. Every change is kept as a draft in the journal within a third of a second, so that a crash
-/// loses at most the field being typed.
+/// Where a job lies while it is worked on: its place in the journal, and the language of its card.
+/// For a crash it is kept as any case is (model/recovery.h).
 class JobDesk : public QObject {
     Q_OBJECT
 
@@ -53,9 +52,10 @@ class JobDesk : public QObject {
 
     /// Id of the job on the sheet; 0 where it is not in the journal.
     qint64 jobId() const { return jobId_; }
+    int jobRevision() const { return jobRevision_; }
     /// Another case comes in that is no job of the journal.
     void forgetJob();
-    /// `take` brings another job onto the sheet: it has no draft yet.
+    /// `take` brings another job onto the sheet.
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
     /// The same with a new job, which is of no file.
     void beginJob(const std::function<void()>& take);
@@ -97,21 +97,11 @@ class JobDesk : public QObject {
     /// What it keeps for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
-    /// Writes the draft now if something is not in it yet.
-    void keepDraft();
-    /// Drafts of the scene that a crash left.
-    QList<JournalDraft> crashedDrafts();
-    /// @param keepsFile  the sheet's file is that of the draft, too
-    QString restoreDraft(const JournalDraft& draft, bool keepsFile = false);
-    void discardDraft(const QString& session);
-
     /// Of engine and crankshaft; a dash where it has none.
     static QString numbersOf(const JournalJob& job);
     /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
     /// for other cases.
     static QStringList wordsOf(const CaseFile& file);
-    /// The same of a draft; a dash where it has none.
-    static QString nameOf(const JournalDraft& draft);
     /// What the journal keeps of the head of a job card.
     static JournalJob entryOf(const shop::JobHeader& head);
     /// Who did the job that was saved last on this computer.
@@ -131,6 +121,7 @@ class JobDesk : public QObject {
   private:
     /// A name alone makes no other engine.
     bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
+    void moveDrafts();
     void putJobId(qint64 id, int revision);
     void takeSaved(const JournalJob& job);
     QString savedText(Journal::Saved saved, const JournalJob& job) const;
@@ -146,9 +137,6 @@ class JobDesk : public QObject {
     QString journalTrouble_;
     qint64 jobId_ = 0;
     int jobRevision_ = 0;
-    QTimer draftTimer_;
-    bool draftStale_ = false;
-    bool draftKept_ = false;
     bool isJournaled_ = false;
 };
 

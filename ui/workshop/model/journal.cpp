@@ -1,6 +1,7 @@
 #include "workshop/model/journal.h"
 
 #include <QDir>
+#include <QLockFile>
 #include <QSqlDatabase>
 #include <QStandardPaths>
 #include <QUuid>
@@ -31,8 +32,7 @@ QString likePattern(QString text) {
 Journal::Journal(const QString& path, QObject* parent)
     : QObject(parent),
       path_(path),
-      connection_(QStringLiteral("journal-") + QUuid::createUuid().toString(QUuid::Id128)),
-      session_(QUuid::createUuid().toString(QUuid::Id128)) {}
+      connection_(QStringLiteral("journal-") + QUuid::createUuid().toString(QUuid::Id128)) {}
 
 Journal::~Journal() {
     closeDatabase();
@@ -176,48 +176,25 @@ bool Journal::remove(qint64 id) {
         .has_value();
 }
 
-QString Journal::lockPath(const QString& session) const {
-    return path_ + QLatin1Char('.') + session + QStringLiteral(".running");
-}
-
-bool Journal::saveDraft(const JournalDraft& draft) {
-    if (!isReady()) {
-        return false;
-    }
-    return ask(QStringLiteral("INSERT INTO draft"
-                              " (session, job_id, job_revision, engine_number, saved, form, scene)"
-                              " VALUES (?, ?, ?, ?, ?, ?, ?)"
-                              " ON CONFLICT (session) DO UPDATE SET job_id = excluded.job_id,"
-                              " job_revision = excluded.job_revision,"
-                              " engine_number = excluded.engine_number, saved = excluded.saved,"
-                              " form = excluded.form, scene = excluded.scene"),
-               {draft.session.isEmpty() ? session_ : draft.session, draft.jobId, draft.jobRevision,
-                bare(draft.engineNumber), stamp(QDateTime::currentDateTimeUtc()),
-                bare(QString::fromUtf8(draft.form)), bare(draft.scene)},
-               tr("The draft could not be saved."))
-        .has_value();
-}
-
 bool Journal::discardDraft(const QString& session) {
     return ask(QStringLiteral("DELETE FROM draft WHERE session = ?"), {session},
                tr("The draft could not be removed."))
         .has_value();
 }
 
-QList<JournalDraft> Journal::orphanedDrafts(const QString& scene) {
+QList<JournalDraft> Journal::orphanedDrafts() {
     QList<JournalDraft> drafts;
     auto found =
         ask(QStringLiteral("SELECT session, scene, job_id, job_revision, engine_number, saved, form"
-                           " FROM draft WHERE session <> ? AND (? = '' OR scene = ?)"
-                           " ORDER BY saved DESC"),
-            {session_, bare(scene), bare(scene)}, tr("The drafts could not be read."));
+                           " FROM draft ORDER BY saved DESC"),
+            {}, tr("The drafts could not be read."));
     while (found && found->next()) {
         JournalDraft draft{found->value(0).toString(),         found->value(1).toString(),
                            found->value(2).toLongLong(),       found->value(3).toInt(),
                            found->value(4).toString(),         fromStamp(found->value(5)),
                            found->value(6).toString().toUtf8()};
         // The lock of a program that runs cannot be taken; that of a crashed one can.
-        QLockFile lock(lockPath(draft.session));
+        QLockFile lock(path_ + QLatin1Char('.') + draft.session + QStringLiteral(".running"));
         lock.setStaleLockTime(0);
         if (lock.tryLock(0)) {
             drafts << draft;

@@ -5,12 +5,10 @@
 #include <QDateTime>
 #include <QList>
 #include <QLocale>
-#include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QVariant>
 #include <atomic>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -45,7 +43,7 @@ struct JournalJob {
     QByteArray form;                     ///< JSON text, UTF-8
 };
 
-/// What a page has open and not yet finished, kept so that a crash loses nothing.
+/// An unfinished job that a version before the store of model/recovery.h kept for a crash.
 struct JournalDraft {
     QString session;
     QString scene;
@@ -125,12 +123,9 @@ class Journal : public QObject {
     QList<JournalJob> search(const JournalQuery& query);
     bool remove(qint64 id);
 
-    /// The name of this program's draft.
-    const QString& session() const { return session_; }
-    bool saveDraft(const JournalDraft& draft);
+    /// Those whose program no longer runs.
+    QList<JournalDraft> orphanedDrafts();
     bool discardDraft(const QString& session);
-    /// Drafts of the scene (empty: of all) whose program no longer runs: left by a crash.
-    QList<JournalDraft> orphanedDrafts(const QString& scene = {});
 
     bool saveEngine(const JournalEngine& engine);
     /// False where there is no such engine, or another has the name already.
@@ -169,23 +164,19 @@ class Journal : public QObject {
     bool runAll(const QStringList& statements);
     bool isDamaged();
     bool putAside(const QString& why);
-    void removeStaleLocks();
     /// Runs a statement with values for its ?; nothing where it fails, see lastError().
     std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
                                  const QString& cannot);
     bool run(QSqlQuery& query, const QString& what);
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);
-    QString lockPath(const QString& session) const;
 
     QString path_;
     QString connection_;
-    QString session_;
     QString error_;
     QString openMessage_;
     QString setAside_;
     QString offered_;
-    std::unique_ptr<QLockFile> sessionLock_;
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
 };
 

@@ -43,10 +43,6 @@ bool Journal::open() {
         error_ = why;
         return false;
     }
-    sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
-    sessionLock_->setStaleLockTime(0);
-    sessionLock_->tryLock(0);
-    removeStaleLocks();
     backUpDaily();
     error_.clear();
     return true;
@@ -79,27 +75,6 @@ void Journal::backUpDaily() {
     if (!QFileInfo::exists(file) && backUp(file)) {
         for (const QFileInfo& old : backupsOf(path_).mid(backupsKept)) {
             QFile::remove(old.filePath());
-        }
-    }
-}
-
-/// What killed programs left, once their drafts are gone; the lock of one that runs cannot be
-/// taken.
-void Journal::removeStaleLocks() {
-    const QFileInfo info(path_);
-    const QDir folder(info.absolutePath());
-    for (const QFileInfo& file :
-         folder.entryInfoList({info.fileName() + QStringLiteral(".*.running")}, QDir::Files)) {
-        if (file.filePath() == QFileInfo(lockPath(session_)).absoluteFilePath()) {
-            continue;
-        }
-        QLockFile lock(file.filePath());
-        lock.setStaleLockTime(0);
-        lock.tryLock(0);  // goes with the lock
-        // One that was never written says nothing of its program, which had no time for a draft.
-        if (!lock.isLocked() && file.size() == 0 &&
-            file.lastModified().secsTo(QDateTime::currentDateTime()) > 60) {
-            QFile::remove(file.filePath());
         }
     }
 }
@@ -142,7 +117,6 @@ bool Journal::openDatabase() {
 }
 
 void Journal::closeDatabase() {
-    sessionLock_.reset();
     if (QSqlDatabase::contains(connection_)) {
         database().close();
         QSqlDatabase::removeDatabase(connection_);

@@ -70,6 +70,8 @@ class WorkshopModel : public CaseModel<Scene> {
 
     // In workshop_model_json.h.
     Json resultJson() const override;
+    Json placeJson() const override;
+    void takePlace(const Json& place) override;
     CaseFile asNew(const CaseFile& file) const override;
 
   protected:

@@ -16,6 +16,25 @@ Json WorkshopModel<Scene>::resultJson() const {
     }
 }
 
+template <typename Scene>
+Json WorkshopModel<Scene>::placeJson() const {
+    return desk_.jobId() == 0 ? Json()
+                              : Json{{"id", desk_.jobId()}, {"revision", desk_.jobRevision()}};
+}
+
+template <typename Scene>
+void WorkshopModel<Scene>::takePlace(const Json& place) {
+    const auto number = [&](const char* key) {
+        return place.is_object() && place.contains(key) && place.at(key).is_number_integer()
+                   ? place.at(key).get<qint64>()
+                   : 0;
+    };
+    JournalJob job;
+    job.id = number("id");
+    job.revision = static_cast<int>(number("revision"));
+    desk_.replaceInJournal(job);
+}
+
 /// A sheet without a job, such as a preset's, becomes one as any new job is: of today.
 template <typename Scene>
 CaseFile WorkshopModel<Scene>::asNew(const CaseFile& file) const {

@@ -1,5 +1,5 @@
-// Writes jobs and drafts into a journal until it is killed, and says on standard output what has
-// been saved: "job ID MARK" after each job, "draft MARK" after each draft.
+// Writes jobs into a journal until it is killed, and says on standard output what has been saved:
+// "job ID MARK" after each job.
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -27,14 +27,6 @@ int main(int argc, char** argv) {
         const QJsonObject form{{QStringLiteral("tag"), tag},
                                {QStringLiteral("padding"), QString(20000, QLatin1Char('x'))}};
         const QByteArray text = QJsonDocument(form).toJson(QJsonDocument::Compact);
-        ravnoves::JournalDraft draft;
-        draft.form = text;
-        if (!journal.saveDraft(draft)) {
-            std::fprintf(stderr, "%s\n", qPrintable(journal.lastError()));
-            return 1;
-        }
-        std::printf("draft %s\n", qPrintable(tag));
-        std::fflush(stdout);
         ravnoves::JournalJob job;
         job.engineNumber = tag;
         job.customer = QStringLiteral("Мастерская");
