@@ -20,6 +20,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "model/case_document.h"
 #include "model/recovery.h"
+#include "scenes/scenes.h"
 #include "text/preferences.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "workshop/model/journal.h"
