@@ -3500,6 +3500,610 @@
         <source>must hold at most %1 numbers: average the cycles, or take larger steps</source>
         <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
     </message>
+    <message>
+        <source>Does not fit at any α: %1.</source>
+        <translation>Не помещается ни при каком α: %1.</translation>
+    </message>
+    <message>
+        <source>Does not fit: at this α the shaft meets another part.</source>
+        <translation>Не помещается: при этом α вал задевает другую деталь.</translation>
+    </message>
+    <message>
+        <source>The torque is constant: nothing to balance.</source>
+        <translation>Крутящий момент постоянен: уравновешивать нечего.</translation>
+    </message>
+    <message>
+        <source>Fits, but the range grows by %1 and the RMS changes by %2.</source>
+        <translation>Помещается, но размах растёт на %1, а СКЗ меняется на %2.</translation>
+    </message>
+    <message>
+        <source>Fits: range %1 smaller than without shaft, but RMS %2 larger.</source>
+        <translation>Помещается: размах на %1 меньше, чем без вала, но СКЗ на %2 больше.</translation>
+    </message>
+    <message>
+        <source>Fits: range %1 and RMS %2 smaller than without shaft.</source>
+        <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Angular speed ω</source>
+        <translation>Угловая скорость ω</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass mⱼ</source>
+        <translation>Поступательная масса mⱼ</translation>
+    </message>
+    <message>
+        <source>Inertia force Pⱼ₁, maximum</source>
+        <translation>Сила инерции Pⱼ₁, максимум</translation>
+    </message>
+    <message>
+        <source>mⱼ r ω².</source>
+        <translation>mⱼ r ω².</translation>
+    </message>
+    <message>
+        <source>Counterweight mass m₁</source>
+        <translation>Масса противовеса m₁</translation>
+    </message>
+    <message>
+        <source>Counterweight force P₁</source>
+        <translation>Сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>m₁ ρ₁ ω².</source>
+        <translation>m₁ ρ₁ ω².</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ</source>
+        <translation>Амплитуда Mₛ</translation>
+    </message>
+    <message>
+        <source>P₁ l.</source>
+        <translation>P₁ l.</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>Change vs. no shaft</source>
+        <translation>Изменение относительно схемы без вала</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>Mean of table rows (paper)</source>
+        <translation>Среднее по строкам таблицы (статья)</translation>
+    </message>
+    <message>
+        <source>Mₛ, 25 rows</source>
+        <translation>Mₛ, 25 строк</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, table rows</source>
+        <translation>Mᵤₚ, строки таблицы</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, table rows</source>
+        <translation>Mᵤₚₛ, строки таблицы</translation>
+    </message>
+    <message>
+        <source>Best α</source>
+        <translation>Лучший α</translation>
+    </message>
+    <message>
+        <source>Best feasible α</source>
+        <translation>Лучший допустимый α</translation>
+    </message>
+    <message>
+        <source>minimum range</source>
+        <translation>минимальный размах</translation>
+    </message>
+    <message>
+        <source>minimum RMS</source>
+        <translation>минимальное СКЗ</translation>
+    </message>
+    <message>
+        <source>Feasible positions</source>
+        <translation>Допустимые положения</translation>
+    </message>
+    <message>
+        <source>Feasible α</source>
+        <translation>Допустимые α</translation>
+    </message>
+    <message>
+        <source>Feasible at this α</source>
+        <translation>Допустимо при этом α</translation>
+    </message>
+    <message>
+        <source>First order of Mᵤₚ</source>
+        <translation>Первый порядок Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>share of the variance</source>
+        <translation>доля дисперсии</translation>
+    </message>
+    <message>
+        <source>Crank angle at TDC</source>
+        <translation>Угол кривошипа в ВМТ</translation>
+    </message>
+    <message>
+        <source>Lag of the counterweights</source>
+        <translation>Отставание противовесов</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Габарит</translation>
+    </message>
+    <message>
+        <source>Check of the inertia torque</source>
+        <translation>Проверка момента сил инерции</translation>
+    </message>
+    <message>
+        <source>Order spectrum</source>
+        <translation>Спектр порядков</translation>
+    </message>
+    <message>
+        <source>Indicated cycle</source>
+        <translation>Индикаторный цикл</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Кривые</translation>
+    </message>
+    <message>
+        <source>Sweep over α</source>
+        <translation>Вариация α</translation>
+    </message>
+    <message>
+        <source>Clearances</source>
+        <translation>Зазоры</translation>
+    </message>
+    <message>
+        <source>Without shaft</source>
+        <translation>Без вала</translation>
+    </message>
+    <message>
+        <source>Range against size</source>
+        <translation>Размах и габарит</translation>
+    </message>
+    <message>
+        <source>Optimum ignoring clearance</source>
+        <translation>Оптимум без учёта зазоров</translation>
+    </message>
+    <message>
+        <source>Best feasible place</source>
+        <translation>Лучшее допустимое положение</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Шестерни</translation>
+    </message>
+    <message>
+        <source>Relieved shaft</source>
+        <translation>Вал с лыской</translation>
+    </message>
+    <message>
+        <source>Speed band</source>
+        <translation>Диапазон частот</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>максимум</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>минимум</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum over the cycle.</source>
+        <translation>Максимум минус минимум за цикл.</translation>
+    </message>
+    <message>
+        <source>About the mean, over the cycle.</source>
+        <translation>Относительно среднего, за цикл.</translation>
+    </message>
+    <message>
+        <source>φ of the maximum</source>
+        <translation>φ максимума</translation>
+    </message>
+    <message>
+        <source>φ of the minimum</source>
+        <translation>φ минимума</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>амплитуда</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>фаза</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>ширина</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>высота</translation>
+    </message>
+    <message>
+        <source>to the crank</source>
+        <translation>до кривошипа</translation>
+    </message>
+    <message>
+        <source>to the cylinder</source>
+        <translation>до цилиндра</translation>
+    </message>
+    <message>
+        <source>to the rod</source>
+        <translation>до шатуна</translation>
+    </message>
+    <message>
+        <source>minimum allowed</source>
+        <translation>минимально допустимый</translation>
+    </message>
+    <message>
+        <source>swing radius of the crank</source>
+        <translation>радиус вращения кривошипа</translation>
+    </message>
+    <message>
+        <source>cylinder bore</source>
+        <translation>диаметр цилиндра</translation>
+    </message>
+    <message>
+        <source>cylinder wall</source>
+        <translation>стенка цилиндра</translation>
+    </message>
+    <message>
+        <source>bottom of the cylinder</source>
+        <translation>низ цилиндра</translation>
+    </message>
+    <message>
+        <source>top of the cylinder</source>
+        <translation>верх цилиндра</translation>
+    </message>
+    <message>
+        <source>tip radius of the gear</source>
+        <translation>радиус вершин шестерни</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal</source>
+        <translation>Оптимально по Парето</translation>
+    </message>
+    <message>
+        <source>m r² ω² fitted</source>
+        <translation>подобранное m r² ω²</translation>
+    </message>
+    <message>
+        <source>m r² ω² entered</source>
+        <translation>введённое m r² ω²</translation>
+    </message>
+    <message>
+        <source>λ fitted</source>
+        <translation>подобранная λ</translation>
+    </message>
+    <message>
+        <source>consistent</source>
+        <translation>согласуется</translation>
+    </message>
+    <message>
+        <source>residual RMS</source>
+        <translation>остаточное СКЗ</translation>
+    </message>
+    <message>
+        <source>speed that fits</source>
+        <translation>подходящая частота вращения</translation>
+    </message>
+    <message>
+        <source>mass that fits</source>
+        <translation>подходящая масса</translation>
+    </message>
+    <message>
+        <source>λ is given</source>
+        <translation>λ задана</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>порядок</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, amplitude</source>
+        <translation>Mᵤₚ, амплитуда</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, phase</source>
+        <translation>Mᵤₚ, фаза</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, amplitude</source>
+        <translation>Mᵤₚₛ, амплитуда</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, phase</source>
+        <translation>Mᵤₚₛ, фаза</translation>
+    </message>
+    <message>
+        <source>excess work</source>
+        <translation>избыточная работа</translation>
+    </message>
+    <message>
+        <source>speed fluctuation</source>
+        <translation>неравномерность вращения</translation>
+    </message>
+    <message>
+        <source>moment of inertia</source>
+        <translation>момент инерции</translation>
+    </message>
+    <message>
+        <source>maximum energy</source>
+        <translation>максимум энергии</translation>
+    </message>
+    <message>
+        <source>minimum energy</source>
+        <translation>минимум энергии</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>рабочий объём</translation>
+    </message>
+    <message>
+        <source>clearance volume</source>
+        <translation>объём камеры сгорания</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>теплота</translation>
+    </message>
+    <message>
+        <source>work</source>
+        <translation>работа</translation>
+    </message>
+    <message>
+        <source>mean effective pressure</source>
+        <translation>среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>мощность</translation>
+    </message>
+    <message>
+        <source>mean torque</source>
+        <translation>средний крутящий момент</translation>
+    </message>
+    <message>
+        <source>peak pressure</source>
+        <translation>максимальное давление</translation>
+    </message>
+    <message>
+        <source>φ of the peak pressure</source>
+        <translation>φ максимального давления</translation>
+    </message>
+    <message>
+        <source>Crank angle φ</source>
+        <translation>Угол кривошипа φ</translation>
+    </message>
+    <message>
+        <source>excess energy</source>
+        <translation>избыточная энергия</translation>
+    </message>
+    <message>
+        <source>gas torque</source>
+        <translation>момент сил газов</translation>
+    </message>
+    <message>
+        <source>inertia torque</source>
+        <translation>момент сил инерции</translation>
+    </message>
+    <message>
+        <source>moment of the offset</source>
+        <translation>момент от дезаксажа</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>объём</translation>
+    </message>
+    <message>
+        <source>mean of Mₛ</source>
+        <translation>среднее Mₛ</translation>
+    </message>
+    <message>
+        <source>mean of Mᵤₚₛ</source>
+        <translation>среднее Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>mean of 25 rows of Mₛ</source>
+        <translation>среднее по 25 строкам Mₛ</translation>
+    </message>
+    <message>
+        <source>mean of table rows of Mᵤₚₛ</source>
+        <translation>среднее по строкам таблицы Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>share balanced on the crank</source>
+        <translation>доля, уравновешенная на коленчатом валу</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>первый порядок</translation>
+    </message>
+    <message>
+        <source>along the cylinder</source>
+        <translation>вдоль цилиндра</translation>
+    </message>
+    <message>
+        <source>across the cylinder</source>
+        <translation>поперёк цилиндра</translation>
+    </message>
+    <message>
+        <source>unbalance of the crank&apos;s counterweight</source>
+        <translation>дисбаланс противовеса коленчатого вала</translation>
+    </message>
+    <message>
+        <source>with the shaft</source>
+        <translation>с валом</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>второй порядок</translation>
+    </message>
+    <message>
+        <source>centre distance l</source>
+        <translation>межосевое расстояние l</translation>
+    </message>
+    <message>
+        <source>certified gap</source>
+        <translation>доказанная погрешность</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal places</source>
+        <translation>Положения, оптимальные по Парето</translation>
+    </message>
+    <message>
+        <source>certified gap of the places</source>
+        <translation>доказанная погрешность положений</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>phase error</source>
+        <translation>ошибка фазы</translation>
+    </message>
+    <message>
+        <source>residual force</source>
+        <translation>остаточная сила</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>боковой зазор</translation>
+    </message>
+    <message>
+        <source>force from the play</source>
+        <translation>сила от зазора</translation>
+    </message>
+    <message>
+        <source>minimum range over the play</source>
+        <translation>минимальный размах в пределах зазора</translation>
+    </message>
+    <message>
+        <source>maximum range over the play</source>
+        <translation>максимальный размах в пределах зазора</translation>
+    </message>
+    <message>
+        <source>required unbalance</source>
+        <translation>требуемый дисбаланс</translation>
+    </message>
+    <message>
+        <source>unbalance</source>
+        <translation>дисбаланс</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>диаметр</translation>
+    </message>
+    <message>
+        <source>depth of the relief</source>
+        <translation>глубина лыски</translation>
+    </message>
+    <message>
+        <source>length of the relief</source>
+        <translation>длина лыски</translation>
+    </message>
+    <message>
+        <source>width of the flat</source>
+        <translation>ширина лыски</translation>
+    </message>
+    <message>
+        <source>mass removed</source>
+        <translation>снятая масса</translation>
+    </message>
+    <message>
+        <source>mass of the relieved part</source>
+        <translation>масса участка с лыской</translation>
+    </message>
+    <message>
+        <source>radius of the centre of mass</source>
+        <translation>радиус центра масс</translation>
+    </message>
+    <message>
+        <source>minimum radius</source>
+        <translation>минимальный радиус</translation>
+    </message>
+    <message>
+        <source>minimum length</source>
+        <translation>минимальная длина</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>частота вращения</translation>
+    </message>
+    <message>
+        <source>range without shaft</source>
+        <translation>размах без вала</translation>
+    </message>
+    <message>
+        <source>RMS without shaft</source>
+        <translation>СКЗ без вала</translation>
+    </message>
+    <message>
+        <source>α of the minimum range</source>
+        <translation>α минимального размаха</translation>
+    </message>
+    <message>
+        <source>α of the minimum RMS</source>
+        <translation>α минимального СКЗ</translation>
+    </message>
+    <message>
+        <source>Best compromise</source>
+        <translation>Лучший компромисс</translation>
+    </message>
+    <message>
+        <source>Best feasible compromise</source>
+        <translation>Лучший допустимый компромисс</translation>
+    </message>
+    <message>
+        <source>range, relative</source>
+        <translation>относительный размах</translation>
+    </message>
+    <message>
+        <source>RMS, relative</source>
+        <translation>относительное СКЗ</translation>
+    </message>
+    <message>
+        <source>over its value without shaft</source>
+        <translation>отношение к значению без вала</translation>
+    </message>
+    <message>
+        <source>worst speed</source>
+        <translation>худшая частота вращения</translation>
+    </message>
+    <message>
+        <source>Map over speed and α</source>
+        <translation>Карта по частоте вращения и α</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -4874,6 +5478,30 @@
         <source>takes too long to read</source>
         <translation>читается слишком долго</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Заключение</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Уровень</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Причина</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Примечания</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Осуществимо</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -5496,6 +6124,378 @@
     <message>
         <source>ω; the page compares it with 1.2 ω</source>
         <translation>ω; модуль сравнивает её с 1,2 ω</translation>
+    </message>
+    <message>
+        <source>No guide: %1.</source>
+        <translation>Направляющей нет: %1.</translation>
+    </message>
+    <message>
+        <source>A roller of radius %1 undercuts the guide; the maximum is %2.</source>
+        <translation>Ролик радиусом %1 подрезает направляющую; предел — %2.</translation>
+    </message>
+    <message>
+        <source>The guide cannot be made: its relief is %1, and a profile error of %2 changes the moment by up to %3.</source>
+        <translation>Направляющую нельзя изготовить: её перепад %1, а погрешность профиля %2 меняет момент на величину до %3.</translation>
+    </message>
+    <message>
+        <source>The guide is feasible: relief %1; a profile error of %2 changes the moment by up to %3.</source>
+        <translation>Направляющая осуществима: перепад %1; погрешность профиля %2 меняет момент на величину до %3.</translation>
+    </message>
+    <message>
+        <source>The sign is that printed in the paper: the crank does not keep its speed.</source>
+        <translation>Знак взят как напечатан в статье: кривошип не сохраняет скорость.</translation>
+    </message>
+    <message>
+        <source>The preload exceeds the minimum by only %1 of %2.</source>
+        <translation>Преднатяг превышает минимальный всего на %1 из %2.</translation>
+    </message>
+    <message>
+        <source>The roller radius is 0: the guide is the path of the roller&apos;s centre.</source>
+        <translation>Радиус ролика равен 0: направляющая — траектория центра ролика.</translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ</source>
+        <translation>∮ M₁₂ dφ</translation>
+    </message>
+    <message>
+        <source>Work of the rod hinge&apos;s moment over a turn; 0 where a spring can give it.</source>
+        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина.</translation>
+    </message>
+    <message>
+        <source>Counterweight P₄</source>
+        <translation>Противовес P₄</translation>
+    </message>
+    <message>
+        <source>On the rod, with which ∮ M₁₂ dφ = 0, or as entered.</source>
+        <translation>На шатуне, с которым ∮ M₁₂ dφ = 0, или заданный.</translation>
+    </message>
+    <message>
+        <source>Balancing weight</source>
+        <translation>Уравновешивающий вес</translation>
+    </message>
+    <message>
+        <source>Crank guide</source>
+        <translation>Направляющая кривошипа</translation>
+    </message>
+    <message>
+        <source>Crank guide beside the rod hinge</source>
+        <translation>Направляющая кривошипа при шарнире шатуна</translation>
+    </message>
+    <message>
+        <source>Rod hinge guide</source>
+        <translation>Направляющая шарнира шатуна</translation>
+    </message>
+    <message>
+        <source>Proposed guide</source>
+        <translation>Предлагаемая направляющая</translation>
+    </message>
+    <message>
+        <source>Side force</source>
+        <translation>Боковая сила</translation>
+    </message>
+    <message>
+        <source>Series against exact</source>
+        <translation>Ряд и точная кинематика</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Кривые</translation>
+    </message>
+    <message>
+        <source>Preload</source>
+        <translation>Преднатяг</translation>
+    </message>
+    <message>
+        <source>|ℓ₀/2 − ρ₀| of the spring.</source>
+        <translation>|ℓ₀/2 − ρ₀| пружины.</translation>
+    </message>
+    <message>
+        <source>Minimum preload</source>
+        <translation>Минимальный преднатяг</translation>
+    </message>
+    <message>
+        <source>|ℓ₀/2 − ρ₀| with which the spring can store the energy.</source>
+        <translation>|ℓ₀/2 − ρ₀|, с которым пружина может запасти энергию.</translation>
+    </message>
+    <message>
+        <source>Minimum stiffness</source>
+        <translation>Минимальная жёсткость</translation>
+    </message>
+    <message>
+        <source>Guide ends at φ</source>
+        <translation>Направляющая обрывается при φ</translation>
+    </message>
+    <message>
+        <source>φ of the largest energy</source>
+        <translation>φ наибольшей энергии</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ветвь</translation>
+    </message>
+    <message>
+        <source>Relief of the guide</source>
+        <translation>Перепад направляющей</translation>
+    </message>
+    <message>
+        <source>Largest minus smallest radius of the guide.</source>
+        <translation>Наибольший минус наименьший радиус направляющей.</translation>
+    </message>
+    <message>
+        <source>Spring travel</source>
+        <translation>Ход пружины</translation>
+    </message>
+    <message>
+        <source>Largest minus smallest length of the spring over a turn.</source>
+        <translation>Наибольшая минус наименьшая длина пружины за оборот.</translation>
+    </message>
+    <message>
+        <source>Largest spring force</source>
+        <translation>Сила пружины, макс.</translation>
+    </message>
+    <message>
+        <source>c |ℓ − ℓ₀|, largest over a turn.</source>
+        <translation>c |ℓ − ℓ₀|, наибольшая за оборот.</translation>
+    </message>
+    <message>
+        <source>Smallest spring force</source>
+        <translation>Сила пружины, мин.</translation>
+    </message>
+    <message>
+        <source>Largest moment</source>
+        <translation>Наибольший момент</translation>
+    </message>
+    <message>
+        <source>Spring compressed</source>
+        <translation>Пружина сжата</translation>
+    </message>
+    <message>
+        <source>Spring stretched</source>
+        <translation>Пружина растянута</translation>
+    </message>
+    <message>
+        <source>Minimum ρ</source>
+        <translation>Минимум ρ</translation>
+    </message>
+    <message>
+        <source>Maximum ρ</source>
+        <translation>Максимум ρ</translation>
+    </message>
+    <message>
+        <source>Minimum curvature radius</source>
+        <translation>Радиус кривизны, мин.</translation>
+    </message>
+    <message>
+        <source>Of the guide; a cutter must be smaller.</source>
+        <translation>Направляющей; фреза должна быть меньше.</translation>
+    </message>
+    <message>
+        <source>Largest roller radius</source>
+        <translation>Радиус ролика, макс.</translation>
+    </message>
+    <message>
+        <source>A roller up to this radius touches the whole guide.</source>
+        <translation>Ролик не больше этого радиуса касается всей направляющей.</translation>
+    </message>
+    <message>
+        <source>Undercut</source>
+        <translation>Подрез</translation>
+    </message>
+    <message>
+        <source>Minimum profile radius</source>
+        <translation>Радиус профиля, мин.</translation>
+    </message>
+    <message>
+        <source>Maximum profile radius</source>
+        <translation>Радиус профиля, макс.</translation>
+    </message>
+    <message>
+        <source>Largest pressure angle</source>
+        <translation>Угол давления, макс.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Амплитуда</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Волны</translation>
+    </message>
+    <message>
+        <source>Moment error</source>
+        <translation>Погрешность момента</translation>
+    </message>
+    <message>
+        <source>Largest error of the hinge&apos;s moment for a guide this far off its profile.</source>
+        <translation>Наибольшая погрешность момента шарнира при таком отклонении направляющей от профиля.</translation>
+    </message>
+    <message>
+        <source>Moment error, share</source>
+        <translation>Погрешность момента, доля</translation>
+    </message>
+    <message>
+        <source>Moment error over the hinge&apos;s largest moment.</source>
+        <translation>Отношение погрешности момента к наибольшему моменту шарнира.</translation>
+    </message>
+    <message>
+        <source>Energy error</source>
+        <translation>Погрешность энергии</translation>
+    </message>
+    <message>
+        <source>Hinge angle θ</source>
+        <translation>Угол шарнира θ</translation>
+    </message>
+    <message>
+        <source>ρ, spring compressed</source>
+        <translation>ρ, пружина сжата</translation>
+    </message>
+    <message>
+        <source>ρ, spring stretched</source>
+        <translation>ρ, пружина растянута</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Пружина</translation>
+    </message>
+    <message>
+        <source>Stiffness c</source>
+        <translation>Жёсткость c</translation>
+    </message>
+    <message>
+        <source>Free length ℓ₀</source>
+        <translation>Свободная длина ℓ₀</translation>
+    </message>
+    <message>
+        <source>Outer diameter</source>
+        <translation>Наружный диаметр</translation>
+    </message>
+    <message>
+        <source>Smallest spring length</source>
+        <translation>Длина пружины, мин.</translation>
+    </message>
+    <message>
+        <source>Largest spring energy</source>
+        <translation>Энергия пружины, макс.</translation>
+    </message>
+    <message>
+        <source>Side force, no hinge</source>
+        <translation>Бок. сила без шарнира</translation>
+    </message>
+    <message>
+        <source>Largest force of the slider on its guide.</source>
+        <translation>Наибольшая сила ползуна на направляющую.</translation>
+    </message>
+    <message>
+        <source>Side force, rod hinge</source>
+        <translation>Бок. сила с шарниром</translation>
+    </message>
+    <message>
+        <source>Largest force of the slider on its guide with the hinge in the rod.</source>
+        <translation>Наибольшая сила ползуна на направляющую с шарниром в шатуне.</translation>
+    </message>
+    <message>
+        <source>Side force by Newton–Euler</source>
+        <translation>Боковая сила по Ньютону–Эйлеру</translation>
+    </message>
+    <message>
+        <source>Side force, reduction factor</source>
+        <translation>Боковая сила, кратность снижения</translation>
+    </message>
+    <message>
+        <source>Largest error of cos ψ</source>
+        <translation>Наибольшая погрешность cos ψ</translation>
+    </message>
+    <message>
+        <source>φ of the largest error</source>
+        <translation>φ наибольшей погрешности</translation>
+    </message>
+    <message>
+        <source>Largest error of M₁₂</source>
+        <translation>Наибольшая погрешность M₁₂</translation>
+    </message>
+    <message>
+        <source>Without hinge</source>
+        <translation>Без шарнира</translation>
+    </message>
+    <message>
+        <source>Crank hinge</source>
+        <translation>Шарнир кривошипа</translation>
+    </message>
+    <message>
+        <source>Both hinges</source>
+        <translation>Оба шарнира</translation>
+    </message>
+    <message>
+        <source>End of the motion</source>
+        <translation>Конец движения</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Время</translation>
+    </message>
+    <message>
+        <source>Crank angle φ</source>
+        <translation>Угол кривошипа φ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Угловая скорость</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Средняя скорость</translation>
+    </message>
+    <message>
+        <source>Minimum speed</source>
+        <translation>Минимальная скорость</translation>
+    </message>
+    <message>
+        <source>Maximum speed</source>
+        <translation>Максимальная скорость</translation>
+    </message>
+    <message>
+        <source>Speed ripple</source>
+        <translation>Неравномерность вращения</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω mean of the free motion.</source>
+        <translation>(ω_max − ω_min) к средней ω свободного движения.</translation>
+    </message>
+    <message>
+        <source>Energy drift</source>
+        <translation>Уход энергии</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Шаги</translation>
+    </message>
+    <message>
+        <source>Reduced inertia</source>
+        <translation>Приведённый момент инерции</translation>
+    </message>
+    <message>
+        <source>Crank hinge moment M</source>
+        <translation>Момент шарнира кривошипа M</translation>
+    </message>
+    <message>
+        <source>Rod hinge moment M₁₂</source>
+        <translation>Момент шарнира шатуна M₁₂</translation>
+    </message>
+    <message>
+        <source>Rod hinge moment, potential part</source>
+        <translation>Момент шарнира шатуна, потенциальная часть</translation>
+    </message>
+    <message>
+        <source>Side force without hinge</source>
+        <translation>Боковая сила без шарнира</translation>
+    </message>
+    <message>
+        <source>Side force with hinge</source>
+        <translation>Боковая сила с шарниром</translation>
+    </message>
+    <message>
+        <source>Crank hinge moment beside the rod hinge</source>
+        <translation>Момент шарнира кривошипа при шарнире шатуна</translation>
     </message>
 </context>
 <context>
@@ -6347,6 +7347,318 @@
     <message>
         <source>must keep the articulated rod farther from locking: its exact orders cannot be computed to the digits shown</source>
         <translation>прицепной шатун должен быть дальше от заклинивания: его точные порядки нельзя вычислить с показанными знаками</translation>
+    </message>
+    <message>
+        <source>Forces and moments of orders 1 to 4 are balanced.</source>
+        <translation>Силы и моменты порядков 1–4 уравновешены.</translation>
+    </message>
+    <message>
+        <source>Largest residual force: %1, order %2.</source>
+        <translation>Наибольшая остаточная сила: %1, порядок %2.</translation>
+    </message>
+    <message>
+        <source>Largest residual moment: %1, order %2.</source>
+        <translation>Наибольший остаточный момент: %1, порядок %2.</translation>
+    </message>
+    <message>
+        <source>The shafts are designed by the two-term form, which is inaccurate here: %1.</source>
+        <translation>Валы рассчитаны по двучленной формуле, здесь она неточна: %1.</translation>
+    </message>
+    <message>
+        <source>Crankpin angle</source>
+        <translation>Угол шейки</translation>
+    </message>
+    <message>
+        <source>Crank angle at TDC</source>
+        <translation>Угол кривошипа в ВМТ</translation>
+    </message>
+    <message>
+        <source>From the cylinder&apos;s axis, without sign.</source>
+        <translation>От оси цилиндра, без знака.</translation>
+    </message>
+    <message>
+        <source>Crank angle at TDC of each cylinder</source>
+        <translation>Угол кривошипа в ВМТ каждого цилиндра</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Ход поршня</translation>
+    </message>
+    <message>
+        <source>Articulated rods</source>
+        <translation>Прицепные шатуны</translation>
+    </message>
+    <message>
+        <source>Two-term</source>
+        <translation>Двучленная формула</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Точный расчёт</translation>
+    </message>
+    <message>
+        <source>Crank throws</source>
+        <translation>Колена вала</translation>
+    </message>
+    <message>
+        <source>Difference of the two-term form</source>
+        <translation>Отличие двучленной формулы</translation>
+    </message>
+    <message>
+        <source>Firing order</source>
+        <translation>Порядок работы</translation>
+    </message>
+    <message>
+        <source>Firing cycle</source>
+        <translation>Цикл вспышек</translation>
+    </message>
+    <message>
+        <source>Even firing</source>
+        <translation>Равномерное чередование</translation>
+    </message>
+    <message>
+        <source>Balance shafts</source>
+        <translation>Балансирные валы</translation>
+    </message>
+    <message>
+        <source>Counterweights</source>
+        <translation>Противовесы</translation>
+    </message>
+    <message>
+        <source>Before balancing</source>
+        <translation>До уравновешивания</translation>
+    </message>
+    <message>
+        <source>Exact orders with the rotating masses.</source>
+        <translation>Точные порядки с вращающимися массами.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаточные силы и моменты</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Кривые</translation>
+    </message>
+    <message>
+        <source>Curves before balancing</source>
+        <translation>Кривые до уравновешивания</translation>
+    </message>
+    <message>
+        <source>Residual curves</source>
+        <translation>Кривые после уравновешивания</translation>
+    </message>
+    <message>
+        <source>order 1</source>
+        <translation>1-й порядок</translation>
+    </message>
+    <message>
+        <source>order 2</source>
+        <translation>2-й порядок</translation>
+    </message>
+    <message>
+        <source>order 3</source>
+        <translation>3-й порядок</translation>
+    </message>
+    <message>
+        <source>order 4</source>
+        <translation>4-й порядок</translation>
+    </message>
+    <message>
+        <source>order 5</source>
+        <translation>5-й порядок</translation>
+    </message>
+    <message>
+        <source>order 6</source>
+        <translation>6-й порядок</translation>
+    </message>
+    <message>
+        <source>order 7</source>
+        <translation>7-й порядок</translation>
+    </message>
+    <message>
+        <source>order 8</source>
+        <translation>8-й порядок</translation>
+    </message>
+    <message>
+        <source>order 9</source>
+        <translation>9-й порядок</translation>
+    </message>
+    <message>
+        <source>order 10</source>
+        <translation>10-й порядок</translation>
+    </message>
+    <message>
+        <source>order 11</source>
+        <translation>11-й порядок</translation>
+    </message>
+    <message>
+        <source>order 12</source>
+        <translation>12-й порядок</translation>
+    </message>
+    <message>
+        <source>roll moment</source>
+        <translation>опрокидывающий момент</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>горизонтально</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>вертикально</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>прямой</translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation>обратный</translation>
+    </message>
+    <message>
+        <source>from offsets and rods</source>
+        <translation>от дезаксажей и шатунов</translation>
+    </message>
+    <message>
+        <source>reaction torque</source>
+        <translation>реактивный момент</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>сумма</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>косинус</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>синус</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>амплитуда</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>угол</translation>
+    </message>
+    <message>
+        <source>force factor</source>
+        <translation>множитель силы</translation>
+    </message>
+    <message>
+        <source>angle of the force</source>
+        <translation>угол силы</translation>
+    </message>
+    <message>
+        <source>moment factor</source>
+        <translation>множитель момента</translation>
+    </message>
+    <message>
+        <source>About the mean axial position of the crankpins.</source>
+        <translation>Относительно среднего положения шеек вдоль вала.</translation>
+    </message>
+    <message>
+        <source>angle of the moment</source>
+        <translation>угол момента</translation>
+    </message>
+    <message>
+        <source>lag of the counterweight against the force</source>
+        <translation>отставание противовеса против силы</translation>
+    </message>
+    <message>
+        <source>lag of the counterweights against the moment</source>
+        <translation>отставание противовесов против момента</translation>
+    </message>
+    <message>
+        <source>rotating mass</source>
+        <translation>вращающаяся масса</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>master cylinder</source>
+        <translation>главный цилиндр</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>угол кривошипа</translation>
+    </message>
+    <message>
+        <source>firing interval</source>
+        <translation>интервал вспышек</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>порядок</translation>
+    </message>
+    <message>
+        <source>unbalance</source>
+        <translation>дисбаланс</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>масса</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>фаза</translation>
+    </message>
+    <message>
+        <source>cancels</source>
+        <translation>гасит</translation>
+    </message>
+    <message>
+        <source>maximum before</source>
+        <translation>максимум до</translation>
+    </message>
+    <message>
+        <source>maximum after</source>
+        <translation>максимум после</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>передний</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>задний</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>отставание</translation>
+    </message>
+    <message>
+        <source>unbalance against the force</source>
+        <translation>дисбаланс против силы</translation>
+    </message>
+    <message>
+        <source>unbalance against the moment</source>
+        <translation>дисбаланс против момента</translation>
+    </message>
+    <message>
+        <source>horizontal force</source>
+        <translation>горизонтальная сила</translation>
+    </message>
+    <message>
+        <source>vertical force</source>
+        <translation>вертикальная сила</translation>
+    </message>
+    <message>
+        <source>moment about x</source>
+        <translation>момент вокруг оси x</translation>
+    </message>
+    <message>
+        <source>moment about y</source>
+        <translation>момент вокруг оси y</translation>
+    </message>
+    <message>
+        <source>roll moment from offsets and rods</source>
+        <translation>опрокидывающий момент от дезаксажей и шатунов</translation>
     </message>
 </context>
 <context>
@@ -9319,14 +10631,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нужная жёсткость</translation>
     </message>
     <message>
-        <source>No guide: %1.</source>
-        <translation>Направляющей нет: %1.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
-        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>Величина</translation>
     </message>
@@ -9471,18 +10775,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>c = %1, ρ₀ = %2: перепад %3 в пределах %4; пружина не короче %5, несёт до %6 и запасает до %7 Дж.</translation>
     </message>
     <message>
-        <source>The roller of radius %1 undercuts the guide: at most %2 follow it.</source>
-        <translation>Ролик радиусом %1 подрезает направляющую: годится не больше %2.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but cannot be made: with a relief of %1 a profile error of %2 changes its moment by up to %3.</source>
-        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 погрешность профиля %2 меняет её момент на величину до %3.</translation>
-    </message>
-    <message>
-        <source>The guide exists: relief %1; a profile error of %2 changes its moment by up to %3.</source>
-        <translation>Направляющая существует: перепад %1; погрешность профиля %2 меняет её момент на величину до %3.</translation>
-    </message>
-    <message>
         <source>Moment error, %1</source>
         <translation>Погр. момента, %1</translation>
     </message>
@@ -9570,20 +10862,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
     </message>
     <message>
-        <source>Take this pre&amp;load</source>
-        <translation>Взять &amp;этот преднатяг</translation>
-    </message>
-    <message>
-        <source>Take this sti&amp;ffness</source>
-        <translation>Взять эту жёсткост&amp;ь</translation>
-    </message>
-    <message>
         <source>What the design gives</source>
         <translation>Что даёт конструкция</translation>
     </message>
     <message>
         <source>&amp;Motion</source>
         <translation>&amp;Движение</translation>
+    </message>
+    <message>
+        <source>Use the minimum sti&amp;ffness</source>
+        <translation>Применить мин. жёсткост&amp;ь</translation>
+    </message>
+    <message>
+        <source>Use this pre&amp;load</source>
+        <translation>Применить &amp;этот преднатяг</translation>
     </message>
 </context>
 <context>
@@ -11218,14 +12510,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>left, %</source>
         <translation>ост., %</translation>
     </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>On a throw, rods: %1, g</source>
         <translation>Колено, ×%1, г</translation>
@@ -11377,22 +12661,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
         <translation>Вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
-    </message>
-    <message>
-        <source>%1 of order %2</source>
-        <translation>%1 порядка %2</translation>
-    </message>
-    <message>
-        <source>%1 is left out (%2 % of the largest)</source>
-        <translation>%1: не входит (%2&#xa0;% наибольшего)</translation>
-    </message>
-    <message>
-        <source>%1 is %2 % off</source>
-        <translation>%1: ошибка %2&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Two-term is not enough: %1.</source>
-        <translation>Двух членов мало: %1.</translation>
     </message>
 </context>
 <context>
@@ -11581,10 +12849,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работу не удалось удалить.</translation>
     </message>
     <message>
-        <source>The draft could not be saved.</source>
-        <translation>Черновик не удалось сохранить.</translation>
-    </message>
-    <message>
         <source>The draft could not be removed.</source>
         <translation>Черновик не удалось удалить.</translation>
     </message>
@@ -11672,32 +12936,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::JournalBanner</name>
     <message>
-        <source>Continue it</source>
-        <translation>Продолжить</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Выбросить</translation>
-    </message>
-    <message>
         <source>Understood</source>
         <translation>Понятно</translation>
-    </message>
-    <message>
-        <source>Unfinished job</source>
-        <translation>Незаконченная работа</translation>
-    </message>
-    <message>
-        <source>Throw away the unfinished job %1 of %2? It is gone for good then.</source>
-        <translation>Выбросить незаконченную работу %1 от %2? Вернуть её будет нельзя.</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly on %1 with an unfinished job: %2.</source>
-        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа: %2.</translation>
-    </message>
-    <message>
-        <source>Others are offered after it: %1.</source>
-        <translation>Затем будут предложены и другие: %1.</translation>
     </message>
     <message>
         <source>Restore the backup</source>
@@ -16599,6 +17839,25 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::VerdictLine</name>
+    <message>
+        <source>OK</source>
+        <translation>В порядке</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Предупреждение</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Ошибка</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Примечание</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::WatchTable</name>
     <message>
         <source>Result</source>
@@ -16764,14 +18023,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>As the program</source>
         <translation>Как в программе</translation>
-    </message>
-    <message>
-        <source>The unfinished job is on the sheet again.</source>
-        <translation>Незаконченная работа снова на листе.</translation>
-    </message>
-    <message>
-        <source>Unfinished job</source>
-        <translation>Незаконченная работа</translation>
     </message>
     <message>
         <source>Refused entries</source>
