@@ -47,6 +47,7 @@ struct Difference {
     const char* why;
     /// Relative, for one that moved a little; without it the value may be gone or be anything.
     double within = std::numeric_limits<double>::infinity();
+    double floor = 0.0;  ///< what rounding leaves, in the unit of the value
 };
 
 namespace detail {
@@ -78,9 +79,11 @@ inline void compare(const Json& expected, const Json& actual, const std::string&
             now = &actual.at(std::stoul(item.key()));
         }
         double within = 1e-9;
+        double floor = 0.0;
         for (const Difference& each : allowed) {
             if (::fnmatch(each.where, here.c_str(), 0) == 0) {
                 within = std::max(within, each.within);
+                floor = std::max(floor, each.floor);
             }
         }
         if (std::isinf(within)) {
@@ -100,7 +103,7 @@ inline void compare(const Json& expected, const Json& actual, const std::string&
             }
             const double was = value.get<double>();
             const double is = now->get<double>();
-            if (!(std::abs(is - was) <= std::max(within * std::abs(was), 1e-12 * size))) {
+            if (!(std::abs(is - was) <= std::max({within * std::abs(was), 1e-12 * size, floor}))) {
                 found.push_back(here + " was " + value.dump() + ", is " + now->dump());
             }
         } else if ((is_word(value) || !value.is_string() || !now->is_string()) && value != *now) {

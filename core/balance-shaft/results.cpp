@@ -513,23 +513,19 @@ void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
     }
 }
 
-Verdict verdict(const Result& result) {
-    if (!result.doubts.empty()) {
-        return {Severity::warning, result.doubts.front(),
-                result.trace_is_a_turn_off ? "move-trace" : ""};
-    }
-    if (result.inertia_check.consistent && !*result.inertia_check.consistent) {
-        return {Severity::warning, result.inertia_check.text};
-    }
+namespace {
+
+/// Of the shaft alone, without warnings about the input.
+Verdict shaft_verdict(const Result& result) {
     const auto percent = [](double share) { return Number{100.0 * share, units::percent, -1}; };
     const std::string_view best =
-        result.best_range_buildable.shaft_angle && !result.buildable.stretches.empty()
-            ? "best-range"
+        !result.buildable.stretches.empty() && result.best_range_buildable.shaft_angle
+            ? best_range_act
             : "";
     if (!result.is_buildable) {
         return {Severity::error,
-                result.buildable.stretches.empty() && !result.buildable.reason.empty()
-                    ? Message(CORE_TEXT("balance-shaft", "Does not fit at any α: %1."),
+                result.buildable.stretches.empty()
+                    ? Message(CORE_TEXT("balance-shaft", "Does not fit at any α. %1"),
                               result.buildable.reason)
                     : Message(CORE_TEXT("balance-shaft",
                                         "Does not fit: at this α the shaft meets another part.")),
@@ -543,21 +539,43 @@ Verdict verdict(const Result& result) {
     const double rms = *result.rms_change;
     if (range > 0.0) {
         return {Severity::warning,
-                Message(CORE_TEXT("balance-shaft",
-                                  "Fits, but the range grows by %1 and the RMS changes by %2."),
-                        percent(range), percent(rms)),
+                rms > 0.0 ? Message(CORE_TEXT("balance-shaft",
+                                              "Fits, but the range is %1 and the RMS %2 larger "
+                                              "than without shaft."),
+                                    percent(range), percent(rms))
+                          : Message(CORE_TEXT("balance-shaft",
+                                              "Fits, but the range is %1 larger than without "
+                                              "shaft; the RMS is %2 smaller."),
+                                    percent(range), percent(-rms)),
                 best};
     }
     if (rms > 0.0) {
         return {Severity::note,
                 Message(CORE_TEXT("balance-shaft",
-                                  "Fits: range %1 smaller than without shaft, but RMS %2 larger."),
+                                  "Fits: the range is %1 smaller than without shaft, but the RMS "
+                                  "is %2 larger."),
                         percent(-range), percent(rms))};
     }
     return {Severity::good, Message(CORE_TEXT("balance-shaft",
-                                              "Fits: range %1 and RMS %2 smaller than without "
-                                              "shaft."),
+                                              "Fits: the range is %1 and the RMS %2 smaller than "
+                                              "without shaft."),
                                     percent(-range), percent(-rms))};
+}
+
+}  // namespace
+
+Verdict verdict(const Result& result) {
+    Verdict verdict = shaft_verdict(result);
+    for (const Message& doubt : result.doubts) {
+        verdict.warn(doubt);
+    }
+    if (result.inertia_check.consistent && !*result.inertia_check.consistent) {
+        verdict.warn(result.inertia_check.text);
+    }
+    if (result.trace_is_a_turn_off) {
+        verdict.act = move_trace_act;
+    }
+    return verdict;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/input.h"
@@ -41,6 +42,10 @@ class RepeatedResults {
     PlaceLimits limits_;
     BuildableAngles buildable_;
 };
+
+/// Acts of the verdict: the trace belongs a turn earlier or later; a better α is feasible.
+inline constexpr std::string_view move_trace_act = "move-trace";
+inline constexpr std::string_view best_range_act = "best-range";
 
 /// Whether the shaft fits, and what it does to the moment on the mounts; or a slip of the input
 /// that puts this in doubt.

@@ -21,8 +21,6 @@ namespace key = result_field;
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
 constexpr double most_relative_error = 0.05;
-/// Of the preload: less than this beyond the minimum is lost to the spring's own tolerance.
-constexpr double least_preload_margin = 0.005;
 
 std::string_view word_of(Branch branch) {
     return branch == Branch::compressed ? "compressed" : "stretched";
@@ -266,7 +264,7 @@ Verdict verdict(const Input& input, const Result& result) {
                                "speed."));
     }
     const double margin = guide.preload - guide.minimum_preload;
-    if (guide.minimum_preload > 0.0 && margin < least_preload_margin * guide.preload) {
+    if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {
         verdict.warn({CORE_TEXT("elastic-hinge",
                                 "The preload exceeds the minimum by only %1 of %2."),
                       Number{margin / units::mm, units::mm, -2},

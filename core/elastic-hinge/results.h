@@ -6,6 +6,7 @@
 #include "case-file/verdict.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/result.h"
+#include "numerics/units.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -17,6 +18,9 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 
 /// An act of the verdict: the preload that the guide needs.
 inline constexpr std::string_view minimum_preload_act = "minimum-preload";
+
+/// Less preload than this beyond the minimum is lost to what is machined and assembled, m.
+inline constexpr double least_preload_margin = 0.05 * units::mm;
 
 /// What the crank's guide is worth: none; one that cannot be made; one that can.
 Verdict verdict(const Input& input, const Result& result);

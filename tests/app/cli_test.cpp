@@ -191,7 +191,7 @@ TEST_F(CommandLine, RefusesFilesThatHoldNoCase) {
     write("huge.json", R"({"format": "ravnoves-case", "version": 1e999})");
     expect_refused(run("solve huge.json"), "huge.json: ");
     write("deep.json", std::string(100000, '[') + std::string(100000, ']'));
-    expect_refused(run("solve deep.json"), "deep.json: line ");
+    expect_refused(run("solve deep.json"), "deep.json: is nested more than 100 levels deep");
 }
 
 // Each of them would be waited for, or read, for ever.

@@ -14,6 +14,7 @@
 #include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -31,14 +32,6 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    doubts_ = copyableCaption("doubts", answer);
-    colourText(doubts_, &Theme::warning);
-    answerColumn->addWidget(new Apart(doubts_, answer));
-    moveTrace_ = new QPushButton(tr("Move the trace by &360°"), answer);
-    moveTrace_->setObjectName(QStringLiteral("move_trace"));
-    moveTrace_->setToolTip(tr("Sets the shift of its angles on the Torque tab"));
-    connect(moveTrace_, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
-    answerColumn->addWidget(moveTrace_);
     criteria_ = new ResultTable(tr("Criteria of the three moments"), answer);
     answerColumn->addWidget(criteria_);
 
@@ -76,7 +69,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
 }
 
 QString BalanceShaftPage::resultsAsText() const {
-    return criteria_->asText() + QLatin1Char('\n') + quantities_->asText() + QLatin1Char('\n') +
+    return verdict_->text() + QLatin1Char('\n') + criteria_->asText() + QLatin1Char('\n') + quantities_->asText() + QLatin1Char('\n') +
            bestRange_->text() + QLatin1Char('\n') + bestRms_->text() + QLatin1Char('\n');
 }
 

@@ -195,9 +195,6 @@ void BalanceShaftPage::showSweep() {
     goRms_->setEnabled(model_->bestRms().shaft_angle.has_value());
     bestRangeAction_->setEnabled(goRange_->isEnabled());
     bestRmsAction_->setEnabled(goRms_->isEnabled());
-    doubts_->setText(model_->doubtsText());
-    doubts_->parentWidget()->setVisible(!doubts_->text().isEmpty());
-    moveTrace_->setVisible(result.trace_is_a_turn_off);
     notes_->setText(model_->notesText());
 }
 
@@ -205,6 +202,7 @@ void BalanceShaftPage::showShaft() {
     const Result& result = model_->result();
     const double alpha = model_->shaftAngleDeg();
     angle_->follow();
+    showVerdict();
     moments_->setCurve(s_, result.curves.crank_angle_deg, result.curves.M_s);
     moments_->setCurve(ups_, result.curves.crank_angle_deg, result.curves.M_ups);
     const auto shown = [](double moment) { return shownDigits(moment, units::N_m, 0); };

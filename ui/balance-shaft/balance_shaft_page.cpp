@@ -8,14 +8,22 @@
 #include "theme/theme.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
     QTabWidget* inputs = buildInputs();
-    columnIn(this)->addWidget(new PageColumns(
-        {.inputs = inputs, .tabs = inputs, .plots = buildPlots(), .results = buildAnswer()}, this));
+    verdict_ = new VerdictLine(this);
+    connect(verdict_, &VerdictLine::acted, this, &BalanceShaftPage::doVerdictAct);
+    QVBoxLayout* column = columnIn(this);
+    column->addWidget(verdict_);
+    column->addWidget(
+        new PageColumns(
+            {.inputs = inputs, .tabs = inputs, .plots = buildPlots(), .results = buildAnswer()},
+            this),
+        1);
 
     bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),
                                    tr("Go to the α of the least &range"), this);
@@ -31,6 +39,22 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     showSweep();
     showShaft();
     showMeans();
+}
+
+void BalanceShaftPage::showVerdict() {
+    const Verdict verdict = model_->verdict();
+    verdict_->show(verdict,
+                   verdict.act == balance_shaft::move_trace_act   ? tr("Move the trace by &360°")
+                   : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")
+                                                                  : QString());
+}
+
+void BalanceShaftPage::doVerdictAct() {
+    if (model_->verdict().act == balance_shaft::move_trace_act) {
+        model_->moveTraceByTurn();
+    } else {
+        model_->goToBestRange();
+    }
 }
 
 TorqueTableEditor* BalanceShaftPage::torqueEditor() const {

@@ -15,6 +15,7 @@ class BalanceShaftModel;
 class MechanismView;
 class Form;
 class ResultTable;
+class VerdictLine;
 class CycleView;
 class TorqueSourceEditor;
 class TorqueTableEditor;
@@ -50,6 +51,8 @@ class BalanceShaftPage : public ScenePage {
     void addEngine(Form* form);
     void addMasses(Form* form);
     void showSweep();
+    void showVerdict();
+    void doVerdictAct();
     void showShaft();
     void showMeans();
 
@@ -69,8 +72,7 @@ class BalanceShaftPage : public ScenePage {
     QLabel* bestRms_ = nullptr;
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
-    QLabel* doubts_ = nullptr;
-    QPushButton* moveTrace_ = nullptr;
+    VerdictLine* verdict_ = nullptr;
     QLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
     QAction* bestRangeAction_ = nullptr;

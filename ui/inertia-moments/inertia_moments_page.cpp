@@ -21,12 +21,12 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     sliders_ = new EngineSliders(model_, this);
     charts_ = new InertiaMomentsCharts(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
-    auto* verdict = new VerdictLine(this);
-    const auto showVerdict = [this, verdict] { verdict->show(model_->verdict()); };
-    connect(model_, &SceneModel::changed, verdict, showVerdict);
+    verdict_ = new VerdictLine(this);
+    const auto showVerdict = [this] { verdict_->show(model_->verdict()); };
+    connect(model_, &SceneModel::changed, verdict_, showVerdict);
     showVerdict();
     QVBoxLayout* column = columnIn(this);
-    column->addWidget(verdict);
+    column->addWidget(verdict_);
     // The sliders over plots and picture: they need length.
     column->addWidget(new PageColumns({.inputs = inputs,
                                        .tabs = inputs,
@@ -42,6 +42,10 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     followTabs(answer_->tabs(), Tabs::Answer);
     connect(model_, &SceneModel::refused, this, &ScenePage::status);
     addShaftsAction();
+}
+
+QString InertiaMomentsPage::resultsAsText() const {
+    return answer_->asText() + verdict_->text() + QLatin1Char('\n');
 }
 
 QTabWidget* InertiaMomentsPage::makeInputs() {

@@ -12,6 +12,7 @@ class QTabWidget;
 namespace ravnoves {
 
 class CylinderEditor;
+class VerdictLine;
 
 /// The inertia-moments page: layout library and table, sliders, plots over φ and by order, picture,
 /// shafts, counterweights, answer.
@@ -26,7 +27,7 @@ class InertiaMomentsPage : public ScenePage {
     QList<QAction*> sceneActions() override {
         return {answer_->picturePanel()->action(), shaftsAction_};
     }
-    QString resultsAsText() const override { return answer_->asText(); }
+    QString resultsAsText() const override;
     QString resultsAsCsv() const override { return answer_->asCsv(); }
 
     // For tests.
@@ -48,6 +49,7 @@ class InertiaMomentsPage : public ScenePage {
     EngineSliders* sliders_;
     InertiaMomentsCharts* charts_;
     InertiaMomentsAnswer* answer_;
+    VerdictLine* verdict_;
     QAction* shaftsAction_ = nullptr;
 };
 

@@ -11,6 +11,7 @@
 
 #include "text/message_text.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {
@@ -118,7 +119,7 @@ VerdictLine::VerdictLine(QWidget* parent)
     act_->setObjectName(QStringLiteral("verdict_act"));
     row->addWidget(sign_);
     row->addWidget(word_);
-    row->addWidget(text_, 1);
+    row->addWidget(new Apart(text_, this), 1);
     row->addWidget(act_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
@@ -127,13 +128,16 @@ VerdictLine::VerdictLine(QWidget* parent)
 }
 
 void VerdictLine::show(const Verdict& verdict, const QString& act) {
+    const bool isOther = verdict.severity != severity_ || word_->text().isEmpty();
     severity_ = verdict.severity;
     word_->setText(severityName(severity_));
     text_->setText(messageText(verdict.text));
     act_->setText(act);
     act_->setVisible(!act.isEmpty());
     setAccessibleName(text());
-    showColours();
+    if (isOther) {
+        showColours();
+    }
 }
 
 QString VerdictLine::text() const {

@@ -159,14 +159,14 @@ TEST_F(BalanceShaftPageTest, WhatEscapeGaveUpIsNotTriedAgain) {
 }
 
 TEST_F(BalanceShaftPageTest, WhatLooksLikeASlipStandsInAmberAboveTheResults) {
-    const auto* doubts = test::named<QLabel>(page, "doubts");
-    EXPECT_TRUE(doubts->text().isEmpty());
+    const auto* doubts = test::named<QLabel>(page, "verdict");
+    EXPECT_FALSE(doubts->text().contains(QStringLiteral("a mass of")));
     model->setByKey(QStringLiteral("reciprocating_masses_kg/piston"), QStringLiteral("500"));
     EXPECT_TRUE(doubts->text().contains(QStringLiteral("a mass of 500")))
         << doubts->text().toStdString();
-    EXPECT_EQ(doubts->palette().color(QPalette::WindowText), Theme::instance().warning());
+    EXPECT_GE(model->verdict().severity, Severity::warning);
     model->undo();
-    EXPECT_TRUE(doubts->text().isEmpty());
+    EXPECT_FALSE(doubts->text().contains(QStringLiteral("a mass of")));
 }
 
 TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
@@ -179,16 +179,16 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
                    QByteArray::number(1.0 + 60.0 * std::exp(-from * from)) + '\n');
     }
     file.close();
-    auto* move = test::named<QPushButton>(page, "move_trace");
-    EXPECT_TRUE(move->isHidden());
+    auto* move = test::named<QPushButton>(page, "verdict_act");
+    EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     QString described;
     ASSERT_EQ(model->importPressureTrace(file.fileName(), described), QString());
-    EXPECT_TRUE(test::named<QLabel>(page, "doubts")->text().contains(QStringLiteral("by a turn")));
+    EXPECT_TRUE(test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by a turn")));
     EXPECT_FALSE(move->isHidden());
     EXPECT_FALSE(test::named<QPushButton>(page, "move_trace_here")->isHidden());
     EXPECT_FALSE(test::named<QLabel>(page, "trace_doubts")->text().isEmpty());
     move->click();
-    EXPECT_TRUE(move->isHidden());
+    EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     EXPECT_NEAR(model->result().indicated->peak_pressure_angle / degree, 365.0, 0.5);
     EXPECT_EQ(field("crank_angle_shift_deg")->value(), 360.0);
     model->undo();

@@ -8,6 +8,7 @@
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/presets.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
 #include "model/case_model.h"
@@ -143,6 +144,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString notesText() const;
     /// What looks like a slip in the input.
     QString doubtsText() const;
+    Verdict verdict() const { return balance_shaft::verdict(result()); }
     std::vector<std::string> usualObjects() const override {
         return {"/envelope"};
     }

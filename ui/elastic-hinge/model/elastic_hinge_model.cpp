@@ -36,7 +36,7 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double margin = 1.01;  ///< beyond the minimum preload or stiffness
+constexpr double margin = 1.01;  ///< beyond the minimum stiffness
 
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
@@ -321,7 +321,8 @@ void ElasticHingeModel::takeMinimumPreload() {
     if (guide.problem != GuideProblem::preload_too_small) {
         return;
     }
-    const double preload = guide.minimum_preload * margin;
+    const double preload = guide.minimum_preload + std::max(0.01 * guide.minimum_preload,
+                                                            elastic_hinge::least_preload_margin);
     const double side = guide.branch == Branch::compressed ? -1.0 : 1.0;
     finishDrag();
     edit(tr("Preload that the guide needs"), [&](Input& input) {
