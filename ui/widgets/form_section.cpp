@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPointer>
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTimer>
@@ -29,10 +30,16 @@ class Scrolled final : public QScrollArea {
         setFocusPolicy(Qt::NoFocus);
         setViewportMargins(1, 1, 1, 1);
         // Qt does this only for what has the focus from inside.
-        connect(qApp, &QApplication::focusChanged, this, [this](QWidget* /*old*/, QWidget* now) {
-            if (now != nullptr && QApplication::mouseButtons() == Qt::NoButton &&
+        connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* now) {
+            const bool isHere = now != nullptr && now->window() == window();
+            if (isHere && now != left_ && QApplication::mouseButtons() == Qt::NoButton &&
                 widget()->isAncestorOf(now)) {
                 ensureWidgetVisible(now, 0, Theme::gap);
+            }
+            if (isHere) {
+                left_ = nullptr;
+            } else if (old != nullptr && widget()->isAncestorOf(old)) {
+                left_ = old;
             }
         });
     }
@@ -80,6 +87,9 @@ class Scrolled final : public QScrollArea {
     }
 
   private:
+    /// That had the focus when another window got it: it gets it back where the user left it.
+    QPointer<QWidget> left_;
+
     /// A scroll area knows nothing of texts that wrap: without their height it squeezes the rows.
     void giveRoom() {
         const QLayout* layout = widget()->layout();
