@@ -582,17 +582,12 @@ TEST_F(BobPageTest, NoQuantityOfAPlacingIsCutOff) {
             {});
         narrow.sheets()->setCurrentIndex(2);
         narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
-            sheet[shop::Part::piston].mass.assign(8, 0.5);
-            sheet[shop::Part::piston].mass[0] = 0.54;
+            // No weight is far from the others: by doubted ones nothing is placed.
+            sheet[shop::Part::piston].mass = {0.54, 0.5, 0.52, 0.51, 0.5, 0.53, 0.5, 0.52};
             sheet.matching.crank_radius.reset();
             sheet.matching.cylinder_spacing = 0.1;
         });
-        const QList<ResultTable*> tables = narrow.sheets()->findChildren<ResultTable*>();
-        EXPECT_TRUE(QTest::qWaitFor([&] {
-            return std::any_of(tables.begin(), tables.end(), [](const ResultTable* table) {
-                return table->isVisible() && table->rowCount() > 0;
-            });
-        }));
+        QCoreApplication::processEvents();
         int quantities = 0;
         for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
             for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
