@@ -3501,28 +3501,12 @@
         <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
     </message>
     <message>
-        <source>Does not fit at any α: %1.</source>
-        <translation>Не помещается ни при каком α: %1.</translation>
-    </message>
-    <message>
         <source>Does not fit: at this α the shaft meets another part.</source>
         <translation>Не помещается: при этом α вал задевает другую деталь.</translation>
     </message>
     <message>
         <source>The torque is constant: nothing to balance.</source>
         <translation>Крутящий момент постоянен: уравновешивать нечего.</translation>
-    </message>
-    <message>
-        <source>Fits, but the range grows by %1 and the RMS changes by %2.</source>
-        <translation>Помещается, но размах растёт на %1, а СКЗ меняется на %2.</translation>
-    </message>
-    <message>
-        <source>Fits: range %1 smaller than without shaft, but RMS %2 larger.</source>
-        <translation>Помещается: размах на %1 меньше, чем без вала, но СКЗ на %2 больше.</translation>
-    </message>
-    <message>
-        <source>Fits: range %1 and RMS %2 smaller than without shaft.</source>
-        <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
     </message>
     <message>
         <source>Angular speed ω</source>
@@ -4103,6 +4087,26 @@
     <message>
         <source>Map over speed and α</source>
         <translation>Карта по частоте вращения и α</translation>
+    </message>
+    <message>
+        <source>Does not fit at any α. %1</source>
+        <translation>Не помещается ни при каком α. %1</translation>
+    </message>
+    <message>
+        <source>Fits, but the range is %1 and the RMS %2 larger than without shaft.</source>
+        <translation>Помещается, но размах на %1 и СКЗ на %2 больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Fits, but the range is %1 larger than without shaft; the RMS is %2 smaller.</source>
+        <translation>Помещается, но размах на %1 больше, чем без вала; СКЗ на %2 меньше.</translation>
+    </message>
+    <message>
+        <source>Fits: the range is %1 smaller than without shaft, but the RMS is %2 larger.</source>
+        <translation>Помещается: размах на %1 меньше, чем без вала, но СКЗ на %2 больше.</translation>
+    </message>
+    <message>
+        <source>Fits: the range is %1 and the RMS %2 smaller than without shaft.</source>
+        <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
     </message>
 </context>
 <context>
@@ -9931,8 +9935,8 @@ but nothing can be built</source>
         <translation>Сдвинуть диаграмму на &amp;360°</translation>
     </message>
     <message>
-        <source>Sets the shift of its angles on the Torque tab</source>
-        <translation>Задаёт сдвиг её углов на вкладке «Момент»</translation>
+        <source>&amp;Use the best feasible α</source>
+        <translation>Применит&amp;ь лучший допустимый α</translation>
     </message>
 </context>
 <context>
