@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/fields.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -17,6 +18,11 @@ double bore_of(const Input& input) {
 /// Of steel, as long as the bore.
 double half_disc_radius(double unbalance, double bore) {
     return std::cbrt(1.5 * unbalance / (steel_density * bore));
+}
+
+/// The nearest size that the field may have.
+double within(const Field& field, double metres) {
+    return std::clamp(from_si(field, metres), field.range.min, field.range.max) * field.unit;
 }
 
 }  // namespace
@@ -70,7 +76,10 @@ RelievedShaftSizes relieved_shaft_sizes(const Input& input) {
         return *input.relieved_shaft;
     }
     const double bore = bore_of(input);
-    return {.diameter = 2.0 * half_disc_radius(input.unbalance(), bore), .length = bore};
+    const double half_disc = half_disc_radius(input.unbalance(), bore);
+    const double diameter = half_disc > 0.0 ? 2.0 * half_disc : bore;
+    return {.diameter = within(field::bar_diameter, diameter),
+            .length = within(field::relief_length, bore)};
 }
 
 Message assumed_sizes(const Input& input) {
