@@ -213,7 +213,11 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     drawing_->setMinimumHeight(Theme::withText(leastDrawing));
     column->addWidget(drawing_, 1);
 
-    connect(model, &SceneModel::changed, this, &RelievedShaftView::showShaft);
+    connect(model, &SceneModel::changed, this, [this] {
+        if (isVisible()) {
+            showShaft();
+        }
+    });
 }
 
 QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
@@ -262,9 +266,6 @@ void RelievedShaftView::showEvent(QShowEvent* event) {
 }
 
 void RelievedShaftView::showShaft() {
-    if (!isVisible()) {
-        return;
-    }
     const RelievedShaft shaft = model_->shaft();
     table_->setRows(model_->rows());
     verdict_->setText(model_->verdict());

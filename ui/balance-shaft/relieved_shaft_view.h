@@ -45,7 +45,7 @@ class RelievedShaftView : public QWidget {
 
   private:
     QWidget* buildForm(BalanceShaftModel* model);
-    void showShaft();  ///< while it is seen
+    void showShaft();
     void chooseFile();
 
     RelievedShaftModel* model_;
