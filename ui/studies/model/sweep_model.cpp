@@ -201,6 +201,7 @@ void SweepModel::setWatched(bool watched) {
 
 void SweepModel::follow() {
     stale_ = true;
+    job_->cancel();  // what it finds is of what was before
     trouble_.clear();
     Q_EMIT changed();
     if (watched_) {
