@@ -31,6 +31,8 @@ namespace ravnoves {
 namespace {
 
 constexpr int padding = 9;
+constexpr int leastPadding = 6;    ///< what a cell leaves beside its text
+constexpr int leastOfWords = 110;  ///< designed pixels
 /// Of a cell: its difference, absolute and percent.
 constexpr int differenceRole = Qt::UserRole + 1;
 /// Of a cell: its ±.
@@ -44,6 +46,11 @@ bool areAsWide(const QString& one, const QString& other) {
 
 QFont smallFont() {
     return Theme::font(Theme::smallSize);
+}
+
+/// Whether the letters are small, for what little room there is; its cells are closer then, too.
+bool isSmall(const QTableWidget& table) {
+    return table.font() == smallFont();
 }
 
 int smallHeight() {
@@ -394,7 +401,7 @@ int ResultTable::wantedWidth(int column) const {
             width = std::max(width, qCeil(textWidth(smallFont(), line)));
         }
     }
-    return width + padding;
+    return width + (isSmall(*this) ? leastPadding : padding);
 }
 
 void ResultTable::fitColumns() {
@@ -413,7 +420,7 @@ void ResultTable::fitColumns() {
             width = isColumnHidden(column) ? 0 : wantedWidth(column);
             if (stretched_.contains(column)) {
                 // Words that are long end in dots rather than take the numbers' room.
-                width = std::min(width, std::max(Theme::withText(110), 2 * room / 5));
+                width = std::min(width, std::max(Theme::withText(leastOfWords), 2 * room / 5));
             } else if (grows) {
                 width = std::max(width, columnWidth(column));
             }
@@ -423,6 +430,22 @@ void ResultTable::fitColumns() {
             break;
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);
+    }
+    // Before the numbers scroll, words end in dots sooner.
+    const int least = Theme::withText(leastOfWords);
+    int spare = 0;
+    for (int column = 0; column < columnCount(); ++column) {
+        const int width = widths[static_cast<std::size_t>(column)];
+        spare += stretched_.contains(column) ? std::max(0, width - least) : 0;
+    }
+    for (int column = 0; column < columnCount() && sum - spare <= room; ++column) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        if (stretched_.contains(column) && sum > room && width > least) {
+            const int given = std::min(sum - room, width - least);
+            width -= given;
+            sum -= given;
+            spare -= given;
+        }
     }
     // The words share what is left.
     const int left = std::max(0, room - sum);
