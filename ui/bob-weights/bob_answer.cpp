@@ -1,5 +1,6 @@
 #include "bob-weights/bob_answer.h"
 
+#include <QHeaderView>
 #include <QLabel>
 
 #include "bob-weights/force_plot.h"
@@ -88,6 +89,9 @@ QWidget* BobAnswer::buildCorrection() {
     drilledHeading_ = headingLabel(tr("Already drilled"), panel);
     column->addWidget(drilledHeading_);
     drilled_ = table(tr("Already drilled"));
+    // Its five columns have room in a small window.
+    drilled_->setFont(Theme::font(Theme::smallSize));
+    drilled_->horizontalHeader()->setFont(Theme::font(Theme::smallSize, true));
     drilledNote_ = copyableCaption("drilled_note", panel);
     column->addWidget(drilledNote_);
     return panel;
