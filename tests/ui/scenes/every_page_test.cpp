@@ -101,19 +101,6 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
             6, std::count_if(fields.begin(), fields.end(),
                              [](const auto& it) { return it.kind == FieldKind::number; }));
     }
-    /// Leaves a step that can be redone.
-    void leaveSomethingToRedo() {
-        bool left = false;
-        forEachField([&](NumberField& field) {
-            if (!left) {
-                type(field, near(field));
-                QTest::keyClick(&field, Qt::Key_Return);
-                left = model().history()->canUndo();
-                model().undo();
-            }
-        });
-        ASSERT_TRUE(model().history()->canRedo());
-    }
     /// True where a label that can be seen says this.
     bool says(const QString& text) const {
         const auto labels = reachable<QLabel>();
@@ -347,7 +334,6 @@ TEST_P(EveryPage, MakesOneStepOfAnEditing) {
 }
 
 TEST_P(EveryCase, AnEscapeLeavesNoStepBehind) {
-    leaveSomethingToRedo();
     const Json before = model().inputJson();
     const int index = model().history()->index();
     const int count = model().history()->count();
@@ -376,7 +362,6 @@ TEST_P(EveryCase, AnEscapeLeavesNoStepBehind) {
         }
     });
     EXPECT_GE(seen.size(), enough());
-    EXPECT_TRUE(model().history()->canRedo());
 }
 
 TEST_P(EveryCase, WhatWasTypedIsUndoneByKeys) {
