@@ -215,7 +215,9 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
     if (radians == input().shaft_angle) {
         return;
     }
-    const QString name = fieldName(balance_shaft::field::shaft_angle);
+    const QString name =
+        QCoreApplication::translate("ravnoves::BalanceShaftPage", "Shaft angle &α")
+            .remove(QLatin1Char('&'));  // as its slider has it: the field has no label
     // Only the number goes into the history, so that a drag copies no torque table.
     auto* step = new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
                                           [this](double a) { applyShaftAngle(a); });
