@@ -205,6 +205,7 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
             bringBack();
         }
         setTrouble({});
+        sayCut({});
         showValue();
         endEditing();
         return;

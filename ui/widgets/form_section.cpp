@@ -93,21 +93,26 @@ class Scrolled final : public QScrollArea {
     /// A scroll area knows nothing of texts that wrap: without their height it squeezes the rows.
     void giveRoom() {
         const QLayout* layout = widget()->layout();
-        if (layout == nullptr || !layout->hasHeightForWidth()) {
+        const bool wraps =
+            layout != nullptr ? layout->hasHeightForWidth() : widget()->hasHeightForWidth();
+        if (!wraps) {
             setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
             return;
         }
+        const auto needed = [&](int width) {
+            return layout != nullptr ? layout->minimumHeightForWidth(width)
+                                     : widget()->heightForWidth(width);
+        };
         // A bar takes of the width: what needs one only for that gets none. But fields stay where
         // they are while one types in them, whatever is said below. Qt gives a form the height that
         // it wants, not only what it needs.
         const QSize whole = maximumViewportSize();
         const bool fits = widget()->findChild<EntryField*>() == nullptr &&
-                          std::max(layout->minimumHeightForWidth(whole.width()),
+                          std::max(needed(whole.width()),
                                    widget()->heightForWidth(whole.width())) <= whole.height();
         setVerticalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        const int height =
-            layout->minimumHeightForWidth(fits ? whole.width() : viewport()->width());
-        if (widget()->minimumHeight() != height) {
+        const int height = needed(fits ? whole.width() : viewport()->width());
+        if (layout != nullptr && widget()->minimumHeight() != height) {
             widget()->setMinimumHeight(height);
         }
     }
@@ -244,6 +249,7 @@ class NamedRow final : public QWidget {
             grid_->addWidget(field_, folded ? 1 : 0, folded ? 0 : 1);
             updateGeometry();
         }
+        grid_->setColumnMinimumWidth(0, folded ? 0 : words);
         grid_->setColumnMinimumWidth(1, folded ? 0 : wanted);
     }
 

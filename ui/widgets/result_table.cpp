@@ -415,18 +415,22 @@ void ResultTable::fitColumns() {
     int sum = 0;
     while (true) {
         sum = 0;
+        int cut = 0;  // what the words lack
         for (int column = 0; column < columnCount(); ++column) {
             int& width = widths[static_cast<std::size_t>(column)];
             width = isColumnHidden(column) ? 0 : wantedWidth(column);
             if (stretched_.contains(column)) {
                 // Words that are long end in dots rather than take the numbers' room.
+                const int whole = width;
                 width = std::min(width, std::max(Theme::withText(leastOfWords), 2 * room / 5));
+                cut += whole - width;
             } else if (grows) {
                 width = std::max(width, columnWidth(column));
             }
             sum += width;
         }
-        if (sum <= room || room_ == Room::Little) {
+        // Differences stand below each other before they shorten the words.
+        if (sum + (reference_ != nullptr ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);

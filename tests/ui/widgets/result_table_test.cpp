@@ -75,7 +75,11 @@ TEST(ResultTableWithReference, ShowsItsVerdictWhereThereIsLittleRoom) {
         each->setRows({row});
     }
     table.setReference(&reference, u"A"_s);
-    test::showAt(table, {270, 160});
+    test::showAt(table, {600, 160});
+    const int plenty = table.verticalHeader()->defaultSectionSize();
+    test::showAt(table, {310, 160});
+    // Absolute differences and percents stand below each other there.
+    EXPECT_GT(table.verticalHeader()->defaultSectionSize(), plenty);
     int sum = 0;
     for (int column = 0; column < table.columnCount(); ++column) {
         sum += table.columnWidth(column);
