@@ -25,9 +25,13 @@ void SceneModel::beginEditing() {
 }
 
 void SceneModel::endEditing(bool isRefused) {
+    const bool isStep = isTyped();
     if (std::exchange(editing_, false)) {
         finishDrag();
         editingEnds();
+        if (isStep) {
+            Q_EMIT historyChanged();
+        }
     }
     if (!isRefused) {
         sayRefused({});

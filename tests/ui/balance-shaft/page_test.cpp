@@ -129,11 +129,11 @@ TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainWhenItsCauseIsGone) {
     type(field("centre_distance_mm"), QStringLiteral("101"));  // no cause of it
     QApplication::processEvents();
     EXPECT_EQ(to->trouble(), why);
+    const int steps = model->history()->count();
     from->selectAll();
     QTest::keyClicks(from, QStringLiteral("50"));
     QApplication::processEvents();
     EXPECT_TRUE(to->trouble().startsWith(QStringLiteral("Refused before other values changed")));
-    const int steps = model->history()->count();
     QTest::keyClick(from, Qt::Key_Return);
     QApplication::processEvents();
     EXPECT_TRUE(to->trouble().isEmpty());
