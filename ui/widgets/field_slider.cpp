@@ -78,10 +78,10 @@ void FieldSlider::follow() {
     const auto [min, max] = own_.ends();
     setEnabled(!own_.isMovable || own_.isMovable());
     setGiven(!own_.isGiven || own_.isGiven());
+    setValue(value);  // before its ends: those would pull the value from before to them
     if (!slider()->isSliderDown()) {
         setRange(std::min(min, value), std::max(max, value));
     }
-    setValue(value);
 }
 
 }  // namespace ravnoves
