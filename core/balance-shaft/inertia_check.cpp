@@ -232,7 +232,7 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                       "The torque on the gas-exchange stroke holds the inertia torque of a crank "
                       "with r/L = %1; crank radius and rod length entered have %2. They do not "
                       "belong together: with this crank radius the torque fits a rod length of "
-                      "%3. The best angles found are those of no real engine until they agree."),
+                      "%3. The best angles are not meaningful until torque and masses agree."),
             number(fit.lambda), number(*lambda),
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
@@ -251,8 +251,8 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
                                 "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
                                 "give %3. They do not belong together: the torque fits these "
-                                "masses at %4, or %5 at this speed. The best angles found "
-                                "are those of no real engine until they agree."),
+                                "masses at %4, or %5 at this speed. The best angles are "
+                                "not meaningful until torque and masses agree."),
                       moment(fit.scale), number(fit.lambda), moment(check.entered),
                       Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
                       Number{rounded_to_digits(check.matching_mass, 3), units::kg});

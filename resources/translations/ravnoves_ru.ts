@@ -3321,7 +3321,7 @@
         <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles found are those of no real engine until they agree.</source>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles are not meaningful until torque and masses agree.</source>
         <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они не соответствуют друг другу: момент подходит этим массам при %4 или массе %5 при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
     </message>
     <message>
@@ -3449,7 +3449,7 @@
         <translation>В моменте на такте газообмена содержится момент сил инерции mⱼ r² ω² = %1 (r/L = %2); заданные массы и частота дают %3. Они согласуются: разница %4, а таблица может быть неточна до %5.</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds the inertia torque of a crank with r/L = %1; crank radius and rod length entered have %2. They do not belong together: with this crank radius the torque fits a rod length of %3. The best angles found are those of no real engine until they agree.</source>
+        <source>The torque on the gas-exchange stroke holds the inertia torque of a crank with r/L = %1; crank radius and rod length entered have %2. They do not belong together: with this crank radius the torque fits a rod length of %3. The best angles are not meaningful until torque and masses agree.</source>
         <translation>Момент на такте газообмена содержит момент сил инерции кривошипа с r/L = %1, а введённые радиус кривошипа и длина шатуна дают %2. Они не подходят друг к другу: при этом радиусе кривошипа момент соответствует длине шатуна %3. Пока они не согласованы, найденные лучшие углы не относятся ни к какому реальному двигателю.</translation>
     </message>
     <message>
