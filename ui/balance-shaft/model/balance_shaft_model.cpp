@@ -538,7 +538,11 @@ QString BalanceShaftModel::bestRmsText() const {
 }
 
 QString BalanceShaftModel::notesText() const {
-    return messageLines(result().notes);
+    std::vector<Message> notes = result().notes;
+    if (result().inertia_check.consistent == false) {  // the verdict says it
+        std::erase(notes, result().inertia_check.text);
+    }
+    return messageLines(notes);
 }
 
 QString BalanceShaftModel::doubtsText() const {
