@@ -451,6 +451,8 @@ void ResultTable::fitColumns() {
             spare -= given;
         }
     }
+    const auto scrolls = [this] { return header_->length() > viewport()->width(); };
+    const bool scrolled = scrolls();
     // The words share what is left.
     const int left = std::max(0, room - sum);
     const auto shares =
@@ -468,6 +470,9 @@ void ResultTable::fitColumns() {
     }
     header_->fitLines();
     fitRows();
+    if (!isSameWidth || scrolls() != scrolled) {
+        updateGeometry();  // the height of its bar
+    }
 }
 
 void ResultTable::fitRows() {
