@@ -12,6 +12,7 @@
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/result_fields.h"
 #include "balance-shaft/speed_study.h"
+#include "case-file/decimal.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -569,8 +570,16 @@ Verdict verdict(const Result& result) {
     for (const Message& doubt : result.doubts) {
         verdict.warn(doubt);
     }
-    if (result.inertia_check.consistent && !*result.inertia_check.consistent) {
-        verdict.warn(result.inertia_check.text);
+    // The notes say how that is known.
+    const InertiaCheck& check = result.inertia_check;
+    if (check.consistent == false && check.is_of_other_rod) {
+        verdict.warn(CORE_TEXT("balance-shaft", "Torque and rod do not belong together."));
+    } else if (check.consistent == false) {
+        verdict.warn({CORE_TEXT("balance-shaft",
+                                "Torque and masses do not belong together: the torque fits %1 or "
+                                "%2."),
+                      Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
+                      Number{rounded_to_digits(check.matching_mass, 3), units::kg}});
     }
     if (result.trace_is_a_turn_off) {
         verdict.act = move_trace_act;

@@ -83,7 +83,7 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
 BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     : MatchingSheet(model, parent) {
     section({});
-    QComboBox* pairs = wide(choice("/weigh_in/cylinder_numbering"));
+    QComboBox* pairs = wide(choice("/weigh_in/cylinder_numbering"), 250);
     const auto noPairs = [model] {
         return model->input().engine.type == EngineType::in_line
                    ? tr("In line each cylinder has a crankpin of its own: there is nothing to "

@@ -58,6 +58,13 @@ void fitTyped(QTableView* view, const std::vector<int>& columns) {
     }
 }
 
+/// Rows are as high as their wrapped words take, also after a column has another width.
+void growRowsWithWords(QTableView& view) {
+    view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    QObject::connect(view.horizontalHeader(), &QHeaderView::sectionResized, &view,
+                     &QTableView::resizeRowsToContents, Qt::QueuedConnection);
+}
+
 }  // namespace
 
 ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
@@ -172,7 +179,7 @@ QWidget* ToleranceWindow::makeInputs() {
         // What was said of a block that was not pasted.
         connect(table, &QAbstractItemModel::dataChanged, editor,
                 [editor] { editor->say({}, false); });
-        editor->view()->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        growRowsWithWords(*editor->view());
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
@@ -335,7 +342,7 @@ QWidget* ToleranceWindow::makeFound() {
     constexpr int leastHeight = 60;  // further rows scroll
     table_->setMinimumHeight(Theme::withText(leastHeight));
     table_->setWordWrap(true);  // names that begin alike are told apart by their ends
-    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    growRowsWithWords(*table_);
     column->addWidget(table_, 2);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -538,11 +538,7 @@ QString BalanceShaftModel::bestRmsText() const {
 }
 
 QString BalanceShaftModel::notesText() const {
-    std::vector<Message> notes = result().notes;
-    if (result().inertia_check.consistent == false) {  // the verdict says it
-        std::erase(notes, result().inertia_check.text);
-    }
-    return messageLines(notes);
+    return messageLines(result().notes);
 }
 
 QString BalanceShaftModel::doubtsText() const {
