@@ -4108,6 +4108,14 @@
         <source>Fits: the range is %1 and the RMS %2 smaller than without shaft.</source>
         <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
     </message>
+    <message>
+        <source>Torque and rod do not belong together.</source>
+        <translation>Момент и шатун не соответствуют друг другу.</translation>
+    </message>
+    <message>
+        <source>Torque and masses do not belong together: the torque fits %1 or %2.</source>
+        <translation>Момент и массы не соответствуют друг другу: моменту отвечает %1 или %2.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
