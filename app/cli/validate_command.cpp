@@ -1,7 +1,7 @@
 #include <string>
 
 #include "command.h"
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 #include "output.h"
 
 namespace ravnoves::cli {

@@ -9,7 +9,7 @@
 #include "command_line.h"
 #include "csv_lines.h"
 #include "methods/kernel.h"
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 
 namespace ravnoves {
 namespace {

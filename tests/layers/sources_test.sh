@@ -5,7 +5,8 @@
 #   ui includes nothing from app;
 #   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
 #   files, numerics, drawing, bibliography, shop) includes nothing that stands on it, nor does
-#   a scene include the methods or the registry.
+#   a scene include the methods or the registry;
+#   folders of core form no circles.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
@@ -116,6 +117,24 @@ for scene in "${scenes[@]}"; do
         check_folders_apart "$tests" "${others[@]}" methods
     done
 done
+
+# check_no_circles LAYER: what its folders include from one another leads nowhere back.
+check_no_circles() {
+    local layer=$1 file include from to pairs="" circles
+    for file in $(sources "$layer"); do
+        from=${file#*/}
+        from=${from%/*}
+        for include in ${quoted[$file]:-}; do
+            to=${include%/*}
+            [ "$to" = "$from" ] || [ ! -f "$layer/$include" ] || pairs+="$from $to"$'\n'
+        done
+    done
+    [ -n "$pairs" ] || fault "no folder of $layer includes from another: nothing was checked"
+    if ! circles=$(tsort <<<"$pairs" 2>&1 >/dev/null); then
+        fault "folders of $layer form circles: $(sed 's/^tsort: //; s/^-: .*/;/' <<<"$circles" | paste -sd ' ')"
+    fi
+}
+check_no_circles core
 
 if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then
     fault "core/CMakeLists.txt asks for Qt"

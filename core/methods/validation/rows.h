@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 
 namespace ravnoves::methods {
 

@@ -1,6 +1,6 @@
 /// The report on every number printed in the papers: verdicts are decided, not typed.
 
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 
 #include <gtest/gtest.h>
 

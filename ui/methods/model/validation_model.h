@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 #include "model/background_job.h"
 
 namespace ravnoves {

@@ -1,4 +1,4 @@
-#include "methods/validation.h"
+#include "methods/validation/validation.h"
 
 #include <algorithm>
 #include <array>
