@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bob-weights/input.h"
-#include "bob-weights/result.h"
 #include "case-file/case_context.h"
 #include "case-file/field_reader.h"
 #include "case-file/json_fwd.h"
@@ -14,10 +13,6 @@ namespace ravnoves::bob_weights {
 Input read_input(const Json& input, Completeness completeness = Completeness::required);
 /// Writes an "input" object that read_input() turns into the same Input.
 Json write_input(const Input& input);
-
-/// The "result" object of the contract.
-/// @param result  solve(input) of an input that holds all that a result needs
-Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError

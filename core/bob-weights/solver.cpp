@@ -168,8 +168,7 @@ bool can_drill(const Correction& correction) {
 
 /// Whether an unbalance is within its limit; nothing where there is none.
 std::optional<bool> is_within(double unbalance, const std::optional<double>& permissible) {
-    constexpr double rounding = 1e-9;
-    return permissible ? std::optional(unbalance <= *permissible * (1.0 + rounding)) : std::nullopt;
+    return permissible ? std::optional(shop::is_within(unbalance, *permissible)) : std::nullopt;
 }
 
 std::optional<bool> both(const std::optional<bool>& first, const std::optional<bool>& second) {
@@ -708,14 +707,16 @@ std::optional<std::array<double, 2>> plane_limits(
     return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
 }
 
-Result solve(const Input& given) {
+Result solve(const Input& given, bool places_parts) {
     const Input input = fitted(given);
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
     solve_bob_weight(input, factor, result);
-    solve_weigh_in(input, factor, result);
+    if (places_parts) {
+        solve_weigh_in(input, factor, result);
+    }
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;

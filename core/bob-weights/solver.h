@@ -6,7 +6,8 @@
 namespace ravnoves::bob_weights {
 
 /// Computes whatever the input allows, also where check_input() does not let it pass.
-Result solve(const Input& given);
+/// @param places_parts  false: without the placing of the parts, which takes longest
+Result solve(const Input& given, bool places_parts = true);
 
 /// What is to be drilled by the run that is corrected, for the record of it: nothing where its
 /// readings do not hold.

@@ -5,12 +5,16 @@
 #include "balance-shaft/input_check.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
+#include "bob-weights/results.h"
+#include "bob-weights/scene.h"
 #include "case-file/case_file.h"
 #include "elastic-hinge/results.h"
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/results.h"
 #include "inertia-moments/scene.h"
 #include "scenes/typed_response.h"
+#include "v8-plugs/results.h"
+#include "v8-plugs/scene.h"
 
 namespace ravnoves {
 
@@ -19,6 +23,11 @@ namespace {
 template <typename Input, auto read>
 Input read_alone(const Json& json, const CaseContext& /*context*/) {
     return read(json);
+}
+
+template <typename Input, auto read>
+Input read_whole(const Json& json, const CaseContext& /*context*/) {
+    return read(json, Completeness::required);
 }
 
 template <typename Input, auto read, auto check, typename Results = AnewResults<Input>>
@@ -48,6 +57,16 @@ std::unique_ptr<Response> typed_response(const CaseFile& file, const CaseContext
         using Input = inertia_moments::Input;
         return respond<Input, read_alone<Input, inertia_moments::read_input>,
                        inertia_moments::check_input>(file, context, varied, watched);
+    }
+    if (file.scene == "v8-plugs") {
+        using Input = v8_plugs::Input;
+        return respond<Input, read_whole<Input, v8_plugs::read_input>, v8_plugs::check_input>(
+            file, context, varied, watched);
+    }
+    if (file.scene == "bob-weights") {
+        using Input = bob_weights::Input;
+        return respond<Input, read_whole<Input, bob_weights::read_input>, bob_weights::check_input>(
+            file, context, varied, watched);
     }
     return nullptr;
 }

@@ -26,6 +26,12 @@ constexpr double permissible_unbalance(double rotor_mass, double grade, double s
     return rotor_mass * grade / service_speed;
 }
 
+/// Whether an unbalance is no more than its limit, but for rounding.
+constexpr bool is_within(double unbalance, double permissible) {
+    constexpr double rounding = 1e-9;
+    return unbalance <= permissible * (1.0 + rounding);
+}
+
 /// A crankshaft's mass that was typed in grams, as it seems: those of cars, trucks and locomotives
 /// weigh less than 2 t.
 inline bool is_mass_in_grams(const std::optional<double>& rotor_mass) {

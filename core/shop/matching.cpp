@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "numerics/constants.h"
 #include "numerics/demand.h"
 #include "shop/set_search.h"
@@ -156,28 +155,6 @@ SetSearch search_of_shaking(const MatchingTask& task, const MatchingRules& rules
         }
     }
     return search;
-}
-
-Json amounts_json(const Shaking& shaking, bool spacing_known, const std::optional<double>& radius,
-                  const std::optional<double>& speed) {
-    Json json{{"force_g", shaking.force / units::gram},
-              {"rms_at_ends_g", shaking.ends / units::gram}};
-    if (spacing_known) {
-        json["couple_g_mm"] = shaking.couple / units::gram_mm;
-    }
-    if (radius) {
-        json["force_g_mm"] = shaking.force * *radius / units::gram_mm;
-        if (spacing_known) {
-            json["couple_g_mm2"] = shaking.couple * *radius / units::gram_mm2;
-        }
-        if (speed) {
-            json["force_N"] = shaking.force * *radius * *speed * *speed;
-            if (spacing_known) {
-                json["couple_Nm"] = shaking.couple * *radius * *speed * *speed;
-            }
-        }
-    }
-    return json;
 }
 
 }  // namespace
@@ -346,42 +323,6 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
             Number{*rules.permitted_spread / units::gram, units::gram, -2}};
     }
     return matched;
-}
-
-Json take_off_json(std::span<const Weighed> masses) {
-    Json list = Json::array();
-    for (const Weighed& mass : take_off(masses)) {
-        list.push_back(mass ? Json(*mass / units::gram) : Json());
-    }
-    return list;
-}
-
-Json matched_json(const Matched& matched, const std::optional<double>& crank_radius,
-                  const std::optional<double>& speed) {
-    const auto cylinders = [](const std::vector<int>& from) {
-        Json list = Json::array();
-        for (const int cylinder : from) {
-            list.push_back(cylinder + 1);
-        }
-        return list;
-    };
-    Json json{{"pistons_from_cylinder", cylinders(matched.pistons)},
-              {"rods_from_cylinder", cylinders(matched.rods)},
-              {"sets_moved", matched.moved},
-              {"goal", goal_words[static_cast<std::size_t>(matched.goal)].word},
-              {"spread_before_g", matched.spread_before / units::gram},
-              {"spread_g", matched.spread / units::gram},
-              {"proven", matched.proven}};
-    if (matched.shaking && matched.shaking_before) {
-        json["shaking_before"] =
-            amounts_json(*matched.shaking_before, matched.spacing_known, crank_radius, speed);
-        json["shaking"] =
-            amounts_json(*matched.shaking, matched.spacing_known, crank_radius, speed);
-    }
-    if (!matched.remark.empty()) {
-        json["remark"] = matched.remark.english();
-    }
-    return json;
 }
 
 void check_matching(const MatchingRules& rules, int angle_count) {

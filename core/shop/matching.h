@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "case-file/json_fwd.h"
 #include "case-file/message.h"
 #include "shop/weigh_in.h"
 
@@ -137,13 +136,6 @@ void move_back(WeighIn<Masses>& sheet) {
         to_where_weighed(sheet.piston_sets, sheet.rod_sets, sheet.columns.front().mass.size());
     move_sets(sheet, from[0], from[1]);
 }
-
-/// For a result file, but for what the scene knows of the crankpins.
-/// @param crank_radius  m; without it there are no forces
-/// @param speed         rad/s; without it there are none in N
-Json matched_json(const Matched& matched, const std::optional<double>& crank_radius,
-                  const std::optional<double>& speed);
-Json take_off_json(std::span<const Weighed> masses);
 
 /// Whether the rules contradict themselves or the engine.
 /// @param angle_count  Crank::angle_count() of the engine

@@ -5,7 +5,8 @@
 namespace ravnoves::v8_plugs {
 
 PlaneVerdict judge(double limit, const std::optional<double>& reading) {
-    return {limit, reading, reading ? std::optional(*reading <= limit) : std::nullopt};
+    return {limit, reading,
+            reading ? std::optional(shop::is_within(*reading, limit)) : std::nullopt};
 }
 
 BalancingVerdict judge(const BalancingCheck& check) {

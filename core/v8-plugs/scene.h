@@ -5,7 +5,6 @@
 #include "case-file/json_fwd.h"
 #include "case-file/wanted.h"
 #include "v8-plugs/input.h"
-#include "v8-plugs/result.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -14,10 +13,6 @@ namespace ravnoves::v8_plugs {
 Input read_input(const Json& input, Completeness completeness = Completeness::required);
 /// Writes an "input" object that read_input() turns into the same Input.
 Json write_input(const Input& input);
-
-/// The "result" object of the contract.
-/// @param result  solve(input) of an input that holds all that a result needs
-Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError

@@ -131,7 +131,7 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
 
 }  // namespace
 
-Result solve(const Input& input, bool changes_known) {
+Result solve(const Input& input, bool changes_known, bool places_parts) {
     Result result;
     result.changes = input.changes();
     if (changes_known && input.engine.rod_coefficient) {
@@ -151,7 +151,9 @@ Result solve(const Input& input, bool changes_known) {
                    [&](const Option& option) { return hindrance(input, result, option); });
     }
     solve_bob_weights(input, changes_known, result);
-    solve_weigh_in(input, result);
+    if (places_parts) {
+        solve_weigh_in(input, result);
+    }
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
     if (const auto check = machine.check()) {

@@ -4879,6 +4879,154 @@
         <source>%1: %2 of %3 weighed; they do not count until all are.</source>
         <translation>%1: взвешено %2 из %3; пока не все, они не учитываются.</translation>
     </message>
+    <message>
+        <source>Reciprocating mass</source>
+        <translation>Возвратно-поступательная масса</translation>
+    </message>
+    <message>
+        <source>Of one cylinder.</source>
+        <translation>Одного цилиндра.</translation>
+    </message>
+    <message>
+        <source>Rotating mass</source>
+        <translation>Вращающаяся масса</translation>
+    </message>
+    <message>
+        <source>Balance factor</source>
+        <translation>Коэффициент балансировки</translation>
+    </message>
+    <message>
+        <source>Number of bob weights</source>
+        <translation>Число балансировочных грузов</translation>
+    </message>
+    <message>
+        <source>Theory</source>
+        <translation>Теория</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation>Цилиндры</translation>
+    </message>
+    <message>
+        <source>Force with the crank</source>
+        <translation>Сила, вращающаяся с кривошипом</translation>
+    </message>
+    <message>
+        <source>Force against the crank</source>
+        <translation>Сила, вращающаяся против кривошипа</translation>
+    </message>
+    <message>
+        <source>Force upright</source>
+        <translation>Сила вдоль оси</translation>
+    </message>
+    <message>
+        <source>Force across</source>
+        <translation>Сила поперёк оси</translation>
+    </message>
+    <message>
+        <source>Bob weights of the crankpins</source>
+        <translation>Балансировочные грузы шатунных шеек</translation>
+    </message>
+    <message>
+        <source>Permissible</source>
+        <translation>Допустимый дисбаланс</translation>
+    </message>
+    <message>
+        <source>Permissible, whole shaft</source>
+        <translation>Допустимый дисбаланс, весь вал</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Коррекция</translation>
+    </message>
+    <message>
+        <source>Mass at drilling radius</source>
+        <translation>Масса на радиусе сверления</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>Direction of the residual</source>
+        <translation>Направление остаточного дисбаланса</translation>
+    </message>
+    <message>
+        <source>Within tolerance as measured</source>
+        <translation>В допуске по показаниям</translation>
+    </message>
+    <message>
+        <source>Within tolerance</source>
+        <translation>В допуске</translation>
+    </message>
+    <message>
+        <source>Edge beyond the sector</source>
+        <translation>Край за пределами сектора</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Пуск</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Ожидалось</translation>
+    </message>
+    <message>
+        <source>Drilling acted the opposite way</source>
+        <translation>Сверление подействовало наоборот</translation>
+    </message>
+    <message>
+        <source>Drilled hole</source>
+        <translation>Просверленное отверстие</translation>
+    </message>
+    <message>
+        <source>Pressed-in slug</source>
+        <translation>Запрессованная вставка</translation>
+    </message>
+    <message>
+        <source>Amplification of errors</source>
+        <translation>Усиление погрешностей</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Диаметр</translation>
+    </message>
+    <message>
+        <source>Takes off, unbalance</source>
+        <translation>Снимает, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Adds</source>
+        <translation>Добавляет</translation>
+    </message>
+    <message>
+        <source>Adds, unbalance</source>
+        <translation>Добавляет, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Mass of the slug</source>
+        <translation>Масса вставки</translation>
+    </message>
+    <message>
+        <source>Hang a bob weight of %1 on the crankpin.</source>
+        <translation>Навесьте на шатунную шейку балансировочный груз %1.</translation>
+    </message>
+    <message>
+        <source>Hang bob weights of %1 on the %2 crankpins.</source>
+        <translation>Навесьте балансировочные грузы по %1 на шатунные шейки: %2.</translation>
+    </message>
+    <message>
+        <source>After the planned correction: %1 front, %2 rear.</source>
+        <translation>После запланированной коррекции: %1 спереди, %2 сзади.</translation>
+    </message>
+    <message>
+        <source>The last drilling did not act as planned: find out why before drilling again.</source>
+        <translation>Последнее сверление подействовало не так, как планировалось: прежде чем сверлить дальше, выясните причину.</translation>
+    </message>
+    <message>
+        <source>A mass of %1 looks like kilograms.</source>
+        <translation>Масса %1 похожа на введённую в килограммах.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -18378,6 +18526,226 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>the engine has no such plug</source>
         <translation>в этом двигателе нет такой пробки</translation>
     </message>
+    <message>
+        <source>Excess on a crankpin Δmᵤ</source>
+        <translation>Избыток на шатунной шейке Δmᵤ</translation>
+    </message>
+    <message>
+        <source>Excess mass of the parts on the crankpin axis.</source>
+        <translation>Избыточная масса деталей на оси шатунной шейки.</translation>
+    </message>
+    <message>
+        <source>Unbalance of a crankpin</source>
+        <translation>Дисбаланс шатунной шейки</translation>
+    </message>
+    <message>
+        <source>Coefficient kₚ</source>
+        <translation>Коэффициент kₚ</translation>
+    </message>
+    <message>
+        <source>Coefficient kᵤ</source>
+        <translation>Коэффициент kᵤ</translation>
+    </message>
+    <message>
+        <source>Coefficient kᵤₙ</source>
+        <translation>Коэффициент kᵤₙ</translation>
+    </message>
+    <message>
+        <source>Slope angle</source>
+        <translation>Угол наклона</translation>
+    </message>
+    <message>
+        <source>Mass changes</source>
+        <translation>Изменения масс</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Plug</source>
+        <translation>Заглушка</translation>
+    </message>
+    <message>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
+    </message>
+    <message>
+        <source>Fixed part</source>
+        <translation>Постоянная часть</translation>
+    </message>
+    <message>
+        <source>Compensated without machining.</source>
+        <translation>Компенсируется без обработки.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Compensated by a gram off each plug.</source>
+        <translation>Компенсируется при снятии грамма с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Предел</translation>
+    </message>
+    <message>
+        <source>Required off each plug</source>
+        <translation>Требуется снять с заглушки</translation>
+    </message>
+    <message>
+        <source>Take off each plug</source>
+        <translation>Снять с заглушки</translation>
+    </message>
+    <message>
+        <source>Remains</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>Residual unbalance</source>
+        <translation>Остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Балансировочный груз</translation>
+    </message>
+    <message>
+        <source>Bob weight, plugs in</source>
+        <translation>Балансировочный груз, заглушки на месте</translation>
+    </message>
+    <message>
+        <source>Bob weight, nominal</source>
+        <translation>Балансировочный груз, номинал</translation>
+    </message>
+    <message>
+        <source>Mass of a plug</source>
+        <translation>Масса заглушки</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Смещение</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Effect of the shift</source>
+        <translation>Влияние смещения</translation>
+    </message>
+    <message>
+        <source>Beyond tolerance</source>
+        <translation>Вне допуска</translation>
+    </message>
+    <message>
+        <source>Corrected depth</source>
+        <translation>Исправленная глубина</translation>
+    </message>
+    <message>
+        <source>Boring</source>
+        <translation>Расточка</translation>
+    </message>
+    <message>
+        <source>Possible</source>
+        <translation>Возможна</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глубина</translation>
+    </message>
+    <message>
+        <source>Deeper by</source>
+        <translation>Глубже на</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Стенка</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Дно</translation>
+    </message>
+    <message>
+        <source>Maximum by the walls</source>
+        <translation>Предел по стенкам</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номинал</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>До</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Сумма</translation>
+    </message>
+    <message>
+        <source>Crankpins</source>
+        <translation>Шатунные шейки</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Сталь</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Алюминий</translation>
+    </message>
+    <message>
+        <source>Mass by the sizes</source>
+        <translation>Масса по размерам</translation>
+    </message>
+    <message>
+        <source>Mass as entered</source>
+        <translation>Введённая масса</translation>
+    </message>
+    <message>
+        <source>Masses agree</source>
+        <translation>Массы согласуются</translation>
+    </message>
+    <message>
+        <source>Front plane</source>
+        <translation>Передняя плоскость</translation>
+    </message>
+    <message>
+        <source>Rear plane</source>
+        <translation>Задняя плоскость</translation>
+    </message>
+    <message>
+        <source>Permissible</source>
+        <translation>Допустимый дисбаланс</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Показание</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Годен</translation>
+    </message>
+    <message>
+        <source>Steel plug</source>
+        <translation>Стальная заглушка</translation>
+    </message>
+    <message>
+        <source>Aluminium plug</source>
+        <translation>Алюминиевая заглушка</translation>
+    </message>
+    <message>
+        <source>The plug mass is the paper&apos;s: weigh the plugs.</source>
+        <translation>Масса заглушки взята из статьи: взвесьте заглушки.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but a solid plug of these dimensions weighs %3. Enter its bore or weigh the plug.</source>
+        <translation>%1: введено %2, но сплошная заглушка этих размеров весит %3. Введите расточку или взвесьте заглушку.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but a plug of these dimensions weighs %3. Weigh the plug.</source>
+        <translation>%1: введено %2, но заглушка этих размеров весит %3. Взвесьте заглушку.</translation>
+    </message>
 </context>
 <context>
     <name>workshop</name>
@@ -18440,6 +18808,134 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
         <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
+    </message>
+    <message>
+        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again.</source>
+        <translation>Показания относятся к другому коленчатому валу: тогда номер %1, сейчас %2. Снимите их снова.</translation>
+    </message>
+    <message>
+        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again.</source>
+        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их снова.</translation>
+    </message>
+    <message>
+        <source>Fails: %1 front, %2 rear; permissible %3 and %4.</source>
+        <translation>Не годен: %1 спереди, %2 сзади; допускается %3 и %4.</translation>
+    </message>
+    <message>
+        <source>Passes: %1 front, %2 rear; permissible %3 and %4.</source>
+        <translation>Годен: %1 спереди, %2 сзади; допускается %3 и %4.</translation>
+    </message>
+    <message>
+        <source>Weigh-in</source>
+        <translation>Взвешивание</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Разброс</translation>
+    </message>
+    <message>
+        <source>Heaviest minus lightest.</source>
+        <translation>Самая тяжёлая минус самая лёгкая.</translation>
+    </message>
+    <message>
+        <source>Heaviest, cylinder</source>
+        <translation>Самая тяжёлая, цилиндр</translation>
+    </message>
+    <message>
+        <source>Lightest, cylinder</source>
+        <translation>Самая лёгкая, цилиндр</translation>
+    </message>
+    <message>
+        <source>Within permitted spread</source>
+        <translation>В пределах допустимого разброса</translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation>Снять</translation>
+    </message>
+    <message>
+        <source>Mean minus nominal</source>
+        <translation>Среднее минус номинал</translation>
+    </message>
+    <message>
+        <source>Placing of the parts</source>
+        <translation>Расстановка деталей</translation>
+    </message>
+    <message>
+        <source>Sets moved</source>
+        <translation>Переставлено комплектов</translation>
+    </message>
+    <message>
+        <source>Spread of the crankpins before</source>
+        <translation>Разброс шатунных шеек до</translation>
+    </message>
+    <message>
+        <source>Spread of the crankpins</source>
+        <translation>Разброс шатунных шеек</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Доказано</translation>
+    </message>
+    <message>
+        <source>Shaking before</source>
+        <translation>Тряска до</translation>
+    </message>
+    <message>
+        <source>Shaking</source>
+        <translation>Тряска</translation>
+    </message>
+    <message>
+        <source>Force, mass at the crank radius</source>
+        <translation>Сила, масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>RMS at the ends</source>
+        <translation>Среднеквадратичное на концах</translation>
+    </message>
+    <message>
+        <source>Couple, mass at the crank radius</source>
+        <translation>Момент, масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Force, unbalance</source>
+        <translation>Сила, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Couple, unbalance</source>
+        <translation>Момент, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Сила</translation>
+    </message>
+    <message>
+        <source>Couple</source>
+        <translation>Момент</translation>
+    </message>
+    <message>
+        <source>Bob weight of the readings</source>
+        <translation>Балансировочный груз показаний</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Строки</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Масса</translation>
+    </message>
+    <message>
+        <source>In all</source>
+        <translation>Всего</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bob-weights/input.h"
+#include "bob-weights/result.h"
+#include "case-file/result_visitor.h"
+#include "case-file/verdict.h"
+
+namespace ravnoves::bob_weights {
+
+/// The values of a solved input, in the order of the contract.
+/// @param result  solve(input) of an input that holds all that a result needs
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
+/// The same, which solves the input first.
+void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// Whether the crankshaft passes; before it is read, what to hang on it.
+Verdict verdict(const Input& input, const Result& result);
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,143 @@
+#include "shop/results.h"
+
+#include <limits>
+
+#include "shop/balance_grade.h"
+
+namespace ravnoves::shop {
+
+namespace {
+
+namespace key = result_field;
+
+void visit_shaking(ResultVisitor& visitor, const ResultField& field, const Shaking& shaking,
+                   bool spacing_known, const std::optional<double>& radius,
+                   const std::optional<double>& speed) {
+    visitor.object(field, [&] {
+        visitor.number(key::force_mass, shaking.force);
+        visitor.number(key::ends, shaking.ends);
+        if (spacing_known) {
+            visitor.number(key::couple_mass, shaking.couple);
+        }
+        if (!radius) {
+            return;
+        }
+        visitor.number(key::force_unbalance, shaking.force * *radius);
+        if (spacing_known) {
+            visitor.number(key::couple_unbalance, shaking.couple * *radius);
+        }
+        if (speed) {
+            visitor.number(key::force, shaking.force * *radius * *speed * *speed);
+            if (spacing_known) {
+                visitor.number(key::couple, shaking.couple * *radius * *speed * *speed);
+            }
+        }
+    });
+}
+
+std::vector<int> from_one(const std::vector<int>& cylinders) {
+    std::vector<int> list;
+    for (const int cylinder : cylinders) {
+        list.push_back(cylinder + 1);
+    }
+    return list;
+}
+
+}  // namespace
+
+void visit_column(ResultVisitor& visitor, Part part, const ColumnStatistics& statistics,
+                  std::span<const Weighed> masses, const std::optional<double>& nominal) {
+    visitor.object({.key = part_word(part).word, .label = part_word(part).label}, [&] {
+        visitor.number(key::mean, statistics.mean);
+        visitor.number(key::spread, statistics.spread);
+        visitor.integer(key::heaviest_cylinder, statistics.heaviest + 1);
+        visitor.integer(key::lightest_cylinder, statistics.lightest + 1);
+        visitor.flag(key::within_permitted_spread, statistics.within_permitted);
+        std::vector<double> off;
+        for (const Weighed& mass : take_off(masses)) {
+            off.push_back(mass.value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+        visitor.numbers(key::take_off, off);
+        if (nominal) {
+            visitor.number(key::mean_deviation, statistics.mean - *nominal);
+        }
+    });
+}
+
+void visit_matched(ResultVisitor& visitor, const Matched& matched,
+                   const std::optional<double>& crank_radius, const std::optional<double>& speed) {
+    visitor.integers(key::pistons_from, from_one(matched.pistons));
+    visitor.integers(key::rods_from, from_one(matched.rods));
+    visitor.integer(key::sets_moved, matched.moved);
+    visitor.word(key::goal, goal_words[static_cast<std::size_t>(matched.goal)].word);
+    visitor.number(key::spread_before, matched.spread_before);
+    visitor.number(key::spread_after, matched.spread);
+    visitor.flag(key::proven, matched.proven);
+    if (matched.shaking && matched.shaking_before) {
+        visit_shaking(visitor, key::shaking_before, *matched.shaking_before, matched.spacing_known,
+                      crank_radius, speed);
+        visit_shaking(visitor, key::shaking, *matched.shaking, matched.spacing_known, crank_radius,
+                      speed);
+    }
+    if (!matched.remark.empty()) {
+        visitor.text(key::remark, matched.remark);
+    }
+}
+
+void visit_other(ResultVisitor& visitor, const std::optional<double>& read_with,
+                 const std::optional<OtherShaft>& read_on) {
+    if (read_with) {
+        visitor.number(key::read_with, read_with);
+    }
+    if (read_on) {
+        visitor.word(key::read_on, read_on->then);
+    }
+}
+
+Message other_readings(const std::optional<double>& read_with,
+                       const std::optional<OtherShaft>& read_on,
+                       const std::optional<double>& bob_weight_now) {
+    const auto grams = [](double mass) { return Number{mass / units::gram, units::gram, -1}; };
+    if (read_on) {
+        return {CORE_TEXT("workshop",
+                          "The readings are of another crankshaft: number %1 then, %2 now. Take "
+                          "them again."),
+                read_on->then, read_on->now};
+    }
+    if (read_with) {
+        return {CORE_TEXT("workshop",
+                          "The readings were taken with another bob weight: %1 then, %2 now. Take "
+                          "them again."),
+                grams(*read_with), grams(bob_weight_now.value_or(0.0))};
+    }
+    return {};
+}
+
+void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double>, 2>& unbalance,
+                         const std::optional<std::array<double, 2>>& permissible) {
+    if (!permissible) {
+        return;
+    }
+    bool is_whole = true;
+    bool fails = false;
+    std::array<Number, 2> shown{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        is_whole = is_whole && unbalance[i];
+        fails = fails || !is_within(unbalance[i].value_or(0.0), (*permissible)[i]);
+        shown[i] = {unbalance[i].value_or(0.0) / units::gram_mm, units::gram_mm, -1};
+    }
+    if (!is_whole && !fails) {
+        return;
+    }
+    const Message said{
+        fails ? CORE_TEXT("workshop", "Fails: %1 front, %2 rear; permissible %3 and %4.")
+              : CORE_TEXT("workshop", "Passes: %1 front, %2 rear; permissible %3 and %4."),
+        unbalance[0] ? Message(shown[0]) : Message("–"),
+        unbalance[1] ? Message(shown[1]) : Message("–"),
+        Number{(*permissible)[0] / units::gram_mm, units::gram_mm, -1},
+        Number{(*permissible)[1] / units::gram_mm, units::gram_mm, -1}};
+    verdict.text = verdict.text.empty() ? said : Message(Text{"", "%1 %2"}, said, verdict.text);
+    verdict.severity = fails ? Severity::error : verdict.severity;
+}
+
+}  // namespace ravnoves::shop

@@ -1,0 +1,314 @@
+#include "v8-plugs/results.h"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "numerics/demand.h"
+#include "shop/results.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/result_fields.h"
+#include "v8-plugs/solver.h"
+
+namespace ravnoves::v8_plugs {
+
+namespace {
+
+using ravnoves::result_field::feasible;
+using ravnoves::result_field::reason;
+namespace key = result_field;
+
+constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
+
+void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const BobWeight& weight) {
+    visitor.object(field, [&] {
+        visitor.number(key::sum, weight.sum());
+        shop::visit_lines(visitor, weight.lines.size(), [&](std::size_t i) {
+            const BobWeightLine& line = weight.lines[i];
+            return shop::CardLine{bob_weight_word(line.part).word, line.factor, line.mass};
+        });
+    });
+}
+
+void visit_shift_effect(ResultVisitor& visitor, const ShiftEffect& effect, double tolerance) {
+    visitor.word(key::from, effect.planned ? "bore" : "range");
+    visitor.numbers(key::shift, {effect.least_shift, effect.greatest_shift});
+    visitor.numbers(key::unbalance, {effect.least, effect.greatest});
+    visitor.number(key::residual_unbalance, effect.residual_unbalance);
+    visitor.flag(key::beyond_tolerance, std::abs(effect.residual_unbalance) > tolerance);
+    // For the shifts in their order: the least asks for most.
+    visitor.numbers(key::corrected_reduction, {effect.greatest_reduction, effect.least_reduction});
+    if (effect.depth) {
+        visitor.number(key::corrected_depth, effect.depth);
+    }
+}
+
+void visit_boring(ResultVisitor& visitor, const Boring& boring,
+                  const std::optional<ShiftEffect>& effect) {
+    const bool possible = boring.limit == Boring::Limit::none;
+    visitor.flag(key::possible, possible);
+    visitor.word(key::limited_by, limit_words.at(static_cast<std::size_t>(boring.limit)));
+    visitor.number(key::depth, boring.depth);
+    visitor.number(key::deeper_by, boring.deeper);
+    visitor.number(key::wall, boring.wall);
+    visitor.number(key::bottom, boring.bottom);
+    visitor.number(key::maximum_reduction, boring.max_reduction);
+    if (possible) {
+        visitor.number(key::shift, effect ? effect->greatest_shift : 0.0);
+        visitor.number(key::shift_unbalance, effect ? effect->greatest : 0.0);
+    }
+}
+
+void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, double crank_radius,
+                  double tolerance) {
+    const auto& option = result.option(id);
+    const auto& weights = result.bob_weights[index(id)];
+    const auto number = [&](const ResultField& field, double Option::*member) {
+        visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
+    };
+    number(key::constant, &Option::constant);
+    number(key::slope, &Option::slope);
+    number(key::maximum, &Option::maximum);
+    number(key::required_reduction, &Option::required_reduction);
+    number(key::reduction, &Option::reduction);
+    visitor.flag(feasible, option && option->feasible);
+    number(key::residual_mass, &Option::residual_mass);
+    number(key::residual_unbalance, &Option::residual_unbalance);
+    const auto weight = [&](const ResultField& field, const BobWeight OptionBobWeight::*which,
+                            double (BobWeight::*sum)() const) {
+        visitor.number(field, weights ? std::optional(((*weights).*which.*sum)()) : std::nullopt);
+    };
+    weight(key::bob_weight_sum, &OptionBobWeight::after, &BobWeight::sum);
+    weight(key::with_plugs_in, &OptionBobWeight::after, &BobWeight::with_plugs_in);
+    if (!option) {
+        visitor.text(reason, CORE_TEXT("v8-plugs", "the engine has no such plug"));
+        return;
+    }
+    weight(key::nominal_bob_weight, &OptionBobWeight::nominal, &BobWeight::sum);
+    const double plug = option->plug_mass_unmachined - option->reduction;
+    visitor.number(key::plug_mass, plug);
+    if (!option->feasible) {
+        visitor.text(reason, describe_failure(*option, tolerance));
+    }
+    if (weights) {
+        visit_bob_weight(visitor, key::bob_weight, weights->after);
+    }
+    visitor.list(key::shifts, 2, [&](std::size_t i) {
+        const double shift = i == 0 ? smallest_shift : largest_shift;
+        visitor.number(key::shift, shift);
+        visitor.number(key::coefficient, shift_coefficient(shift, crank_radius));
+        visitor.number(key::unbalance, shift_unbalance(plug, shift));
+    });
+    if (const auto& effect = result.shift[index(id)]) {
+        visitor.object(key::shift_effect, [&] { visit_shift_effect(visitor, *effect, tolerance); });
+    }
+    if (const auto& boring = result.boring[index(id)]) {
+        visitor.object(key::boring,
+                       [&] { visit_boring(visitor, *boring, result.shift[index(id)]); });
+    }
+}
+
+void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_count>& excess,
+                     double crank_radius) {
+    visitor.object(key::crankpins, [&] {
+        const double mean = std::accumulate(excess.begin(), excess.end(), 0.0) / crankpin_count;
+        std::vector<double> deviation;
+        for (const double mass : excess) {
+            deviation.push_back((mass - mean) * crank_radius);
+        }
+        visitor.numbers(key::unbalanced_mass, {excess.begin(), excess.end()});
+        visitor.number(shop::result_field::spread, spread(excess));
+        visitor.numbers(key::deviation, deviation);
+    });
+}
+
+void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& result,
+                    double crank_radius) {
+    for (const Part part : all_parts) {
+        const PartColumn& column = (*input.weigh_in)[part];
+        if (const auto found = statistics(column)) {
+            shop::visit_column(visitor, part, *found, column.mass, column.nominal);
+        }
+    }
+    if (result.assignment) {
+        visit_crankpins(visitor, *result.crankpin_excess, crank_radius);
+        visitor.object(shop::result_field::assignment, [&] {
+            const auto& speed = input.balancing ? input.balancing->service_speed : std::nullopt;
+            shop::visit_matched(visitor, *result.assignment, crank_radius, speed);
+            visit_crankpins(visitor, *result.assigned_excess, crank_radius);
+        });
+    }
+}
+
+void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
+                     const std::optional<PlugMass>& mass) {
+    if (mass) {
+        visitor.object(field, [&] {
+            visitor.number(key::geometry_mass, mass->geometry);
+            visitor.number(key::entered_mass, mass->typed);
+            visitor.flag(key::fits, mass->fits);
+        });
+    }
+}
+
+void visit_plane(ResultVisitor& visitor, const ResultField& field, const PlaneVerdict& plane) {
+    visitor.object(field, [&] {
+        visitor.number(key::permissible, plane.permissible);
+        if (plane.reading) {
+            visitor.number(key::reading, plane.reading);
+            visitor.flag(key::passes, plane.passes);
+        }
+    });
+}
+
+void visit_machine(ResultVisitor& visitor, const Result& result) {
+    const auto& [front, rear] = result.planes;
+    if (!result.balancing && !front.reading && !rear.reading) {
+        return;
+    }
+    visitor.object(key::balancing, [&] {
+        visitor.word(key::limit, result.balancing ? "iso-21940-11" : "tolerance");
+        visit_plane(visitor, key::front, front);
+        visit_plane(visitor, key::rear, rear);
+        shop::visit_other(visitor, result.read_with, result.read_on);
+        if (result.balancing) {
+            visitor.number(key::permissible, result.balancing->permissible);
+        }
+    });
+}
+
+/// What is to be done, with the bore where there is one.
+Message advice_text(const Input& input, const Result& result) {
+    const Advice& advice = *result.advice;
+    Message text =
+        describe(advice, *result.unbalanced_mass, result.plugs->crank_radius, input.tolerance);
+    if (advice.kind == Advice::Kind::option && input.plug) {
+        const auto& boring = result.boring[index(advice.option.value().id)];
+        if (boring && boring->cuts) {
+            return two_sentences(std::move(text), describe(*boring, input.plug->limits().value()));
+        }
+    }
+    return text;
+}
+
+std::string_view recommended_word(const Advice& advice) {
+    return advice.kind == Advice::Kind::none_needed ? "none-needed"
+           : advice.kind == Advice::Kind::option    ? option_word(advice.option.value().id).word
+                                                    : "";
+}
+
+}  // namespace
+
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
+    RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass && result.advice,
+                    "what is written is the result of a whole input");
+    const PlugSet& plugs = *result.plugs;
+    const double excess = *result.unbalanced_mass;
+    const Coefficients coefficients = plugs.coefficients();
+    if (visitor.wants(ravnoves::result_field::verdict.key)) {
+        visit_verdict(visitor, verdict(input, result));
+    }
+    visitor.number(key::unbalanced_mass, excess);
+    visitor.number(key::unbalance, excess * plugs.crank_radius);
+    visitor.number(key::k_p, coefficients.k_p);
+    visitor.number(key::k_y, coefficients.k_y);
+    visitor.number(key::k_y_new, coefficients.k_y_new);
+    visitor.number(key::slope_angle, std::atan(coefficients.k_y));
+    visitor.object(key::mass_changes, [&] {
+        for (const auto& [field, member, repair_only] : mass_change_fields()) {
+            visitor.number({field.key, field.unit, 3, field.label}, result.changes.*member);
+        }
+    });
+    if (visitor.wants(key::not_counted.key)) {
+        visitor.texts(key::not_counted, not_counted(input));
+    }
+    visitor.object(key::options, [&] {
+        for (const OptionId id : all_options) {
+            visitor.object({.key = option_word(id).word, .label = option_word(id).label}, [&] {
+                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance);
+            });
+        }
+    });
+    const std::string_view recommended = recommended_word(*result.advice);
+    visitor.word(key::recommended, recommended);
+    if (visitor.wants(reason.key)) {
+        visitor.text(reason, advice_text(input, result));
+    }
+    // Green, amber or red: works; works by the method's count only; does not.
+    const ShiftEffect* shift = result.shift_that_matters();
+    visitor.word(key::state, recommended.empty() ? "fails"
+                             : shift != nullptr  ? "warning"
+                                                 : "works");
+    if (shift != nullptr) {
+        visitor.text(key::warning, describe(*shift, input.tolerance));
+    }
+    if (result.nominal && result.before) {
+        visitor.object(key::bob_weight, [&] {
+            visit_bob_weight(visitor, key::nominal, *result.nominal);
+            visit_bob_weight(visitor, key::before, *result.before);
+        });
+    }
+    if (input.weigh_in) {
+        visitor.object(shop::result_field::weigh_in,
+                       [&] { visit_weigh_in(visitor, input, result, plugs.crank_radius); });
+    }
+    if (result.steel_plug) {
+        visitor.object(key::plug, [&] {
+            visit_plug_mass(visitor, key::steel, result.steel_plug);
+            visit_plug_mass(visitor, key::aluminium, result.aluminium_plug);
+        });
+    }
+    visit_machine(visitor, result);
+}
+
+void visit_results(ResultVisitor& visitor, const Input& input) {
+    visit_results(visitor, input,
+                  solve(input, true, visitor.wants(shop::result_field::weigh_in.key)));
+}
+
+Verdict verdict(const Input& input, const Result& result) {
+    const bool works = !recommended_word(*result.advice).empty();
+    Verdict verdict{works ? Severity::good : Severity::error, advice_text(input, result)};
+    if (const ShiftEffect* shift = result.shift_that_matters()) {
+        verdict.warn(describe(*shift, input.tolerance));
+    }
+    verdict.warn(plug_doubt(input, result));
+    if (result.holds()) {
+        shop::add_machine_verdict(
+            verdict, {result.planes[0].reading, result.planes[1].reading},
+            std::array{result.planes[0].permissible, result.planes[1].permissible});
+    } else {
+        verdict.warn(shop::other_readings(result.read_with, result.read_on, result.hung()));
+    }
+    return verdict;
+}
+
+Message plug_doubt(const Input& input, const Result& result) {
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    const bool solid = geometry && geometry->bore_depth <= 0.0;
+    const std::tuple<const std::optional<PlugMass>&, std::optional<double> Engine::*, Text>
+        plugs[] = {
+            {result.steel_plug, &Engine::steel_plug_mass, CORE_TEXT("v8-plugs", "Steel plug")},
+            {result.aluminium_plug, &Engine::aluminium_plug_mass,
+             CORE_TEXT("v8-plugs", "Aluminium plug")}};
+    for (const auto& [mass, member, name] : plugs) {
+        if (!mass || mass->fits) {
+            continue;
+        }
+        if (is_printed(input, member)) {
+            return CORE_TEXT("v8-plugs", "The plug mass is the paper's: weigh the plugs.");
+        }
+        return {solid ? CORE_TEXT("v8-plugs",
+                                  "%1: %2 entered, but a solid plug of these dimensions weighs %3. "
+                                  "Enter its bore or weigh the plug.")
+                      : CORE_TEXT("v8-plugs",
+                                  "%1: %2 entered, but a plug of these dimensions weighs %3. Weigh "
+                                  "the plug."),
+                name, Number{mass->typed / units::gram, units::gram, -2},
+                Number{mass->geometry / units::gram, units::gram, -1}};
+    }
+    return {};
+}
+
+}  // namespace ravnoves::v8_plugs

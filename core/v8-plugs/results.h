@@ -1,0 +1,23 @@
+#pragma once
+
+#include "case-file/result_visitor.h"
+#include "case-file/verdict.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/result.h"
+
+namespace ravnoves::v8_plugs {
+
+/// The values of a solved input, in the order of the contract.
+/// @param result  solve(input) of an input that holds all that a result needs
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
+/// The same, which solves the input first.
+void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// Whether the plugs can compensate, and what the machine reads.
+Verdict verdict(const Input& input, const Result& result);
+
+/// That the plug's sizes do not fit its mass, as it was entered or as the paper prints it; empty
+/// where they do.
+Message plug_doubt(const Input& input, const Result& result);
+
+}  // namespace ravnoves::v8_plugs
