@@ -22,19 +22,19 @@ const double vibe_a = std::log(1000.0);
 
 }  // namespace
 
-CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes)
+CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure)
     : crank_(crank),
-      sizes_(sizes),
-      area_(pi / 4.0 * sizes.bore * sizes.bore),
+      crankcase_pressure_(crankcase_pressure),
+      area_(pi / 4.0 * bore * bore),
       top_dead_centre_(crank.top_dead_centre()),
       bottom_(crank.bottom_dead_centre() - crank.top_dead_centre()),
       longest_(crank.at(top_dead_centre_).s) {
     indicated_.displacement = area_ * crank_.stroke();
 }
 
-CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
+CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
                          const PressureTrace& trace, bool smooth)
-    : CylinderGas(crank, sizes) {
+    : CylinderGas(crank, bore, crankcase_pressure) {
     trace_ = smooth ? PeriodicPiecewise::cubic(trace.crank_angle_deg, trace.pressure)
                     : PeriodicPiecewise::linear(trace.crank_angle_deg, trace.pressure);
     period_ = pi * strokes_of(trace.crank_angle_deg);
@@ -45,9 +45,9 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
     find_indicated();
 }
 
-CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
+CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
                          const GasCycle& gas_cycle, int strokes)
-    : CylinderGas(crank, sizes) {
+    : CylinderGas(crank, bore, crankcase_pressure) {
     cycle_ = gas_cycle;
     period_ = pi * strokes;
     clearance_ = indicated_.displacement / (cycle_.compression_ratio - 1.0);
@@ -188,7 +188,7 @@ double CylinderGas::pressure(double theta) const {
 }
 
 double CylinderGas::torque(double theta) const {
-    return -(pressure(theta) - sizes_.crankcase_pressure) * area_ * crank_.at(theta).ds;
+    return -(pressure(theta) - crankcase_pressure_) * area_ * crank_.at(theta).ds;
 }
 
 std::vector<double> CylinderGas::breaks_deg() const {

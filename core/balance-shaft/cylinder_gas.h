@@ -43,14 +43,6 @@ struct GasCycle {
     bool operator==(const GasCycle&) const = default;
 };
 
-/// The cylinder that both kinds of gas torque need besides the crank; a table has its offset too.
-struct CylinderSizes {
-    double bore = 0.0;                ///< m
-    double offset = 0.0;              ///< e of the cylinder axis, m (sign of SliderCrank)
-    double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute
-    bool operator==(const CylinderSizes&) const = default;
-};
-
 /// Work and pressures of one cycle.
 struct IndicatedCycle {
     double displacement = 0.0;         ///< V_d, m³
@@ -74,13 +66,15 @@ struct IndicatedCycle {
 /// x = (1 − exp(−a τ^(m+1)))/(1 − exp(−a)), a = ln 1000 (99.9 % burnt at the end, here all of it).
 class CylinderGas {
   public:
-    /// @param smooth  reads the trace by the periodic spline, else by straight lines
-    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
+    /// @param bore                m
+    /// @param crankcase_pressure  p₀, Pa, absolute
+    /// @param smooth              reads the trace by the periodic spline, else by straight lines
+    CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
                 const PressureTrace& trace, bool smooth);
     /// @param strokes  2 or 4
     /// @throws InputError where the imep asked for needs a negative heat
-    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes, const GasCycle& cycle,
-                int strokes = 4);
+    CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
+                const GasCycle& cycle, int strokes = 4);
 
     double pressure(double theta) const;  ///< Pa; any θ, rad
     /// V = V_c + A (s_max − s), m³; V_c = 0 for a trace.
@@ -93,7 +87,7 @@ class CylinderGas {
     std::vector<double> breaks_deg() const;
 
   private:
-    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes);
+    CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure);
     double cycle_pressure(double angle) const;
     double closed_pressure(double angle) const;
     double wiebe_integral(double from, double to) const;
@@ -102,7 +96,7 @@ class CylinderGas {
     void find_indicated();
 
     SliderCrank<double> crank_;
-    CylinderSizes sizes_;
+    double crankcase_pressure_ = 0.0;  ///< p₀, Pa
     double area_ = 0.0;
     double period_ = 0.0;
     double top_dead_centre_ = 0.0;  ///< θ, rad

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ravnoves::balance_shaft {
 
 SliderCrank<double> slider_crank(const Input& input) {
-    return {input.crank_radius, input.effective_rod_length(), input.torque.cylinder.offset};
+    return {input.crank_radius, input.effective_rod_length(), input.cylinder.offset};
 }
 
 std::optional<CylinderGas> cylinder_gas(const Input& input) {
@@ -18,11 +17,13 @@ std::optional<CylinderGas> cylinder_gas(const Input& input) {
             for (double& angle : trace.crank_angle_deg) {
                 angle += source.trace_shift / degree;
             }
-            return CylinderGas(slider_crank(input), source.cylinder, trace,
+            return CylinderGas(slider_crank(input), input.effective_bore(),
+                               source.crankcase_pressure, trace,
                                input.interpolation == Interpolation::periodic_cubic);
         }
         case TorqueSource::Kind::cycle:
-            return CylinderGas(slider_crank(input), source.cylinder, source.cycle, input.strokes);
+            return CylinderGas(slider_crank(input), input.effective_bore(),
+                               source.crankcase_pressure, source.cycle, input.strokes);
         default:
             return std::nullopt;
     }
@@ -53,13 +54,8 @@ std::vector<double> torque_knots(const CylinderGas& gas) {
 }  // namespace
 
 void fill_cylinder(Input& input) {
-    if (!input.rod_length) {
-        input.rod_length = input.effective_rod_length();
-    }
-    if (!(input.torque.cylinder.bore > 0.0)) {
-        input.torque.cylinder.bore =
-            input.envelope.cylinder_bore.value_or(2.0 * input.crank_radius);
-    }
+    input.cylinder.bore = input.effective_bore();
+    input.cylinder.rod_length = input.effective_rod_length();
 }
 
 void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque) {
@@ -68,11 +64,6 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
     input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
     input.strokes = input.strokes_of_torque();
     if (!input.torque.is_computed()) {
-        // What was filled in for a computed torque goes with it.
-        const auto length = std::exchange(input.rod_length, std::nullopt);
-        if (length != input.effective_rod_length()) {
-            input.rod_length = length;
-        }
         return;
     }
     fill_cylinder(input);
@@ -81,7 +72,7 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
         cycle.combustion_start = 352.0 * degree;
         cycle.combustion_duration = 60.0 * degree;
         // Mean torque × cycle = work per cycle.
-        const double radius = 0.5 * input.torque.cylinder.bore;
+        const double radius = 0.5 * input.effective_bore();
         const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
         cycle.imep = std::max(0.0, mean_torque) * input.cycle_deg() * degree / displacement;
     }
@@ -109,7 +100,7 @@ std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& 
     // m_j r² of the fit, on a crank of radius 1.
     const double speed2 = input.angular_speed * input.angular_speed;
     const SliderCrank<double> crank{1.0, 1.0 / check.fitted_lambda,
-                                    input.torque.cylinder.offset / input.crank_radius};
+                                    input.cylinder.offset / input.crank_radius};
     const double top = crank.top_dead_centre();
     std::vector<double> gas(table.size());
     std::vector<double> unit_inertia(table.size());

@@ -18,11 +18,12 @@ SliderCrank<double> slider_crank(const Input& input);
 /// @throws InputError where the cycle cannot be
 std::optional<CylinderGas> cylinder_gas(const Input& input);
 
-/// Gives a computed torque what it needs and the input lacks: the rod's length and the bore.
+/// Gives a computed torque what it needs and the input lacks: the rod's length and the bore that
+/// hold so far by default.
 void fill_cylinder(Input& input);
 
-/// Takes the torque from another source. What a computed one needs is filled in, and goes with it
-/// as far as it is that; a cycle without a load gets that of the torque that was there.
+/// Takes the torque from another source. What a computed one needs is filled in; a cycle without a
+/// load gets that of the torque that was there.
 /// @param mean_torque  of that, N·m, driving where positive
 void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque);
 

@@ -10,11 +10,6 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-double bore_of(const Input& input) {
-    return input.envelope.cylinder_bore.value_or(
-        input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * input.crank_radius);
-}
-
 /// Of steel, as long as the bore.
 double half_disc_radius(double unbalance, double bore) {
     return std::cbrt(1.5 * unbalance / (steel_density * bore));
@@ -32,9 +27,9 @@ FrontView front_view(const Input& input) {
     FrontView view{};
     view.crank_radius = input.crank_radius;
     view.rod_length = input.effective_rod_length();
-    view.offset = input.torque.cylinder.offset;
+    view.offset = input.cylinder.offset;
     view.counterweight_radius = input.counterweight_radius;
-    view.cylinder_bore = bore_of(input);
+    view.cylinder_bore = input.effective_bore();
     view.cylinder_wall = sizes.cylinder_wall.value_or(0.06 * view.cylinder_bore);
     const SliderCrank<double> crank = view.crank();
     view.cylinder_top =
@@ -75,7 +70,7 @@ RelievedShaftSizes relieved_shaft_sizes(const Input& input) {
     if (input.relieved_shaft) {
         return *input.relieved_shaft;
     }
-    const double bore = bore_of(input);
+    const double bore = input.effective_bore();
     const double half_disc = half_disc_radius(input.unbalance(), bore);
     const double diameter = half_disc > 0.0 ? 2.0 * half_disc : bore;
     return {.diameter = within(field::bar_diameter, diameter),
@@ -99,7 +94,7 @@ Message assumed_sizes(const Input& input) {
     add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "of the crank"),
         view.crank_swing_radius);
     add(given.rod_width, CORE_TEXT("balance-shaft", "width of the rod"), view.rod_width);
-    add(given.cylinder_bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
+    add(input.cylinder.bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
     add(given.cylinder_wall, CORE_TEXT("balance-shaft", "wall of the cylinder"),
         view.cylinder_wall);
     add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "its lower end at"),

@@ -68,15 +68,6 @@ void visit_masses(FieldVisitor& visitor, Input& input) {
     }
 }
 
-void visit_cylinder(FieldVisitor& visitor, Input& input) {
-    constexpr CylinderSizes usual;
-    CylinderSizes& sizes = input.torque.cylinder;
-    visitor.number(field::bore, sizes.bore);
-    visitor.required(field::rod_length, input.rod_length);
-    visitor.number(field::offset, sizes.offset, usual.offset);
-    visitor.number(field::crankcase_pressure, sizes.crankcase_pressure, usual.crankcase_pressure);
-}
-
 void visit_cycle(FieldVisitor& visitor, GasCycle& cycle) {
     constexpr GasCycle usual;
     visitor.number(field::compression_ratio, cycle.compression_ratio);
@@ -98,6 +89,10 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
     using Kind = TorqueSource::Kind;
     TorqueSource& source = input.torque;
     int given = 0;
+    const auto visit_crankcase = [&] {
+        visitor.number(field::crankcase_pressure, source.crankcase_pressure,
+                       TorqueSource{}.crankcase_pressure);
+    };
     visitor.object_of(field::torque, true, true, [&] {
         const auto has = [&](const Field& field, Kind kind) {
             return visitor.has(field.key, source.kind == kind);
@@ -130,12 +125,12 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
                 visitor.text(field::csv, source.trace_csv);
                 visitor.optional_text(field::csv_sum, source.trace_sum.then);
                 visitor.number(field::trace_shift, source.trace_shift, 0.0);
-                visit_cylinder(visitor, input);
+                visit_crankcase();
             });
         }
         if (cycle) {
             visitor.object_of(field::cycle, true, true, [&] {
-                visit_cylinder(visitor, input);
+                visit_crankcase();
                 visit_cycle(visitor, source.cycle);
             });
         }
@@ -152,8 +147,14 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
 
 }  // namespace
 
+void visit_fields(FieldVisitor& visitor, CylinderSizes& sizes) {
+    visitor.number(field::bore, sizes.bore);
+    visitor.number(field::rod_length, sizes.rod_length);
+    visitor.number(field::offset, sizes.offset, CylinderSizes{}.offset,
+                   FieldVisitor::Written::always);
+}
+
 void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes) {
-    visitor.number(field::cylinder_bore, sizes.cylinder_bore);
     visitor.number(field::cylinder_top, sizes.cylinder_top);
     visitor.number(field::cylinder_bottom, sizes.cylinder_bottom);
     visitor.number(field::cylinder_wall, sizes.cylinder_wall);
@@ -211,7 +212,6 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     using Written = FieldVisitor::Written;
     const int speed =
         visitor.one_of({field::speed.key, field::angular_speed.key}, input.speed_in_rpm ? 0 : 1);
-    const bool all = speed < 0;
     if (speed != 1) {
         visitor.number(field::speed, input.angular_speed);
     }
@@ -222,6 +222,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
         input.speed_in_rpm = speed == 0;
     }
     visitor.number(field::crank_radius, input.crank_radius);
+    visitor.object_of(field::cylinder, false, true, [&] { visit_fields(visitor, input.cylinder); });
     visit_masses(visitor, input);
     visitor.number(field::counterweight_radius, input.counterweight_radius);
     visitor.number(field::counterweight_mass, input.counterweight_mass);
@@ -232,19 +233,6 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.choice(field::interpolation, input.interpolation, Interpolation::linear,
                    Written::always);
     visitor.number(field::step, input.step_deg, 1.0, Written::always);
-    if (all || !input.torque.is_computed()) {
-        visitor.number(field::rod_length, input.rod_length);
-        visitor.number(field::offset, input.torque.cylinder.offset, CylinderSizes{}.offset);
-    } else {
-        for (const std::string_view key : {field::rod_length.key, field::offset.key}) {
-            if (visitor.has(key, false)) {
-                throw InputError(visitor.pointer() + "/" + std::string(key),
-                                 CORE_TEXT("balance-shaft",
-                                           "must be left out where the torque's own object gives "
-                                           "it"));
-            }
-        }
-    }
     visitor.number(field::rod_mass, input.rod_mass);
     visitor.number(field::crank_share, input.crank_share, 0.5);
     visitor.object_with_defaults(field::gears, input.gears);

@@ -38,6 +38,44 @@ inline constexpr Field crank_radius{
     .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
     .symbol = "r",
     .hint = CORE_TEXT("balance-shaft", "Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")};
+inline constexpr Field cylinder{
+    .key = "cylinder",
+    .hint = CORE_TEXT("balance-shaft",
+                      "The cylinder and its rod, for every source of torque and for the front "
+                      "view.")};
+inline constexpr Field bore{
+    .key = "bore_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .size = engine_lengths,
+    .label = CORE_TEXT("balance-shaft", "&Bore"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Diameter of the cylinder; a pressure trace or a computed cycle needs it. "
+                      "TMZ-650D: 95.5 mm."),
+    .if_empty = CORE_TEXT("balance-shaft", "the stroke, 2 r"),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field rod_length{
+    .key = "rod_length_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .size = engine_lengths,
+    .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
+    .symbol = "L",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Between the centres of the rod's eyes. It decides what can be built, the "
+                      "r/L of the torque's check and a computed torque, which needs it."),
+    .if_empty = CORE_TEXT("balance-shaft", "r / 0.3"),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field offset{
+    .key = "offset_mm",
+    .unit = units::mm,
+    .range = Range::between(-10000, 10000),
+    .label = CORE_TEXT("balance-shaft", "O&ffset e"),
+    .symbol = "e",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Distance of the cylinder axis from the crank axis, positive on the side to "
+                      "which the crankpin moves first. Crank angles count from the true top dead "
+                      "centre, α from the direction of the cylinder.")};
 /// The object {name: kg}; its parts must add up to more than 0.
 inline constexpr Field reciprocating_masses{
     .key = "reciprocating_masses_kg",
@@ -163,18 +201,6 @@ inline constexpr Field step{
     .range = Range::between(0.01, 90),
     .hint = CORE_TEXT("balance-shaft", "Step of the curves and of the sweep over α."),
     .is_setting = true};
-inline constexpr Field rod_length{
-    .key = "rod_length_mm",
-    .unit = units::mm,
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
-    .symbol = "L",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Between the centres of the rod's eyes. It decides what can be built, the "
-                      "r/L of the torque's check and a computed torque."),
-    .if_empty = CORE_TEXT("balance-shaft", "r / 0.3"),
-    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 /// Part of m_j r that an engine without a shaft balances on the crank.
 inline constexpr Field crank_share{
     .key = "crank_share",
@@ -187,15 +213,6 @@ inline constexpr Field crank_share{
 
 inline constexpr Field envelope{.key = "envelope",
                                 .hint = CORE_TEXT("balance-shaft", "Sizes of the front view.")};
-inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
-                                     .unit = units::mm,
-                                     .range = Range::greater_than(0),
-                                     .size = engine_lengths,
-                                     .label = CORE_TEXT("balance-shaft", "Cylinder &bore"),
-                                     .if_empty = CORE_TEXT("balance-shaft",
-                                                           "that of the computed cycle, else the "
-                                                           "stroke, 2 r"),
-                                     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_top{
     .key = "cylinder_top_mm",
     .unit = units::mm,
@@ -425,22 +442,6 @@ inline constexpr Field trace_shift{
                       "from the firing top dead centre.")};
 inline constexpr Field cycle{.key = "cycle",
                              .hint = CORE_TEXT("balance-shaft", "Gas torque of a computed cycle.")};
-inline constexpr Field bore{
-    .key = "bore_mm",
-    .unit = units::mm,
-    .range = Range::greater_than(0, 10000),
-    .label = CORE_TEXT("balance-shaft", "&Bore"),
-    .hint = CORE_TEXT("balance-shaft", "Diameter of the cylinder. TMZ-650D: 95.5 mm.")};
-inline constexpr Field offset{
-    .key = "offset_mm",
-    .unit = units::mm,
-    .range = Range::between(-10000, 10000),
-    .label = CORE_TEXT("balance-shaft", "O&ffset e"),
-    .symbol = "e",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Distance of the cylinder axis from the crank axis, positive on the side to "
-                      "which the crankpin moves first. Crank angles count from the true top dead "
-                      "centre, α from the direction of the cylinder.")};
 inline constexpr Field crankcase_pressure{
     .key = "crankcase_pressure_bar",
     .unit = units::bar,

@@ -45,7 +45,7 @@ void add_gears(std::vector<Formula>& list, const GearPair& gears) {
 }  // namespace
 
 std::vector<Formula> formulas(const Input& input) {
-    const bool offset = input.torque.cylinder.offset != 0.0;
+    const bool offset = input.cylinder.offset != 0.0;
     std::vector<Formula> list;
     if (input.reciprocating_masses.size() > 1) {
         list.push_back(

@@ -163,10 +163,11 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     const double mass = input.reciprocating_mass();
     check.entered = mass * input.crank_radius * input.crank_radius * speed * speed;
     const std::optional<double> lambda =
-        input.rod_length ? std::optional(input.crank_radius / *input.rod_length) : std::nullopt;
+        input.cylinder.rod_length ? std::optional(input.crank_radius / *input.cylinder.rod_length)
+                                  : std::nullopt;
     check.lambda_fitted = !lambda;
     const bool four_stroke = strokes_of(table.crank_angle_deg) == 4;
-    const double offset = input.torque.cylinder.offset / input.crank_radius;
+    const double offset = input.cylinder.offset / input.crank_radius;
     const auto best_fit = [&](const std::optional<double>& held) {
         const Fit first = fit_stroke(table, offset, 0.0, held);
         const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, held) : Fit{};
@@ -285,9 +286,10 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
     if (!check.fitted || input.torque.is_computed()) {
         return changed;
     }
-    const double lambda =
-        input.rod_length ? input.crank_radius / *input.rod_length : check.fitted_lambda;
-    const double offset = input.torque.cylinder.offset / input.crank_radius;
+    const double lambda = input.cylinder.rod_length
+                              ? input.crank_radius / *input.cylinder.rod_length
+                              : check.fitted_lambda;
+    const double offset = input.cylinder.offset / input.crank_radius;
     TorqueTable& table = changed.torque.table;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double angle = table.crank_angle_deg[i] * degree;

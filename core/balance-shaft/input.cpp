@@ -1,6 +1,7 @@
 #include "balance-shaft/input.h"
 
 #include <cmath>
+#include <utility>
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
@@ -19,15 +20,6 @@ std::string pointer(const Field& field, const std::string& parent = "/input") {
 
 Number shown(const Field& field, double si) {
     return {from_si(field, si)};
-}
-
-/// The object of the case that gives the cylinder's sizes: that of a computed torque, else "input".
-std::string cylinder_place(const Input& input) {
-    if (!input.torque.is_computed()) {
-        return "/input";
-    }
-    const bool traced = input.torque.kind == TorqueSource::Kind::pressure;
-    return pointer(traced ? field::pressure : field::cycle, pointer(field::torque));
 }
 
 void check_masses(const Input& input) {
@@ -118,14 +110,11 @@ void check_strokes(const Input& input) {
 
 /// The crank must turn round, with room to spare where the cylinder is offset.
 void check_rod(const Input& input) {
-    const std::string parent = cylinder_place(input);
-    const double offset = input.torque.cylinder.offset;
-    if (offset == 0.0 && !input.torque.is_computed()) {
-        return;
-    }
+    const std::string parent = pointer(field::cylinder);
+    const double offset = input.cylinder.offset;
     const double least = input.crank_radius + 2.0 * std::abs(offset);
     if (!(input.effective_rod_length() > least * (1.0 + 1e-9))) {
-        if (!input.rod_length) {
+        if (!input.cylinder.rod_length) {
             throw InputError(
                 pointer(field::offset, parent),
                 {CORE_TEXT("balance-shaft",
@@ -148,31 +137,36 @@ void check_torque(const Input& input) {
     if (!source.is_computed()) {
         check_torque_table(source.table, pointer(field::torque));
         check_strokes(input);
-        check_rod(input);
         return;
     }
-    const std::string parent = cylinder_place(input);
-    if (!input.rod_length) {
-        throw InputError(pointer(field::rod_length, parent),
-                         CORE_TEXT("core", "is required and missing"));
+    const std::string cylinder = pointer(field::cylinder);
+    for (const auto& [field, size] : {std::pair(&field::bore, input.cylinder.bore),
+                                      std::pair(&field::rod_length, input.cylinder.rod_length)}) {
+        if (!size) {
+            throw InputError(pointer(*field, cylinder),
+                             {CORE_TEXT("balance-shaft",
+                                        "is required with a pressure trace or a computed cycle, "
+                                        "and missing")});
+        }
     }
-    check_rod(input);
     // Beyond these no cylinder exists, and pressures and powers of volumes leave double's range.
     constexpr Range displacement_range = Range::between(1e-12, 1e3);
     const SliderCrank<double> crank = slider_crank(input);
-    const double displacement =
-        pi / 4.0 * source.cylinder.bore * source.cylinder.bore * crank.stroke();
+    const double bore = *input.cylinder.bore;
+    const double displacement = pi / 4.0 * bore * bore * crank.stroke();
     if (!displacement_range.contains(displacement)) {
         throw InputError(
-            pointer(field::bore, parent),
+            pointer(field::bore, cylinder),
             CORE_TEXT("balance-shaft", "must make a displacement from 1e-6 cm³ to 1e9 cm³"),
             Number{displacement / units::cm3, units::cm3, 6});
     }
     if (source.kind == TorqueSource::Kind::pressure) {
-        check_pressure_trace(source.trace, pointer(field::csv, parent));
+        check_pressure_trace(source.trace,
+                             pointer(field::csv, pointer(field::pressure, pointer(field::torque))));
         check_strokes(input);
     } else {
-        check_cycle(source.cycle, crank, input.strokes, parent);
+        check_cycle(source.cycle, crank, input.strokes,
+                    pointer(field::cycle, pointer(field::torque)));
     }
 }
 
@@ -246,8 +240,12 @@ int Input::strokes_of_torque() const {
                                                     : strokes_of(torque.table.crank_angle_deg);
 }
 
+double Input::effective_bore() const {
+    return cylinder.bore.value_or(2.0 * crank_radius);
+}
+
 double Input::effective_rod_length() const {
-    return rod_length.value_or(crank_radius / default_lambda);
+    return cylinder.rod_length.value_or(crank_radius / default_lambda);
 }
 
 void check_speed_band(const SpeedBand& band) {
@@ -269,6 +267,7 @@ void check_input(const Input& input) {
 
 void check_joined(const Input& input) {
     check_masses(input);
+    check_rod(input);
     check_torque(input);
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
@@ -285,12 +284,6 @@ void check_joined(const Input& input) {
             {CORE_TEXT("balance-shaft", "must be less than the teeth, which must be from %1 to %2"),
              field::teeth.range.min, field::teeth.range.max},
             Number{1.0 * gears.shifted_teeth});
-    }
-    if (input.rod_length && !(*input.rod_length > input.crank_radius)) {
-        throw InputError(pointer(field::rod_length),
-                         {CORE_TEXT("balance-shaft", "must be greater than the crank radius, %1"),
-                          shown(field::crank_radius, input.crank_radius)},
-                         shown(field::rod_length, *input.rod_length));
     }
     check_limits(input.place_limits);
     if (input.speed_band) {

@@ -75,9 +75,9 @@ struct TorqueSource {
     PressureTrace trace;    ///< for pressure
     std::string trace_csv;  ///< path of the file that holds it
     FileSum trace_sum;
-    double trace_shift = 0.0;  ///< added to its crank angles, rad
-    GasCycle cycle;            ///< for cycle
-    CylinderSizes cylinder;    ///< for pressure and cycle
+    double trace_shift = 0.0;         ///< added to its crank angles, rad
+    GasCycle cycle;                   ///< for cycle
+    double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute; for pressure and cycle
 
     /// The torque follows the speed and the masses entered.
     bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }
@@ -91,10 +91,17 @@ struct TorqueSource {
     bool operator==(const TorqueSource&) const = default;
 };
 
+/// The cylinder and its rod, for every source of torque and for the front view.
+struct CylinderSizes {
+    std::optional<double> bore;        ///< m; default: the stroke, 2 r
+    std::optional<double> rod_length;  ///< L, m; default r / default_lambda
+    double offset = 0.0;               ///< e of the cylinder axis, m (sign of SliderCrank)
+    bool operator==(const CylinderSizes&) const = default;
+};
+
 /// Sizes for the front view and for what can be built; what is empty has a default made from the
 /// other inputs (FrontView).
 struct EnvelopeSizes {
-    std::optional<double> cylinder_bore;       ///< m; default: the torque source's bore, else 2 r
     std::optional<double> cylinder_top;        ///< m above the crank axis; default: the pin at top
                                                ///< dead centre + bore/2
     std::optional<double> cylinder_bottom;     ///< m above the crank axis; default: the pin at
@@ -151,6 +158,7 @@ struct Input {
     double angular_speed = 0.0;  ///< ω, rad/s
     bool speed_in_rpm = true;    ///< the case file gives the speed in min⁻¹ (not rad/s)
     double crank_radius = 0.0;   ///< r, m
+    CylinderSizes cylinder;      ///< a computed torque needs its bore and its rod length
     /// Their sum is m_j, kg. One entry with an empty name stands for reciprocating_mass_kg.
     std::vector<NamedMass> reciprocating_masses;
     std::optional<double> rod_mass;     ///< kg, the whole rod with shells (the paper's Table 1)
@@ -162,8 +170,6 @@ struct Input {
     TorqueSource torque;                       ///< M_id
     Interpolation interpolation = Interpolation::linear;
     double step_deg = 1.0;  ///< step of the curves and of the sweep, °
-    /// L, m; default r / default_lambda. Needed where the torque is computed.
-    std::optional<double> rod_length;
     EnvelopeSizes envelope;
     PlaceLimits place_limits;
     double crank_share = 0.5;  ///< κ of the comparison without a shaft
@@ -172,9 +178,10 @@ struct Input {
     std::optional<SpeedBand> speed_band;
     std::optional<RelievedShaftSizes> relieved_shaft;
 
-    double reciprocating_mass() const;                    ///< m_j, kg
-    double counterweight() const;                         ///< m₁, kg, given or by equation (1)
+    double reciprocating_mass() const;  ///< m_j, kg
+    double counterweight() const;       ///< m₁, kg, given or by equation (1)
     double unbalance() const { return counterweight() * counterweight_radius; }  ///< m₁ ρ₁, kg·m
+    double effective_bore() const;                        ///< m, given or by default
     double effective_rod_length() const;                  ///< L, m, given or by default
     double cycle_deg() const { return 180.0 * strokes; }  ///< 720° or 360°
     /// What the torque's rows say of the strokes; `strokes` itself where it has none.
@@ -184,6 +191,7 @@ struct Input {
 
 /// The input's fields as fields.h describes them, for read_fields() and its like.
 void visit_fields(FieldVisitor& visitor, Input& input);
+void visit_fields(FieldVisitor& visitor, CylinderSizes& sizes);
 void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes);
 void visit_fields(FieldVisitor& visitor, PlaceLimits& limits);
 void visit_fields(FieldVisitor& visitor, GearPair& gears);

@@ -13,7 +13,7 @@ Input preset_tmz_650d() {
     input.counterweight_radius = 0.046;
     input.centre_distance = 0.10015;
     input.shaft_angle = 45.0 * degree;
-    input.envelope.cylinder_bore = 0.0955;
+    input.cylinder.bore = 0.0955;
     // Table 2, every 15°.
     input.torque.table.torque = {0,    -90,  -140, -130,  -72,    5,    67,   97,   96,  76,
                                  49,   24,   0,    -0.73, -0.154, -79,  -106, -122, -96, -80,

@@ -479,7 +479,7 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
 
 RepeatedResults::RepeatedResults(std::span<const std::string> varied)
     : keeps_torque_(std::none_of(varied.begin(), varied.end(), [](const std::string& pointer) {
-          return pointer.starts_with("/torque") || pointer == "/offset_mm";
+          return pointer.starts_with("/torque") || pointer == "/cylinder/offset_mm";
       })) {}
 
 const Moments& RepeatedResults::moments_of(const Input& input) {

@@ -74,7 +74,6 @@ Json write_kept(const Input& input) {
     const auto keep = [&](Kind kind) {
         Input other = input;
         other.torque.kind = kind;
-        other.rod_length = input.effective_rod_length();
         torque.update(write_input(other).at("torque"));
     };
     if (source.is_computed() && !source.csv.empty()) {
@@ -96,8 +95,6 @@ namespace {
 /// One kept source, read as if it were in use; files are not read.
 TorqueSource read_kept_source(const Input& input, const Json& torque) {
     Json json = write_input(input);
-    json.erase("rod_length_mm");
-    json.erase("offset_mm");
     json["torque"] = torque;
     try {
         TorqueSource source = read_fields<Input>(json).torque;
@@ -133,8 +130,7 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     const auto take = [&](const Json& torque) {
         const TorqueSource other = read_kept_source(input, torque);
         if (other.is_computed() && !source.is_computed()) {
-            source.cylinder.bore = other.cylinder.bore;
-            source.cylinder.crankcase_pressure = other.cylinder.crankcase_pressure;
+            source.crankcase_pressure = other.crankcase_pressure;
         }
         // A file that is not there may come back; until then its numbers are missing.
         try {

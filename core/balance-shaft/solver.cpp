@@ -136,8 +136,7 @@ void Solver::Prepared::prepare_spectrum() {
     const auto of_turns = static_cast<double>(turns);
     const auto series = moment.fourier_series(degree / of_turns, turns * spectrum_orders);
     for (std::size_t k = 0; k < series.size(); ++k) {
-        base.spectrum_M_up.push_back(
-            order_line(static_cast<double>(k + 1) / of_turns, series[k]));
+        base.spectrum_M_up.push_back(order_line(static_cast<double>(k + 1) / of_turns, series[k]));
     }
     base.spectrum_M_ups = base.spectrum_M_up;
 }
@@ -225,7 +224,8 @@ void Solver::Prepared::prepare_sweep() {
 
 void Solver::Prepared::prepare_notes() {
     const auto moment = [](double value) { return Number{value, units::N_m, 4}; };
-    EngineSizes sizes{input.angular_speed, input.crank_radius, input.rod_length.value_or(0.0), {}};
+    EngineSizes sizes{
+        input.angular_speed, input.crank_radius, input.cylinder.rod_length.value_or(0.0), {}};
     for (const NamedMass& part : input.reciprocating_masses) {
         sizes.masses.push_back(part.mass);
     }
@@ -352,7 +352,8 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
 
     const CurveColumns at{prepared.cos_curve.data(), prepared.sin_curve.data(),
                           prepared.base.curves.M_up.data(), prepared.cos_curve.size()};
-    run_kernel<ShaftCurves>(at, shaft.x(), shaft.y(), result.curves.M_s.data(), result.curves.M_ups.data());
+    run_kernel<ShaftCurves>(at, shaft.x(), shaft.y(), result.curves.M_s.data(),
+                            result.curves.M_ups.data());
 }
 
 double Solver::M_up(double crank_angle) const {
@@ -415,9 +416,7 @@ RelievedShaft relieved_shaft(const Solver& solver) {
     const double swing = solver.front_view().shaft_swing_radius;
     constexpr double rounding = 1e-12;
     if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
-        const auto in_mm = [](double metres) {
-            return Number{metres / units::mm, units::mm, 4};
-        };
+        const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
         shaft.feasible = false;
         shaft.reason = {CORE_TEXT("balance-shaft",
                                   "The bar does not fit in the swing circle given: its radius is "

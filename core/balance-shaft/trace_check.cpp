@@ -155,7 +155,7 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
                                   fit->missing_pressure < 1.5 * atmosphere;
     constexpr double largest_ratio = 300.0;  // of peak to bottom pressure
     if (lacks_atmosphere || (parts < least_bottom && peak > largest_ratio * bottom)) {
-        if (input.torque.cylinder.crankcase_pressure < atmosphere / 2.0) {
+        if (input.torque.crankcase_pressure < atmosphere / 2.0) {
             return {};  // both are gauge pressures, so the torque is right
         }
         return {CORE_TEXT("balance-shaft",

@@ -9,6 +9,7 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/formulas.h"
+#include "balance-shaft/older_cases.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "bob-weights/formulas.h"
@@ -135,7 +136,11 @@ CaseFile read_case(Json document) {
     for (const SceneSolver& scene : scene_solvers()) {
         names.emplace_back(scene.name);
     }
-    return read_case(std::move(document), names);
+    CaseFile file = read_case(std::move(document), names);
+    if (file.scene == "balance-shaft") {
+        balance_shaft::gather_cylinder(file);
+    }
+    return file;
 }
 
 CaseFile parse_case(std::string_view text) {

@@ -1089,6 +1089,10 @@
         <source>drilled by</source>
         <translation>просверлено по показаниям</translation>
     </message>
+    <message>
+        <source>cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
 </context>
 <context>
     <name>Matching</name>
@@ -2293,8 +2297,8 @@
         <translation>больше одного</translation>
     </message>
     <message>
-        <source>must be left out where the torque&apos;s own object gives it</source>
-        <translation>не должно стоять там, где это задано в самом объекте момента</translation>
+        <source>must be %1 as in %2, or be left out</source>
+        <translation>должно быть %1, как в %2, или отсутствовать</translation>
     </message>
     <message>
         <source>&amp;Speed n</source>
@@ -2413,10 +2417,6 @@
         <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
     </message>
     <message>
-        <source>Cylinder &amp;bore</source>
-        <translation>Ди&amp;аметр цилиндра</translation>
-    </message>
-    <message>
         <source>Crank swing radi&amp;us</source>
         <translation>Радиус оборота криво&amp;шипа</translation>
     </message>
@@ -2449,8 +2449,8 @@
         <translation>Диаметр &amp;цилиндра</translation>
     </message>
     <message>
-        <source>Diameter of the cylinder. TMZ-650D: 95.5 mm.</source>
-        <translation>Диаметр цилиндра. ТМЗ-650Д: 95,5 мм.</translation>
+        <source>Diameter of the cylinder; a pressure trace or a computed cycle needs it. TMZ-650D: 95.5 mm.</source>
+        <translation>Диаметр цилиндра; нужен для индикаторной диаграммы и расчёта цикла. ТМЗ-650Д: 95,5 мм.</translation>
     </message>
     <message>
         <source>O&amp;ffset e</source>
@@ -2603,10 +2603,6 @@
     <message>
         <source>must be less than the teeth, which must be from %1 to %2</source>
         <translation>должно быть меньше числа зубьев, а оно — от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must be greater than the crank radius, %1</source>
-        <translation>должно быть больше радиуса кривошипа, %1</translation>
     </message>
     <message>
         <source>must be less than the diameter, %1</source>
@@ -3365,8 +3361,8 @@
         <translation>по формуле (1), m₁ = mⱼ r / (2 ρ₁); число её заменяет</translation>
     </message>
     <message>
-        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque.</source>
-        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент.</translation>
+        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque, which needs it.</source>
+        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент, которому она нужна.</translation>
     </message>
     <message>
         <source>r / 0.3</source>
@@ -3441,8 +3437,8 @@
         <translation>360°, если задан другой конец</translation>
     </message>
     <message>
-        <source>that of the computed cycle, else the stroke, 2 r</source>
-        <translation>диаметр из расчёта цикла, иначе ход поршня, 2 r</translation>
+        <source>the stroke, 2 r</source>
+        <translation>ход поршня, 2 r</translation>
     </message>
     <message>
         <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together: they differ by %4, and up to %5 is what a table may be off.</source>
@@ -4115,6 +4111,18 @@
     <message>
         <source>Torque and masses do not belong together: the torque fits %1 or %2.</source>
         <translation>Момент и массы не соответствуют друг другу: моменту отвечает %1 или %2.</translation>
+    </message>
+    <message>
+        <source>The cylinder and its rod, for every source of torque and for the front view.</source>
+        <translation>Цилиндр и шатун, для любого источника момента и для вида спереди.</translation>
+    </message>
+    <message>
+        <source>is required with a pressure trace or a computed cycle, and missing</source>
+        <translation>нужно для индикаторной диаграммы и расчёта цикла, но отсутствует</translation>
+    </message>
+    <message>
+        <source>A torque source that is not in use had the bore %1. All sources have one bore now: enter it at the cylinder if it is right.</source>
+        <translation>В неиспользуемом источнике момента был диаметр цилиндра %1. Теперь он один для всех источников: если он верен, введите его у цилиндра.</translation>
     </message>
 </context>
 <context>
@@ -9810,10 +9818,6 @@ but nothing can be built</source>
     <message>
         <source>%2 less at %1° – cannot be built</source>
         <translation>на %2 меньше при&#xa0;%1° — построить нельзя</translation>
-    </message>
-    <message>
-        <source>The front view has a bore of %1, the gas torque one of %2: which is the cylinder’s?</source>
-        <translation>У вида спереди диаметр цилиндра %1, у момента газов %2: какой из них верный?</translation>
     </message>
 </context>
 <context>
@@ -17272,10 +17276,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Cylinder</source>
         <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>The rod length is on the Inputs tab.</source>
-        <translation>Длина шатуна — на вкладке «Данные».</translation>
     </message>
     <message>
         <source>Read pressure trace</source>

@@ -136,7 +136,7 @@ TEST_F(CommandLine, NeverWritesTheResultOverAFileThatTheCaseReads) {
     }
     expect_refused(run("solve study/case.json -o hard.json"), "hard.json: is the case itself");
     measured["input"]["torque"] = {
-        {"pressure", {{"csv", "../hard.csv"}, {"bore_mm", 80}, {"rod_length_mm", 150}}}};
+        {"pressure", {{"csv", "../hard.csv"}, {"bore_mm", 95.5}, {"rod_length_mm", 150}}}};
     write("study/pressure.json", measured.dump());
     expect_refused(run("solve study/pressure.json -o study/torque.csv"),
                    "study/torque.csv: is a file that the case reads");

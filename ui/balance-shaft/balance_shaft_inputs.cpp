@@ -46,21 +46,10 @@ void BalanceShaftPage::addEngine(Form* form) {
     });
     form->choice("/strokes", [this](int strokes) { return model_->setStrokes(strokes); });
     form->number("/crank_radius_mm");
-    // It stands in the object of the torque where that is computed.
-    NumberField* rod = form->number(
-        field::rod_length, [this] { return model_->input().rod_length; },
-        [this](std::optional<double> value) {
-            model_->edit(fieldName(field::rod_length),
-                         [&](Input& input) { input.rod_length = value; });
-        });
-    rod->setOptional(true);
-    // So does it.
-    form->number(
-        field::offset, [this] { return model_->input().torque.cylinder.offset; },
-        [this](std::optional<double> value) {
-            model_->edit(fieldName(field::offset),
-                         [&](Input& input) { input.torque.cylinder.offset = *value; });
-        });
+    for (const char* place :
+         {"/cylinder/bore_mm", "/cylinder/rod_length_mm", "/cylinder/offset_mm"}) {
+        form->number(place);
+    }
 }
 
 void BalanceShaftPage::addMasses(Form* form) {
@@ -98,13 +87,12 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     }
     FormSection* sizes = form->section(tr("Sizes: what can be built"));
     for (const char* place :
-         {"/envelope/cylinder_bore_mm", "/envelope/cylinder_wall_mm",
-          "/envelope/cylinder_bottom_mm", "/envelope/cylinder_top_mm", "/envelope/rod_width_mm",
-          "/envelope/crank_swing_radius_mm", "/envelope/shaft_swing_radius_mm",
-          "/envelope/gear_tip_radius_mm", "/envelope/clearance_mm", "/envelope/wall_mm"}) {
+         {"/envelope/cylinder_wall_mm", "/envelope/cylinder_bottom_mm", "/envelope/cylinder_top_mm",
+          "/envelope/rod_width_mm", "/envelope/crank_swing_radius_mm",
+          "/envelope/shaft_swing_radius_mm", "/envelope/gear_tip_radius_mm",
+          "/envelope/clearance_mm", "/envelope/wall_mm"}) {
         form->number(place);
     }
-    TorqueSourceEditor::addBores(model_, form, sizes);
     QLabel* assumed = captionLabel({}, sizes);
     sizes->addWide(assumed);
     form->follow([this, assumed] {

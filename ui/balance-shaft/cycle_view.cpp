@@ -83,7 +83,7 @@ void CycleView::showResult() {
     }
     torque_->setCurve(gas_, curves.crank_angle_deg, curves.M_gas);
     torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);
-    const bool isOffset = model_->input().torque.cylinder.offset != 0.0;
+    const bool isOffset = model_->input().cylinder.offset != 0.0;
     torque_->setCurve(offset_, isOffset ? curves.crank_angle_deg : std::vector<double>(),
                       isOffset ? curves.M_offset : std::vector<double>());
     torque_->setCurve(total_, curves.crank_angle_deg, shown.torque);

@@ -165,14 +165,6 @@ void TorqueSourceEditor::showCheck() {
     checkText_->setText(messageText(check.text));
 }
 
-void TorqueSourceEditor::addBores(BalanceShaftModel* model, Form* form, FormSection* section) {
-    QLabel* bores = captionLabel({}, section);
-    bores->setObjectName(QStringLiteral("bores"));
-    colourText(bores, &Theme::warning);
-    section->addWide(bores);
-    form->follow([model, bores] { sayOrHide(bores, model->boresText()); });
-}
-
 void TorqueSourceEditor::addNumbers(Form* form, const std::string& parent,
                                     std::initializer_list<Field> fields) {
     for (const Field& field : fields) {
@@ -209,10 +201,8 @@ QWidget* TorqueSourceEditor::buildPressure() {
         sayOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
         move->setVisible(model_->result().trace_is_a_turn_off);
     });
-    FormSection* cylinder = form->section(tr("Cylinder"));
-    addNumbers(form, "/torque/pressure", {field::bore, field::offset, field::crankcase_pressure});
-    addBores(model_, form, cylinder);
-    cylinder->addWide(captionLabel(tr("The rod length is on the Inputs tab."), form));
+    form->section(tr("Cylinder"));
+    addNumbers(form, "/torque/pressure", {field::crankcase_pressure});
     form->column()->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
         const QString path = askOpenPath(this, tr("Read pressure trace"), {}, tablesFilter());
@@ -234,9 +224,8 @@ QWidget* TorqueSourceEditor::buildCycle() {
         tr("A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe "
            "heat release, polytropic expansion. 360° is the firing top dead centre."),
         form));
-    FormSection* cylinder = form->section(tr("Cylinder"));
-    addNumbers(form, place, {field::bore, field::offset, field::crankcase_pressure});
-    addBores(model_, form, cylinder);
+    form->section(tr("Cylinder"));
+    addNumbers(form, place, {field::crankcase_pressure});
     form->section(tr("Gas exchange and compression"));
     addNumbers(form, place,
                {field::compression_ratio, field::intake_pressure, field::exhaust_pressure,

@@ -35,8 +35,6 @@ class TorqueSourceEditor : public QWidget {
     /// Puts the inertia torque of masses and speed in the place of the table's.
     static QPushButton* rebuildButton(BalanceShaftModel* model, const QString& name,
                                       QWidget* parent);
-    /// A line below a bore that differs from that of front view or computed torque.
-    static void addBores(BalanceShaftModel* model, Form* form, FormSection* section);
 
   private:
     QWidget* buildPressure();

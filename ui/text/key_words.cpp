@@ -24,6 +24,7 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "crankshaft number"),
     QT_TRANSLATE_NOOP("Keys", "customer"),
     QT_TRANSLATE_NOOP("Keys", "cycle"),
+    QT_TRANSLATE_NOOP("Keys", "cylinder"),
     QT_TRANSLATE_NOOP("Keys", "cylinder numbering"),
     QT_TRANSLATE_NOOP("Keys", "cylinders"),
     QT_TRANSLATE_NOOP("Keys", "date"),

@@ -82,7 +82,7 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
     const Printed stroke = read_printed("9.2");  // cm, of the type 1Ch9.55/9.2
     rows.at(in_text(CORE_TEXT("methods", "dynamic calculation")));
     rows.given(CORE_TEXT("methods", "bore in the engine's type"), CORE_TEXT("core", "cm").english,
-               "9.55", *input.envelope.cylinder_bore * 100.0);
+               "9.55", *input.cylinder.bore * 100.0);
     rows.given(CORE_TEXT("methods", "stroke in the engine's type"), CORE_TEXT("core", "cm").english,
                "9.2", 2.0 * input.crank_radius * 100.0);
     rows.given(CORE_TEXT("methods", "counterweight's radius ρ₁"), "m", "0.046",

@@ -132,10 +132,10 @@ BENCHMARK(solve_anew)
 Input diesel(Interpolation interpolation) {
     Input input = preset_tmz_650d();
     input.interpolation = interpolation;
-    input.rod_length = 0.150;
+    input.cylinder.rod_length = 0.150;
     input.torque = {};
     input.torque.kind = TorqueSource::Kind::cycle;
-    input.torque.cylinder.bore = 0.0955;
+    input.cylinder.bore = 0.0955;
     input.torque.cycle.heat = 1300.0;
     input.torque.cycle.combustion_start = 352.0 * degree;
     input.torque.cycle.combustion_duration = 60.0 * degree;

@@ -101,10 +101,10 @@ balance_shaft::Input engine_of_rows(int rows, balance_shaft::Interpolation inter
 
 balance_shaft::Input diesel() {
     balance_shaft::Input input = balance_shaft::preset_tmz_650d();
-    input.rod_length = 0.150;
+    input.cylinder.rod_length = 0.150;
     input.torque = {};
     input.torque.kind = balance_shaft::TorqueSource::Kind::cycle;
-    input.torque.cylinder.bore = 0.0955;
+    input.cylinder.bore = 0.0955;
     input.torque.cycle.heat = 1300.0;
     input.torque.cycle.combustion_start = 352.0 * degree;
     input.torque.cycle.combustion_duration = 60.0 * degree;

@@ -17,8 +17,7 @@ namespace {
 // As fields say them, and the help from these.
 TEST(FrontView, SizesThatAreNotGivenAreThoseThatTheFieldsName) {
     Input input = test::diesel();
-    input.envelope.cylinder_bore.reset();
-    input.torque.cylinder.bore = 0.080;
+    input.cylinder.bore = 0.080;
     FrontView view = front_view(input);
     EXPECT_EQ(view.cylinder_bore, 0.080);
     EXPECT_NEAR(view.cylinder_top, 0.046 + 0.150 + 0.040, 1e-15);
@@ -34,7 +33,7 @@ TEST(FrontView, SizesThatAreNotGivenAreThoseThatTheFieldsName) {
     input.counterweight_mass = 5.0;
     view = front_view(input);
     EXPECT_EQ(view.crank_swing_radius, view.shaft_swing_radius);
-    input.torque.kind = TorqueSource::Kind::table;
+    input.cylinder.bore.reset();
     EXPECT_EQ(front_view(input).cylinder_bore, 0.092);
 }
 
@@ -78,7 +77,7 @@ ShaftClearance dense_clearance(const FrontView& view, double alpha) {
 TEST(Clearance, IsThatOfBruteForce) {
     for (const double offset : {0.0, 0.012, -0.012}) {
         Input input = diesel();
-        input.torque.cylinder.offset = offset;
+        input.cylinder.offset = offset;
         const FrontView view = front_view(input);
         for (const double alpha : {0.1, 0.6, 1.0, 1.3, 2.0, 3.0, 4.4, 5.2, 5.7}) {
             const ShaftClearance found = shaft_clearance(view, alpha);
@@ -102,7 +101,7 @@ TEST(Clearance, IsThatOfBruteForce) {
 TEST(BuildableAngles, AreThoseWithEnoughClearance) {
     std::vector<Input> inputs{preset_tmz_650d(), diesel()};
     inputs.push_back(diesel());
-    inputs.back().torque.cylinder.offset = 0.01;
+    inputs.back().cylinder.offset = 0.01;
     inputs.push_back(diesel());
     inputs.back().centre_distance = 0.22;  // the shaft may stand beside the cylinder
     inputs.push_back(diesel());
@@ -140,7 +139,7 @@ TEST(BuildableAngles, AreThoseWithEnoughClearance) {
 TEST(BuildableAngles, MirrorWithTheCylinder) {
     Input input = diesel();
     const auto of = [&](double offset) {
-        input.torque.cylinder.offset = offset;
+        input.cylinder.offset = offset;
         return buildable_angles(front_view(input)).stretches;
     };
     const auto centred = of(0.0);
@@ -176,7 +175,7 @@ TEST(BuildableAngles, DefaultSizesOfThePaperDoNotOverlap) {
 TEST(BuildableAngles, TheBestOfThemIsThatOfADenseSearch) {
     std::vector<Input> inputs{preset_tmz_650d(), diesel()};
     inputs.push_back(diesel());
-    inputs.back().torque.cylinder.offset = 0.01;
+    inputs.back().cylinder.offset = 0.01;
     inputs.push_back(preset_tmz_650d());
     inputs.back().centre_distance = 0.3;
     for (const Input& input : inputs) {

@@ -110,10 +110,10 @@ Input engine(double mass, double rod_length) {
     Input input = preset_tmz_650d();
     input.reciprocating_masses = {{"", mass}};
     input.rod_mass.reset();
-    input.rod_length = rod_length;
+    input.cylinder.rod_length = rod_length;
     input.torque = {};
     input.torque.kind = TorqueSource::Kind::cycle;
-    input.torque.cylinder.bore = 0.0955;
+    input.cylinder.bore = 0.0955;
     input.torque.cycle.compression_ratio = 18.0;
     input.torque.cycle.intake_pressure = 0.95e5;
     input.torque.cycle.heat = 1200.0;
@@ -200,14 +200,14 @@ TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
     const double gas = 0.5e5 * pi / 4.0 * 0.0955 * 0.0955 * 0.046;
     Input input = preset_tmz_650d();
     for (const double sign : {1.0, -1.0}) {
-        input.rod_length.reset();
+        input.cylinder.rod_length.reset();
         const InertiaCheck free = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
         ASSERT_TRUE(free.fitted);
         EXPECT_NEAR(*free.fitted, 20.0, 1e-4);
         EXPECT_NEAR(free.fitted_lambda, 0.3, 1e-5);
         EXPECT_NEAR(free.gas_exchange, sign * gas, 1e-3);
         EXPECT_TRUE(free.lambda_fitted);
-        input.rod_length = 0.046 / 0.3;
+        input.cylinder.rod_length = 0.046 / 0.3;
         const InertiaCheck held = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
         EXPECT_NEAR(*held.fitted, 20.0, 1e-9);
         EXPECT_NEAR(held.fitted_lambda, 0.3, 1e-12);
@@ -217,7 +217,7 @@ TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
 
 TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
     Input input = preset_tmz_650d();
-    input.rod_length.reset();
+    input.cylinder.rod_length.reset();
     EXPECT_TRUE(check_inertia(synthetic(400.0, 0.3, 5.0, 0.01), input).consistent);
     const InertiaCheck rough = check_inertia(synthetic(400.0, 0.3, 5.0, 0.2), input);
     EXPECT_FALSE(rough.consistent);
@@ -240,7 +240,7 @@ TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
 TEST(InertiaCheck, ATorqueOfAnotherRodIsToldHoweverFarItIsOff) {
     Input input = preset_tmz_650d();
     for (const double rod : {0.046 / 0.5, 0.046 / 0.2, 0.046 / 0.09}) {
-        input.rod_length = rod;
+        input.cylinder.rod_length = rod;
         const InertiaCheck check = check_inertia(synthetic(200.0, 0.3, 5.0), input);
         ASSERT_TRUE(check.consistent) << rod;
         EXPECT_FALSE(*check.consistent) << rod;

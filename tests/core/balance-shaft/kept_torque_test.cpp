@@ -71,17 +71,16 @@ TEST(KeptTorque, AFileThatIsNotThereStaysNamed) {
     EXPECT_EQ(write_kept(input), kept);
 }
 
-TEST(KeptTorque, BoreAndPressureStayWhileTheTraceIsNotThere) {
+TEST(KeptTorque, CrankcasePressureStaysWhileTheTraceIsNotThere) {
     Input input = preset_tmz_650d();
-    const Input diesel = test::diesel();
     Input named = input;
     named.torque.trace_csv = "gone.csv";
-    named.torque.cylinder.bore = diesel.torque.cylinder.bore;
+    named.torque.crankcase_pressure = 1.1e5;
     const Json kept = write_kept(named);
     ASSERT_EQ(kept.at("torque").count("pressure"), 1U) << kept.dump();
     read_kept(kept, CaseContext{"/nonexistent"}, input);
     EXPECT_EQ(input.torque.trace_csv, "gone.csv");
-    EXPECT_EQ(input.torque.cylinder.bore, diesel.torque.cylinder.bore);
+    EXPECT_DOUBLE_EQ(input.torque.crankcase_pressure, 1.1e5);
     EXPECT_EQ(write_kept(input), kept);
 }
 
@@ -94,8 +93,9 @@ TEST(KeptTorque, RefusalsNameThePlace) {
               "/kept/torques: is not a known key; the nearest is \"torque\"");
     EXPECT_EQ(refusal(R"({"torque": 1})"), "/kept/torque: must be an object, got 1");
     EXPECT_EQ(refusal(R"({"torque": {"csv": 3}})"), "/kept/torque/csv: must be a text, got 3");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"bore_mm": -1}}})"),
-              "/kept/torque/cycle/bore_mm: must be greater than 0 and at most 10000, got -1");
+    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
+              "/kept/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
+              "1");
     EXPECT_NE(refusal(R"({"torque": {"crank_angle_deg": [0, 720], "torque_Nm": [0]}})"),
               "no error");
     EXPECT_EQ(refusal("{}"), "no error");

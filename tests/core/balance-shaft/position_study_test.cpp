@@ -125,7 +125,7 @@ TEST(PositionStudyTest, at60MillimetresBothFall) {
 
 TEST(PositionStudyTest, aPlaceHasWhatASolverThatIsPutThereFinds) {
     Input offset = diesel();
-    offset.torque.cylinder.offset = 0.008;
+    offset.cylinder.offset = 0.008;
     Input cubic = with_table(random_table(5, 30));
     cubic.interpolation = Interpolation::periodic_cubic;
     std::mt19937 generator(7);
@@ -150,7 +150,7 @@ TEST(PositionStudyTest, aPlaceHasWhatASolverThatIsPutThereFinds) {
 
 TEST(PositionStudyTest, theGapIsThatOfRoundingForCurvesToo) {
     Input offset = diesel();
-    offset.torque.cylinder.offset = 0.008;
+    offset.cylinder.offset = 0.008;
     Input cubic = with_table(random_table(5, 30));
     cubic.interpolation = Interpolation::periodic_cubic;
     for (const Input& input : {preset_tmz_650d(), diesel(), two_stroke(), offset, cubic}) {
@@ -223,7 +223,7 @@ TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
 
 TEST(PositionStudyTest, theRmsAtTheBestPlaceIsThatWithoutTheFirstOrder) {
     Input offset = diesel();
-    offset.torque.cylinder.offset = 0.008;
+    offset.cylinder.offset = 0.008;
     for (const Input& input : {preset_tmz_650d(), diesel(), two_stroke(), offset}) {
         const Solver solver(input);
         const Result result = solver.result();
@@ -297,7 +297,7 @@ TEST(PositionStudyTest, theMapHoldsWhatItsPlacesHave) {
     Input cubic = with_table(random_table(9, 12));
     cubic.interpolation = Interpolation::periodic_cubic;
     Input offset = two_stroke();
-    offset.torque.cylinder.offset = -0.006;
+    offset.cylinder.offset = -0.006;
     for (const Input& input : {preset_tmz_650d(), cubic, offset, with_table(random_table(10, 4))}) {
         const PositionStudy study{Solver(input)};
         const PositionMap map = study.map(-0.21, 0.3, -0.4, 0.1, 53, 29);
@@ -321,7 +321,7 @@ TEST(PositionStudyTest, theMapHoldsWhatItsPlacesHave) {
 std::vector<Input> restricted() {
     std::vector<Input> inputs{preset_tmz_650d(), diesel(), two_stroke()};
     Input offset = diesel();
-    offset.torque.cylinder.offset = 0.012;
+    offset.cylinder.offset = 0.012;
     inputs.push_back(offset);
     Input gears = preset_tmz_650d();
     gears.envelope.gear_tip_radius = 0.055;

@@ -43,8 +43,8 @@ TEST(BalanceShaftInput, RoundTripKeepsTheNumbersAsTyped) {
     input.merge_patch(parse_json(R"({"angular_speed_rad_s": null, "speed_rpm": 3599.7,
         "reciprocating_masses_kg": null, "reciprocating_mass_kg": 1.3161,
         "counterweight_mass_kg": 0.6573, "crank_radius_mm": 46.013, "shaft_angle_deg": 50.7,
-        "interpolation": "periodic-cubic", "step_deg": 0.3, "rod_length_mm": 153.7,
-        "envelope": {"cylinder_bore_mm": 95.51, "wall_mm": 5.3}})"));
+        "interpolation": "periodic-cubic", "step_deg": 0.3,
+        "cylinder": {"bore_mm": 95.51, "rod_length_mm": 153.7}, "envelope": {"wall_mm": 5.3}})"));
     const Json written = write_input(read_input(input, {}));
     EXPECT_EQ(read_input(written, {}), read_input(input, {}));
     for (const auto& item : input.items()) {
@@ -88,8 +88,9 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
     EXPECT_EQ(refusal(R"({"shaft_angle_deg": 1e9})"),
               "/input/shaft_angle_deg: must be from -3600 to 3600, got 1000000000");
     EXPECT_EQ(refusal(R"({"step_deg": 0})"), "/input/step_deg: must be from 0.01 to 90, got 0");
-    EXPECT_EQ(refusal(R"({"rod_length_mm": 40})"),
-              "/input/rod_length_mm: must be greater than the crank radius, 46, got 40");
+    EXPECT_EQ(refusal(R"({"cylinder": {"rod_length_mm": 40}})"),
+              "/input/cylinder/rod_length_mm: must be greater than the crank radius and twice the "
+              "offset together, 46, got 40");
     EXPECT_EQ(refusal(R"({"envelope": {"wall_mm": -1}})"),
               "/input/envelope/wall_mm: must be at least 0, got -1");
     EXPECT_EQ(refusal(R"({"interpolation": "cubic"})"),
@@ -189,39 +190,34 @@ TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
     Input pressure = cycle;
     pressure.torque.kind = TorqueSource::Kind::pressure;
     for (const double size : {1e101, 1e200}) {  // its square is infinite
-        const auto rod = [&](Input& i) { i.rod_length = size; };
-        EXPECT_EQ(place_of(given, rod), "/input/rod_length_mm");
-        EXPECT_EQ(place_of(cycle, rod), "/input/torque/cycle/rod_length_mm");
-        EXPECT_EQ(place_of(pressure, rod), "/input/torque/pressure/rod_length_mm");
-        const auto offset = [&](Input& i) { i.torque.cylinder.offset = size; };
-        EXPECT_EQ(place_of(given, offset), "/input/offset_mm");
-        EXPECT_EQ(place_of(cycle, offset), "/input/torque/cycle/offset_mm");
-        EXPECT_EQ(place_of(pressure, offset), "/input/torque/pressure/offset_mm");
-        const auto bore = [&](Input& i) { i.torque.cylinder.bore = size; };
-        EXPECT_EQ(place_of(cycle, bore), "/input/torque/cycle/bore_mm");
-        EXPECT_EQ(place_of(pressure, bore), "/input/torque/pressure/bore_mm");
+        for (const Input& input : {given, cycle, pressure}) {
+            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.rod_length = size; }),
+                      "/input/cylinder/rod_length_mm");
+            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.offset = size; }),
+                      "/input/cylinder/offset_mm");
+            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.bore = size; }),
+                      "/input/cylinder/bore_mm");
+        }
         EXPECT_EQ(place_of(given, [&](Input& i) { i.counterweight_mass = size; }),
                   "/input/counterweight_mass_kg");
         EXPECT_EQ(place_of(given, [&](Input& i) { i.centre_distance = size; }),
                   "/input/centre_distance_mm");
         EXPECT_EQ(place_of(given, [&](Input& i) { i.envelope.wall = size; }),
                   "/input/envelope/wall_mm");
-        EXPECT_EQ(place_of(cycle, [&](Input& i) { i.envelope.cylinder_bore = size; }),
-                  "/input/envelope/cylinder_bore_mm");
     }
     // The default of the rod is made from the crank radius.
     EXPECT_EQ(place_of(given,
                        [](Input& i) {
-                           i.rod_length.reset();
+                           i.cylinder.rod_length.reset();
                            i.crank_radius = 0.5e100;
                        }),
               "/input/crank_radius_mm");
     EXPECT_EQ(error_of([&] {
                   Input input = cycle;
-                  input.rod_length = 1e101;
+                  input.cylinder.rod_length = 1e101;
                   check_input(input);
               }),
-              "/input/torque/cycle/rod_length_mm: must be from 0.001 to 1000000, got 1e+104");
+              "/input/cylinder/rod_length_mm: must be from 0.001 to 1000000, got 1e+104");
 }
 
 // Each ended in an internal error or in no end at all.

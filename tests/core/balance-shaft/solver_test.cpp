@@ -465,7 +465,7 @@ TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
                     input.torque.table.torque[5] = size;
                     break;
                 default:
-                    input.rod_length = size;
+                    input.cylinder.rod_length = size;
                     break;
             }
             try {

@@ -52,10 +52,10 @@ inline std::vector<std::vector<std::string>> read_csv(const std::filesystem::pat
 /// The paper's engine with a plain diesel cycle in place of its table.
 inline Input diesel() {
     Input input = preset_tmz_650d();
-    input.rod_length = 0.150;
+    input.cylinder.rod_length = 0.150;
     input.torque = {};
     input.torque.kind = TorqueSource::Kind::cycle;
-    input.torque.cylinder.bore = 0.0955;
+    input.cylinder.bore = 0.0955;
     GasCycle& cycle = input.torque.cycle;
     cycle.compression_ratio = 18.0;
     cycle.heat = 1300.0;

@@ -126,7 +126,7 @@ TEST(TraceCheck, GaugePressureIsNoticed) {
                   result.doubts.end());
         // With the crankcase in gauge pressure, too, the torque is right.
         Input both = gauge;
-        both.torque.cylinder.crankcase_pressure = 0.0;
+        both.torque.crankcase_pressure = 0.0;
         EXPECT_EQ(note_of(both), "");
     }
 }

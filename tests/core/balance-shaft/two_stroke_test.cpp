@@ -22,7 +22,7 @@ Input as_table(const Input& computed) {
     const Solver solver(computed);
     Input input = computed;
     input.torque = {};
-    input.rod_length = computed.rod_length;
+    input.cylinder.rod_length = computed.cylinder.rod_length;
     const int rows = static_cast<int>(computed.cycle_deg());
     for (int i = 0; i <= rows; ++i) {
         input.torque.table.crank_angle_deg.push_back(i);
@@ -163,7 +163,7 @@ TEST(TwoStroke, TheCycleIsContinuousAndItsWorkThatOfItsTorque) {
     for (const double offset : {0.0, 0.006}) {
         for (const double ports : {95.0, 120.0}) {
             Input input = two_stroke();
-            input.torque.cylinder.offset = offset;
+            input.cylinder.offset = offset;
             input.torque.cycle.ports_open = ports * degree;
             const CylinderGas gas = *cylinder_gas(input);
             const double top = gas.top_dead_centre();

@@ -71,21 +71,22 @@ TEST_F(TorqueSourceTest, InertiaTorqueFollowsTheSpeedAndGasTorqueDoesNot) {
     }
 }
 
-TEST_F(TorqueSourceTest, BoresThatDifferAreTold) {
-    choose(2);
-    EXPECT_EQ(model->boresText(), QString()) << "the cycle's is that of the front view";
-    model->edit(QStringLiteral("Bore"),
-                [](balance_shaft::Input& input) { input.torque.cylinder.bore = 0.08; });
-    const auto said = page.findChildren<QLabel*>(QStringLiteral("bores"));
-    ASSERT_EQ(said.size(), 3);
-    for (const QLabel* each : said) {
-        EXPECT_EQ(each->text(),
-                  QStringLiteral("The front view has a bore of 95.5\u00A0mm, the gas "
-                                 "torque one of 80\u00A0mm: which is the cylinder’s?"));
+TEST_F(TorqueSourceTest, ChangingTheSourceLosesNoSizeOfTheCylinder) {
+    const auto size = [&](const char* key) {
+        return page.findChild<NumberField*>(QLatin1String(key))->value();
+    };
+    model->editField("/cylinder/bore_mm", 92.0,
+                     QStringLiteral("Bore"));  // the stroke, as by default
+    model->editField("/cylinder/rod_length_mm", 141.0, QStringLiteral("Rod"));
+    model->editField("/cylinder/offset_mm", 3.0, QStringLiteral("Offset"));
+    const auto typed = model->input().cylinder;
+    for (const int source : {2, 0, 2, 0}) {
+        choose(source);
+        EXPECT_EQ(model->input().cylinder, typed) << source;
+        EXPECT_EQ(size("bore_mm"), 92.0);
+        EXPECT_EQ(size("rod_length_mm"), 141.0);
+        EXPECT_EQ(size("offset_mm"), 3.0);
     }
-    model->edit(QStringLiteral("Bore"),
-                [](balance_shaft::Input& input) { input.envelope.cylinder_bore.reset(); });
-    EXPECT_EQ(model->boresText(), QString());
 }
 
 TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {

@@ -235,7 +235,7 @@ TEST_F(ReportInWindow, PrintsTheTableOfTheTorque) {
 TEST_F(ReportInWindow, SaysNothingOfAnEmptyFieldBesideAValue) {
     ASSERT_EQ(window.openCase(example()), QString());
     SceneModel& model = *window.currentPage()->model();
-    model.setByKey(u"envelope/cylinder_bore_mm"_s, u"95.5"_s);
+    model.setByKey(u"cylinder/bore_mm"_s, u"95.5"_s);
     model.setByKey(u"counterweight_mass_kg"_s, u"0.7"_s);
     const QString html = file(u"report.html"_s);
     ASSERT_EQ(window.writeReport(html), QString());

@@ -797,14 +797,14 @@ TEST_F(Tolerances, OfAnInputThatIsGoneStayAndAreRemovedByHand) {
 }
 
 TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
-    ASSERT_FALSE(scene().inputJson().contains("offset_mm"));
-    scatter("/offset_mm", u"0.1"_s);
+    ASSERT_FALSE(scene().inputJson().contains("crank_share"));
+    scatter("/crank_share", u"0.1"_s);
     tolerances->model()->setSamples(64);
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     EXPECT_EQ(tolerances->model()->answers()->solved, study().samples);
     const CaseFile file = scene().caseFile();
-    EXPECT_EQ(file.input["offset_mm"], 0.0);
+    EXPECT_EQ(file.input["crank_share"], 0.5);
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
     scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(study().vary.size(), 1U);

@@ -315,16 +315,6 @@ double BalanceShaftModel::otherMasses() const {
     return sum;
 }
 
-QString BalanceShaftModel::boresText() const {
-    const std::optional<double> drawn = input().envelope.cylinder_bore;
-    const double computed = input().torque.cylinder.bore;
-    return drawn && input().torque.is_computed() && *drawn != computed
-               ? tr("The front view has a bore of %1, the gas torque one of %2: which is the "
-                    "cylinder’s?")
-                     .arg(shownShort(*drawn, units::mm, 6), shownShort(computed, units::mm, 6))
-               : QString();
-}
-
 Results BalanceShaftModel::criteria() const {
     const auto moment = [](double value) { return shownCell(value, units::N_m, 1); };
     const auto row = [&](const QString& name, double MomentMetrics::*value,

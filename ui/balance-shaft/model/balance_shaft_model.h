@@ -127,8 +127,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double mass(const std::string& name) const;
     /// What the parts of field::mass_parts lack of the reciprocating mass, kg.
     double otherMasses() const;
-    /// That front view and computed torque have bores that differ; empty where they do not.
-    QString boresText() const;
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results criteria() const;
@@ -145,9 +143,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// What looks like a slip in the input.
     QString doubtsText() const;
     Verdict verdict() const { return balance_shaft::verdict(result()); }
-    std::vector<std::string> usualObjects() const override {
-        return {"/envelope"};
-    }
+    std::vector<std::string> usualObjects() const override { return {"/envelope"}; }
 
   Q_SIGNALS:
     /// α is new, and what follows it.

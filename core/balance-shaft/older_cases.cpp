@@ -1,0 +1,116 @@
+#include "balance-shaft/older_cases.h"
+
+#include <array>
+#include <string>
+
+#include "balance-shaft/fields.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+using Pointer = Json::json_pointer;
+
+/// Below "input".
+struct Size {
+    const char* place;
+    std::array<const char*, 3> older;
+};
+
+constexpr Size sizes[] = {
+    {"/cylinder/bore_mm",
+     {"/torque/pressure/bore_mm", "/torque/cycle/bore_mm", "/envelope/cylinder_bore_mm"}},
+    {"/cylinder/rod_length_mm",
+     {"/torque/pressure/rod_length_mm", "/torque/cycle/rod_length_mm", "/rod_length_mm"}},
+    {"/cylinder/offset_mm",
+     {"/torque/pressure/offset_mm", "/torque/cycle/offset_mm", "/offset_mm"}},
+};
+
+/// What there was at a place, which goes; null where there was nothing.
+Json take(Json& input, const char* place) {
+    const Pointer pointer(place);
+    if (!input.contains(pointer)) {
+        return {};
+    }
+    Json value = input.at(pointer);
+    input.at(pointer.parent_pointer()).erase(pointer.back());
+    return value;
+}
+
+void gather(Json& input, const std::string& root) {
+    const std::string key(field::cylinder.key);
+    if (input.contains(key) && !input.at(key).is_object()) {
+        return;  // the reader says so
+    }
+    for (const Size& size : sizes) {
+        const Pointer place(size.place);
+        const char* given_at = size.place;
+        for (const char* older : size.older) {
+            const Json value = take(input, older);
+            if (value.is_null()) {
+                continue;
+            }
+            if (!input.contains(place)) {
+                input[key][place.back()] = value;
+                given_at = older;
+            } else if (input.at(place) != value) {
+                throw InputError(root + older,
+                                 {CORE_TEXT("balance-shaft", "must be %1 as in %2, or be left out"),
+                                  show(input.at(place)), root + given_at},
+                                 show(value));
+            }
+        }
+    }
+}
+
+void move_varied(Json& vary) {
+    Json moved = Json::object();
+    for (const auto& [pointer, spread] : vary.items()) {
+        std::string place = pointer;
+        for (const Size& size : sizes) {
+            for (const char* older : size.older) {
+                place = place == older ? size.place : place;
+            }
+        }
+        moved[place] = spread;
+    }
+    vary = std::move(moved);
+}
+
+}  // namespace
+
+void gather_cylinder(CaseFile& file) {
+    gather(file.input, "/input");
+    for (std::size_t i = 0; i < file.variants.size(); ++i) {
+        gather(file.variants[i].input, "/variants/" + std::to_string(i) + "/input");
+    }
+    if (file.study.contains("vary") && file.study["vary"].is_object()) {
+        move_varied(file.study["vary"]);
+    }
+    // What is kept is of the same cylinder; its rod length was filled in.
+    const auto number = [&](const char* place) {
+        const Pointer pointer(place);
+        return file.input.contains(pointer) && file.input.at(pointer).is_number()
+                   ? file.input.at(pointer).get<double>()
+                   : 0.0;
+    };
+    const double given = number(sizes[0].place);
+    const Json bore = given > 0.0 ? given : 2.0 * number("/crank_radius_mm");
+    for (const Size& size : sizes) {
+        for (const char* older : size.older) {
+            const Json value = take(file.kept, older);
+            if (&size == &sizes[0] && !value.is_null() && value != bore) {
+                file.changes.push_back(
+                    {CORE_TEXT("balance-shaft",
+                               "A torque source that is not in use had the bore %1. All sources "
+                               "have one bore now: enter it at the cylinder if it is right."),
+                     show(value)});
+            }
+        }
+    }
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,120 @@
+// One record of the cylinder, whatever the source of the torque.
+
+#include "balance-shaft/older_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "balance-shaft/engine_torque.h"
+#include "balance-shaft/scene.h"
+#include "case-file/field_index.h"
+#include "case-file/json.h"
+#include "scenes/scenes.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+CaseFile older(const char* patch) {
+    Json document = {{"format", case_format},
+                     {"version", 1},
+                     {"scene", "balance-shaft"},
+                     {"input", write_input(test::diesel())}};
+    document["input"].erase("cylinder");
+    document["input"].merge_patch(
+        parse_json(R"({"torque": {"cycle": {"bore_mm": 95.5, "rod_length_mm": 150}}})"));
+    document.merge_patch(parse_json(patch));
+    return read_case(document);
+}
+
+TEST(OlderCases, SizesOfTheCylinderAreGathered) {
+    EXPECT_EQ(read_input(older("{}").input, {}), test::diesel());
+    Input offset = test::diesel();
+    offset.cylinder.offset = 3e-3;
+    EXPECT_EQ(read_input(older(R"({"input": {"torque": {"cycle": {"offset_mm": 3}},
+                                             "envelope": {"cylinder_bore_mm": 95.5}}})")
+                             .input,
+                         {}),
+              offset);
+    const CaseFile table = older(R"({"input": {"torque": {"cycle": null, "csv": "t.csv"},
+        "rod_length_mm": 150, "offset_mm": -2, "envelope": {"cylinder_bore_mm": 90}},
+        "variants": [{"name": "a", "input": {"rod_length_mm": 140}}]})");
+    EXPECT_EQ(table.input.at("cylinder"),
+              Json({{"bore_mm", 90}, {"rod_length_mm", 150}, {"offset_mm", -2}}));
+    EXPECT_EQ(table.variants[0].input, Json({{"cylinder", {{"rod_length_mm", 140}}}}));
+}
+
+TEST(OlderCases, SizesThatDifferAreRefusedWithBothPlaces) {
+    EXPECT_EQ(test::error_of([] { older(R"({"input": {"envelope": {"cylinder_bore_mm": 90}}})"); }),
+              "/input/envelope/cylinder_bore_mm: must be 95.5 as in /input/torque/cycle/bore_mm, "
+              "or be left out, got 90");
+    EXPECT_EQ(test::error_of([] { older(R"({"input": {"cylinder": {"rod_length_mm": 149}}})"); }),
+              "/input/torque/cycle/rod_length_mm: must be 149 as in "
+              "/input/cylinder/rod_length_mm, or be left out, got 150");
+    EXPECT_EQ(test::error_of([] { read_input(older(R"({"input": {"cylinder": 3}})").input, {}); }),
+              "/input/cylinder: must be an object, got 3");
+}
+
+TEST(OlderCases, StudiesVaryTheSizesWhereTheyAreNow) {
+    const CaseFile file = older(R"({"study": {"vary": {
+        "/torque/cycle/bore_mm": {"plus_minus": 0.1}, "/torque/cycle/offset_mm": {"plus_minus": 1},
+        "/crank_radius_mm": {"plus_minus": 0.1}}}})");
+    EXPECT_EQ(file.study.at("vary").dump(),
+              R"({"/cylinder/bore_mm":{"plus_minus":0.1},"/cylinder/offset_mm":{"plus_minus":1},)"
+              R"("/crank_radius_mm":{"plus_minus":0.1}})");
+}
+
+TEST(OlderCases, OfAKeptTorqueTheBoreIsSaid) {
+    EXPECT_TRUE(older(R"({"kept": {"torque": {"pressure": {"csv": "p.csv", "bore_mm": 95.5,
+                                                           "rod_length_mm": 140}}}})")
+                    .changes.empty());
+    const CaseFile file = older(R"({"kept": {"torque": {"pressure": {"csv": "p.csv",
+                                                                     "bore_mm": 88}}}})");
+    ASSERT_EQ(file.changes.size(), 1U);
+    EXPECT_NE(file.changes[0].english().find("had the bore 88"), std::string::npos);
+    EXPECT_EQ(file.kept, Json({{"torque", {{"pressure", {{"csv", "p.csv"}}}}}}));
+}
+
+// 500 edits over all sources of torque: what was typed last stands there at the end of each.
+TEST(EngineRecord, NoEditLosesATypedNumber) {
+    using Kind = TorqueSource::Kind;
+    Input input = preset_tmz_650d();
+    input.torque.trace = {{0, 180, 360, 540, 720}, {1e5, 1e5, 4e6, 2e5, 1e5}};
+    struct Size {
+        const char* place;
+        double low;
+        double high;
+        std::optional<double> typed{};
+    };
+    Size sizes[] = {{"/cylinder/bore_mm", 60, 120},       {"/cylinder/rod_length_mm", 120, 300},
+                    {"/cylinder/offset_mm", -20, 20},     {"/crank_radius_mm", 30, 60},
+                    {"/envelope/cylinder_wall_mm", 3, 9}, {"/rod_mass_kg", 0.5, 2}};
+    std::mt19937 random(46);
+    for (int edit = 0; edit < 500; ++edit) {
+        const auto which = random() % 10;
+        if (which < std::size(sizes)) {
+            Size& size = sizes[which];
+            // Often what stands there by default: it is as much a typed number as any.
+            const bool by_default = random() % 3 == 0 && which < 2;
+            const double by_itself =
+                (which == 0 ? input.effective_bore() : input.effective_rod_length()) / units::mm;
+            const double value = by_default
+                                     ? by_itself
+                                     : std::uniform_real_distribution(size.low, size.high)(random);
+            ASSERT_TRUE(set_field(input, size.place, FieldValue(value)));
+            size.typed = value;
+        } else {
+            take_torque_kind(input, Kind{static_cast<int>(which % 4)}, 30.0);
+        }
+        for (const Size& size : sizes) {
+            if (size.typed) {
+                const auto field = list_fields(input, size.place);
+                EXPECT_NEAR(std::get<double>(field.at(0).value), *size.typed, 1e-9) << size.place;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
