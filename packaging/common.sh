@@ -115,3 +115,22 @@ build_release() {
     fi
     build release "$@"
 }
+
+# failed_tests LOG: of what ctest --output-on-failure said, each test that failed: a line "TEST NAME"
+# and below it, indented, the first lines of its output that tell something.
+failed_tests() {
+    awk -v most=15 '
+        / Test +#[0-9]+: / || /^ *Start +[0-9]+: / || /^[0-9]+% tests passed/ {
+            left = 0
+            if (/\*\*\*/ && !/\*\*\*Skipped/) {
+                sub(/^.* Test +#[0-9]+: /, "")
+                print "TEST " $1
+                left = most
+            }
+            next
+        }
+        left > 0 && NF && !/^(Running main|Note: Google Test filter|\[[-=]+\]|\[ RUN )/ {
+            print "    " substr($0, 1, 300)
+            --left
+        }' "$1"
+}

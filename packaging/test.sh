@@ -51,10 +51,11 @@ unset QT_FONT_DPI QT_SCALE_FACTOR DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$root/build/test-home/config XDG_DATA_HOME=$root/build/test-home/data
 export UBSAN_OPTIONS=print_stacktrace=1
 
-# What the stages leave: a line for each, and how many tests passed, failed and were skipped.
+# What the stages leave: a line for each, how many tests passed, failed and were skipped, and which
+# failed, with the beginning of what they said.
 notes=$(mktemp -d)
 trap 'rm -rf "$notes"' EXIT
-touch "$notes/stages" "$notes/failed" "$notes/counts"
+touch "$notes/stages" "$notes/failed" "$notes/counts" "$notes/tests"
 
 heading() { printf '\n==== %s ====\n' "$*"; }
 
@@ -88,6 +89,7 @@ run_tests() {
     shift
     # One more than there are cores: some tests wait for what they have killed, locked or drawn.
     (cd "$root" && ctest --preset "$preset" -j "$(($(nproc) + 1))" --no-tests=error "$@") | tee "$log" || status=1
+    failed_tests "$log" >>"$notes/tests"
     read -r failed total < <(sed -n \
         's/^.*tests passed, \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log") || true
     if [ -z "${total:-}" ]; then
@@ -129,6 +131,7 @@ run_programs() {
         xargs -0 -P "$(nproc)" -I '{}' sh -c '"$0" --gtest_brief=1 >"$0.log" 2>&1 || {
             tail -n 60 "$0.log"; echo "$(basename "$0") failed"; exit 1; }' '{}' || status=1
     logs=$(find "$build/tests" -name 'test-*.log' -exec cat {} +)
+    sed -n 's/^\[  FAILED  \] \(.*\) ([0-9]* ms)$/TEST \1/p' <<<"$logs" >>"$notes/tests"
     passed=$(sed -n 's/^\[  PASSED  \] \([0-9]*\) tests*\..*/\1/p' <<<"$logs" |
         awk '{ n += $1 } END { print n + 0 }')
     say "$passed tests passed"
@@ -244,10 +247,15 @@ fi
 [ ! -f "$root/build/release/CMakeCache.txt" ] || configure release -DRAVNOVES_CORE_ARCHIVE= >/dev/null
 
 heading "summary"
+# All that is seen of a run may be its last lines.
+head -n 160 "$notes/tests"
 cat "$notes/stages"
 awk '{ passed += $1; failed += $2; skipped += $3 }
     END { if (skipped) printf "%d skipped\n", skipped; printf "%d passed, %d failed\n", passed, failed }' \
     "$notes/counts"
+if [ -s "$notes/tests" ]; then
+    printf 'failed tests: %s\n' "$(sed -n 's/^TEST //p' "$notes/tests" | head -n 40 | paste -sd ' ')"
+fi
 if [ -s "$notes/failed" ]; then
     printf 'FAILED: %s\n' "$(paste -sd ',' "$notes/failed")"
     exit 1

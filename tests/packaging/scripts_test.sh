@@ -41,6 +41,34 @@ listed=$(sed 's/#.*//' packaging/packages.txt | awk 'NF && $1 !~ /^\[/ { print $
 odd=$(grep -vE '^[a-z0-9][a-z0-9.+-]+$' <<<"$all" || true)
 [ -z "$odd" ] || fault "not a package name: $odd"
 
+# What a summary shows of tests that failed.
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+cat >"$log" <<'END'
+        Start  1: core/a
+        Start  2: core/b
+1/4 Test  #1: core/a ...........   Passed    0.10 sec
+        Start  3: core/c
+2/4 Test  #2: core/b ...........***Failed    0.10 sec
+Note: Google Test filter = X.b
+[==========] Running 1 test from 1 test suite.
+[ RUN      ] X.b
+x_test.cpp:3: Failure
+
+  3 stars: ***
+3/4 Test  #3: core/c ...........Subprocess aborted***Exception:   0.10 sec
+END
+seq 100 >>"$log"
+cat >>"$log" <<'END'
+4/4 Test #10: core/d ...........***Skipped   0.10 sec
+no
+50% tests passed, 2 tests failed out of 4
+The following tests FAILED:
+END
+told=$(failed_tests "$log")
+[ "$told" = "$(printf '%s\n' 'TEST core/b' '    x_test.cpp:3: Failure' '      3 stars: ***' 'TEST core/c' &&
+    seq -f '    %.0f' 15)" ] || fault "of the tests that failed it is told: $told"
+
 if command -v dpkg-query >/dev/null; then
     [ -z "$(missing_packages bash)" ] || fault "bash is said to be missing"
     [ "$(missing_packages bash no-such-package-at-all)" = no-such-package-at-all ] ||
