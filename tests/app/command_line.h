@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "case-file/json.h"
+#include "temporary_folder.h"
 
 namespace ravnoves::test {
 
@@ -42,13 +42,6 @@ struct Outcome {
 /// The command line as a user or a script runs it, in a folder of the test's own.
 class CommandLine : public ::testing::Test {
   protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "ravnoves-cli-test-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-        folder = pattern;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
     /// Runs `ravnoves-cli ARGUMENTS` by a shell in the test's folder.
     /// @param before  shell commands or words before the program
     Outcome run(const std::string& arguments, const std::string& input = "",
@@ -88,7 +81,8 @@ class CommandLine : public ::testing::Test {
         EXPECT_EQ(outcome.err.substr(0, start.size()), start) << outcome.err;
     }
 
-    fs::path folder;
+    const TemporaryFolder temporary;
+    const fs::path folder = temporary.path();
 };
 
 }  // namespace ravnoves::test

@@ -1,7 +1,6 @@
 #include "balance-shaft/cylinder_gas.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/numeric/odeint.hpp>
@@ -12,6 +11,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "temporary_folder.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -337,9 +337,8 @@ TEST(ComputedTorque, CasesRoundTrip) {
     const Json json = write_input(input);
     EXPECT_EQ(json.at("cylinder").at("rod_length_mm"), 150.0);
 
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("ravnoves-pressure-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
+    const ravnoves::test::TemporaryFolder temporary;
+    const std::filesystem::path& folder = temporary.path();
     std::string text = "angle,pressure kPa\n";
     for (int i = 0; i < 720; ++i) {
         text +=
@@ -355,7 +354,6 @@ TEST(ComputedTorque, CasesRoundTrip) {
     EXPECT_EQ(read.cylinder.offset, 0.002);
     EXPECT_EQ(read_input(write_input(read), CaseContext{folder}), read);
     EXPECT_GT(solve(read).M_up.range, 0.0);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(ComputedTorque, BadCyclesAreRefused) {

@@ -6,6 +6,7 @@
 #include "case-file/case_file.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
+#include "temporary_folder.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -13,9 +14,7 @@ namespace {
 
 using Kind = TorqueSource::Kind;
 
-std::filesystem::path folder_of_traces() {
-    const auto folder = std::filesystem::temp_directory_path() / "ravnoves-kept";
-    std::filesystem::create_directories(folder);
+void write_traces(const std::filesystem::path& folder) {
     std::string text = "deg;bar\n";
     for (int angle = 0; angle <= 720; angle += 10) {
         text += std::to_string(angle) + ";" + std::to_string(angle > 340 && angle < 400 ? 40 : 1) +
@@ -23,7 +22,6 @@ std::filesystem::path folder_of_traces() {
     }
     write_text_file(folder / "trace.csv", text);
     write_text_file(folder / "table.csv", "0;0\n180;-50\n360;0\n540;50\n720;0\n");
-    return folder;
 }
 
 /// The input after it went through a case with another source in use.
@@ -35,7 +33,9 @@ Input through_case(const Input& input, const CaseContext& context) {
 }
 
 TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
-    const CaseContext context{folder_of_traces()};
+    const ravnoves::test::TemporaryFolder folder;
+    write_traces(folder.path());
+    const CaseContext context{folder.path()};
     Input input = test::diesel();
     input.torque.table = preset_tmz_650d().torque.table;
     const auto read = [&](const char* name, FileSum& sum) {

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "scenes/scenes.h"
+#include "temporary_folder.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -244,13 +244,6 @@ TEST(BalanceShaftInput, RefusesSizesThatNoEngineHas) {
 
 class CsvBesideTheCase : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ =
-            std::filesystem::temp_directory_path() / ("ravnoves-csv-" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     std::string refusal_with(const std::string& text) const {
         write_text_file(folder_ / "torque.csv", text);
         return error_of([&] { read_input(input(), CaseContext{folder_}); });
@@ -261,7 +254,8 @@ class CsvBesideTheCase : public testing::Test {
         return json;
     }
 
-    std::filesystem::path folder_;
+    const ravnoves::test::TemporaryFolder temporary_;
+    const std::filesystem::path folder_ = temporary_.path();
 };
 
 TEST_F(CsvBesideTheCase, GivesTheSameEngine) {

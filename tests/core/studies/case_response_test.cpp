@@ -14,6 +14,7 @@
 #include "scenes/responses.h"
 #include "scenes/scenes.h"
 #include "support.h"
+#include "temporary_folder.h"
 
 namespace ravnoves::studies {
 namespace {
@@ -156,8 +157,8 @@ TEST(CaseResponse, GivesTheNumbersOfTheWholeSolutionOfEveryScene) {
 }
 
 TEST(CaseResponse, SaysThatAFileHasChanged) {
-    const CaseContext context{std::filesystem::path(testing::TempDir()) / "changed-file"};
-    std::filesystem::create_directories(context.directory);
+    const test::TemporaryFolder folder;
+    const CaseContext context{folder.path()};
     const std::string table = "0;0\n180;300\n360;0\n540;-100\n720;0\n";
     write_text_file(context.directory / "torque.csv", table);
     CaseFile file = example("tmz-650d.case.json");
@@ -170,7 +171,6 @@ TEST(CaseResponse, SaysThatAFileHasChanged) {
     const Json notes = write_results(whole(problem_of(file, context))).at("notes");
     ASSERT_FALSE(notes.empty());
     EXPECT_TRUE(notes[0].get<std::string>().starts_with("torque.csv has changed since")) << notes;
-    std::filesystem::remove_all(context.directory);
 }
 
 TEST(CaseResponse, DerivativesAreThoseOfFiftyDigits) {
