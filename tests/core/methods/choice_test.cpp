@@ -111,16 +111,18 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
                         problem->evaluations(), {.batch_seconds = 5e-5, .batches = 5})
             .low;
     };
-    const double limit = margin * cost(in_use, setting_in_use);
+    double cost_in_use = cost(in_use, setting_in_use);
     struct Candidate {
         std::size_t method, setting;
+        double cost;
         bool failed = false;
     };
     std::vector<Candidate> cheaper;
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
-            if ((method != in_use || setting != setting_in_use) && cost(method, setting) < limit) {
-                cheaper.push_back({method, setting});
+            const double other = cost(method, setting);
+            if ((method != in_use || setting != setting_in_use) && other < margin * cost_in_use) {
+                cheaper.push_back({method, setting, other});
             }
         }
     }
@@ -139,9 +141,15 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
             }
         }
     }
-    for (const Candidate& candidate : cheaper) {
+    for (Candidate& candidate : cheaper) {
+        // It may look cheaper because something else ran on the machine: the least of each counts.
+        const auto looks_cheaper = [&] { return candidate.cost < margin * cost_in_use; };
+        for (int again = 0; !candidate.failed && looks_cheaper() && again < 200; ++again) {
+            candidate.cost = std::min(candidate.cost, cost(candidate.method, candidate.setting));
+            cost_in_use = std::min(cost_in_use, cost(in_use, setting_in_use));
+        }
         const MethodInfo& method = kernel.methods[candidate.method];
-        EXPECT_TRUE(candidate.failed)
+        EXPECT_TRUE(candidate.failed || !looks_cheaper())
             << method.title.english << " (" << method.settings[candidate.setting].label.english()
             << ") is cheaper and holds " << kernel.choice.tolerance << " as well";
     }

@@ -396,13 +396,14 @@ TEST(Study, SaysHowFarItIs) {
         ++told;
         return true;
     };
-    Part part = begin_part(slow, 1, 1, 2, goes_on);
+    // One thread, which sleeps longer than it may be silent, whatever the machine does beside it.
+    Part part = begin_part(slow, 1, 1, 1, goes_on);
     EXPECT_GE(told, 2);
     EXPECT_LT(last, 0.7);
     run_part(slow, part, 2, [&](const Part& now) { return goes_on(share_done(now)); });
     EXPECT_EQ(last, 1.0);
     EXPECT_EQ(write_results(part), write_results(whole(slow)));
-    EXPECT_TRUE(begin_part(slow, 1, 1, 2, [](double) { return false; }).basis.plan.empty());
+    EXPECT_TRUE(begin_part(slow, 1, 1, 1, [](double) { return false; }).basis.plan.empty());
 }
 
 TEST(Study, FewSamplesAreCalledFew) {
@@ -452,7 +453,8 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
             int stopped = 0;
             for (std::uint64_t k = shards; k >= 1; --k) {
                 Part part = begin_part(all, k, shards, 1);
-                // Stopped in the middle, and taken up by another run.
+                // Stopped in the middle, and taken up by another run. The others are stopped only
+                // where the machine is slow.
                 before_rest = shards == 3 ? 7 : 0;
                 run_part(all, part, 1, [](const Part&) { return false; });
                 stopped += part.finished() ? 0 : 1;
@@ -461,7 +463,9 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
                 merger.add(read_part(Json::parse(write_part(part).dump())), std::to_string(k));
             }
             EXPECT_EQ(write_results(merger.finish()).dump(), expected) << method << shards;
-            EXPECT_EQ(stopped, shards == 3 && all.study.method != Method::linear ? 3 : 0) << method;
+            if (shards == 3 && all.study.method != Method::linear) {
+                EXPECT_EQ(stopped, 3) << method;
+            }
         }
     }
 }
