@@ -33,7 +33,7 @@ WeighIn random_sheet(Workshop& workshop) {
 
 TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
     Workshop workshop(7);
-    for (int round = 0; round < 500; ++round) {
+    for (int round = 0; round < 60; ++round) {
         const WeighIn sheet = random_sheet(workshop);
         const Process process = workshop.process();
         const double k = workshop.between(0, 1);
