@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iostream>
 #include <string_view>
-#include <utility>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -44,9 +43,8 @@ int print(const std::string& text) {
     return end_of_output();
 }
 
-int print_json(Json value) {
-    write_json(std::move(value), JsonLayout::lines,
-               [](std::string_view part) { std::cout << part; });
+int print_json(const Json& value) {
+    write_json(value, JsonLayout::lines, [](std::string_view part) { std::cout << part; });
     std::cout << '\n';
     return end_of_output();
 }

@@ -23,7 +23,7 @@ void complain(const std::string& file, const std::string& text);
 /// @return the exit status; where it cannot be written, this has been said
 int print(const std::string& text);
 /// The same of a value, in lines.
-int print_json(Json value);
+int print_json(const Json& value);
 
 /// Writes a file as write_text_file() does.
 /// @return the exit status; where it cannot be written, this has been said

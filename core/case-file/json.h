@@ -6,6 +6,33 @@
 
 #include "case-file/json_fwd.h"  // IWYU pragma: export
 
+namespace nlohmann {
+
+/// What a value holds goes with it, and without taking memory: the library moves it all to a list
+/// first, which ends the program where there is no memory for that list. A document is at most 100
+/// levels deep (`parse_json`), which the stack has room for.
+template <>
+inline void ordered_json::json_value::destroy(value_t kind) {
+    switch (kind) {
+        case value_t::object:
+            delete object;
+            break;
+        case value_t::array:
+            delete array;
+            break;
+        case value_t::string:
+            delete string;
+            break;
+        case value_t::binary:
+            delete binary;
+            break;
+        default:
+            break;
+    }
+}
+
+}  // namespace nlohmann
+
 namespace ravnoves {
 
 /// An empty object with room for so many items. One that grows copies what it holds, since its keys

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 #include "case-file/json.h"
 
@@ -21,20 +20,18 @@ class JsonWriter {
           between_(has_lines_ ? ",\n" : ","),
           sink_(sink) {}
 
-    /// Takes the value apart: a value that still holds others moves them all to a list before they
-    /// go, which costs as much as to write half of them.
-    void write(Json& value) {
+    void write(const Json& value) {
         switch (value.type()) {
             case Json::value_t::object:
-                write_items(value.get_ref<Json::object_t&>(), "{}", [&](auto& item) {
+                write_items(value.get_ref<const Json::object_t&>(), "{}", [&](const auto& item) {
                     write_string(item.first);
                     put(has_lines_ ? ": " : ":");
                     write(item.second);
                 });
                 break;
             case Json::value_t::array:
-                write_items(value.get_ref<Json::array_t&>(), "[]",
-                            [&](Json& item) { write(item); });
+                write_items(value.get_ref<const Json::array_t&>(), "[]",
+                            [&](const Json& item) { write(item); });
                 break;
             case Json::value_t::number_float:
                 write_double(value.get_ref<const Json::number_float_t&>());
@@ -71,7 +68,7 @@ class JsonWriter {
     }
 
     template <typename Items, typename WriteItem>
-    void write_items(Items& items, std::string_view brackets, const WriteItem& write_item) {
+    void write_items(const Items& items, std::string_view brackets, const WriteItem& write_item) {
         if (items.empty()) {
             put(brackets);
             return;
@@ -81,7 +78,7 @@ class JsonWriter {
             between_ += indent;
         }
         std::size_t skipped = 1;  // the comma before the first
-        for (auto& item : items) {
+        for (const auto& item : items) {
             put(std::string_view(between_).substr(skipped));
             skipped = 0;
             write_item(item);
@@ -91,7 +88,6 @@ class JsonWriter {
         }
         put(std::string_view(between_).substr(1));
         put(brackets.substr(1));
-        items.clear();
     }
 
     void write_string(const std::string& string) {
@@ -144,15 +140,15 @@ class JsonWriter {
 
 }  // namespace
 
-void write_json(Json value, JsonLayout layout, const TextSink& sink) {
+void write_json(const Json& value, JsonLayout layout, const TextSink& sink) {
     JsonWriter writer(layout, sink);
     writer.write(value);
     writer.flush();
 }
 
-std::string json_text(Json value, JsonLayout layout) {
+std::string json_text(const Json& value, JsonLayout layout) {
     std::string text;
-    write_json(std::move(value), layout, [&](std::string_view part) { text += part; });
+    write_json(value, layout, [&](std::string_view part) { text += part; });
     return text;
 }
 

@@ -18,10 +18,10 @@ enum class JsonLayout {
 /// its numbers. Each is the shortest decimal that reads back to the same double, and of those the
 /// nearest, which the library's misses at times; one that is not finite is `null`. Bytes of a text
 /// that are not UTF-8 are replaced.
-std::string json_text(Json value, JsonLayout layout);
+std::string json_text(const Json& value, JsonLayout layout);
 
 using TextSink = std::function<void(std::string_view part)>;
 /// The same, in parts of some kilobytes.
-void write_json(Json value, JsonLayout layout, const TextSink& sink);
+void write_json(const Json& value, JsonLayout layout, const TextSink& sink);
 
 }  // namespace ravnoves
