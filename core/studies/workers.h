@@ -9,7 +9,8 @@
 namespace ravnoves::studies {
 
 /// Calls work(0), work(1), … at once, the first in the thread that calls, and returns when all have
-/// ended. What one throws is thrown again then.
+/// ended. What one throws is thrown again then. For what the machine gives no thread, the caller's
+/// does the work, after its own.
 /// @param stop  called at once where one has thrown, so that the others end
 template <typename Work, typename Stop>
 void run_workers(std::size_t count, const Work& work, const Stop& stop) {
@@ -25,10 +26,19 @@ void run_workers(std::size_t count, const Work& work, const Stop& stop) {
         }
     };
     std::vector<std::thread> others;
-    for (std::size_t i = 1; i < count; ++i) {
-        others.emplace_back(guarded, i);
+    others.reserve(count);
+    std::size_t started = 1;
+    try {
+        for (; started < count; ++started) {
+            others.emplace_back(guarded, started);
+        }
+    } catch (const std::exception&) {
+        // no memory for its stack, or as many threads as this user may have
     }
     guarded(0);
+    for (; started < count; ++started) {
+        guarded(started);
+    }
     for (std::thread& other : others) {
         other.join();
     }
