@@ -12,8 +12,8 @@ usage: packaging/test.sh [--quick | --full] [--no-install]
                   a short fuzz once more, with a core under sanitizers
   2. release      the whole program, warnings are errors: build, its other tests (offscreen)
   3. lint         shellcheck over the scripts; what the desktop reads; the Debian package
-  4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy; a minute
-                  of fuzzing for each reader, 100 000 random cases of each scene, fifty formulas
+  4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy; runs in 50
+                  to 300 MB of memory; a minute of fuzzing for each reader, 100 000 random cases of each scene, fifty formulas
                   changed one at a time, the share of lines that the tests reach; 500 kills of a
                   window that saves; a long day in a window; the worker threads under the thread
                   sanitizer
@@ -172,7 +172,14 @@ change_formulas() {
     stage "500 kills" run_kills || true
 }
 
+# In any memory from 50 to 300 MB.
+run_in_little_memory() {
+    # shellcheck disable=SC2046 # numbers
+    bash "$root/tests/app/memory_test.sh" "$root" "$root/build/core-only/bin/ravnoves-cli" $(seq 50 300)
+}
+
 feed_numbers() {
+    stage "little memory" run_in_little_memory || true
     stage "random cases" run_random_cases || true
     stage "fuzz" "$root/tests/fuzz/fuzz.sh" --no-build 60 || true
     # Slider moves, cases opened and closed, animation: memory stays.

@@ -39,8 +39,30 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
         return exit_bad_input;
     }
     return result_path.empty()
-               ? print_json(std::move(result))
-               : write_file(result_path, json_text(std::move(result), JsonLayout::lines) + "\n");
+               ? print_json(result)
+               : write_file(result_path, json_text(result, JsonLayout::lines) + "\n");
+}
+
+std::string refusal_of(const LineReader& lines, const char* why) {
+    return json_text({{"error", why}, {"line", lines.number()}}, JsonLayout::one_line) + '\n';
+}
+
+/// The answer to the last line, a line itself; empty where that is blank.
+/// @throws std::bad_alloc
+std::string answer_to(const std::string& line, const LineReader& lines, const CaseContext& context,
+                      const Wanted& wanted) {
+    try {
+        lines.check_kept();
+        if (line.find_first_not_of(" \t\r") == std::string::npos) {
+            return {};
+        }
+        return json_text(solve_case(parse_case(line), context, wanted), JsonLayout::one_line) +
+               '\n';
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {  // a bad line is answered in its place
+        return refusal_of(lines, error.what());
+    }
 }
 
 /// @throws InputError where standard input cannot be read
@@ -48,19 +70,14 @@ int solve_batch(const CaseContext& context, const Wanted& wanted) {
     LineReader lines(STDIN_FILENO);
     std::string line;
     while (lines.next(line)) {
-        Json answer;
+        std::string answer;
         try {
-            lines.check_length();
-            if (line.find_first_not_of(" \t\r") == std::string::npos) {
-                continue;
-            }
-            answer = solve_case(parse_case(line), context, wanted);
+            answer = answer_to(line, lines, context, wanted);
         } catch (const std::bad_alloc&) {
-            answer = Json{{"error", no_memory}, {"line", lines.number()}};
-        } catch (const std::exception& error) {  // a bad line is answered in its place
-            answer = Json{{"error", error.what()}, {"line", lines.number()}};
+            std::string().swap(line);
+            answer = refusal_of(lines, no_memory);
         }
-        if (const int status = print(json_text(std::move(answer), JsonLayout::one_line) + "\n")) {
+        if (const int status = print(answer)) {
             return status;
         }
     }
@@ -77,7 +94,7 @@ class SolveCommand final : public Command {
             "2 bad input, named on standard error; nothing is written then.\n");
         CLI::Option* case_option =
             app_->add_option("CASE", case_path_, "Case file (JSON); - is standard input");
-        case_option->type_name("");
+        case_option->type_name("")->check(names_a_file);
         CLI::Option* output_option =
             app_->add_option("-o,--output", result_path_, "Write the result to this file instead");
         output_option->type_name("FILE")->check(names_a_file);

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -148,7 +149,7 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
         if (::fsync(file.number) != 0 || ::rename(partial.c_str(), target.c_str()) != 0) {
             throw not_written();
         }
-    } catch (const InputError&) {
+    } catch (...) {
         ::unlink(partial.c_str());
         throw;
     }
@@ -203,12 +204,26 @@ std::string read_text_file(const std::filesystem::path& path) {
     }
 }
 
+std::string read_text(int descriptor) {
+    std::string text;
+    std::vector<char> block(block_size);
+    while (const std::size_t count = read_some(descriptor, block)) {
+        check_text_size(text.size() + count);
+        text.append(block.data(), count);
+    }
+    return text;
+}
+
 LineReader::LineReader(int descriptor) : descriptor_(descriptor), block_(block_size) {}
 
 bool LineReader::next(std::string& line) {
     line.clear();
     bool any = false;
-    bool whole = true;
+    kept_ = Kept::whole;
+    const auto drop = [&](Kept why) {
+        kept_ = why;
+        std::string().swap(line);
+    };
     while (true) {
         if (at_ == end_) {
             at_ = 0;
@@ -222,11 +237,15 @@ bool LineReader::next(std::string& line) {
         const auto* const feed = static_cast<const char*>(std::memchr(begin, '\n', end_ - at_));
         const std::size_t count =
             feed != nullptr ? static_cast<std::size_t>(feed - begin) : end_ - at_;
-        whole = whole && line.size() + count <= largest_text;
-        if (whole) {
-            line.append(begin, count);
-        } else {
-            std::string().swap(line);
+        if (kept_ == Kept::whole && line.size() + count > largest_text) {
+            drop(Kept::too_long);
+        }
+        if (kept_ == Kept::whole) {
+            try {
+                line.append(begin, count);
+            } catch (const std::bad_alloc&) {
+                drop(Kept::no_memory);
+            }
         }
         at_ += count;
         if (feed != nullptr) {
@@ -237,13 +256,15 @@ bool LineReader::next(std::string& line) {
     if (any) {
         ++number_;
     }
-    too_long_ = !whole;
     return any;
 }
 
-void LineReader::check_length() const {
-    if (too_long_) {
+void LineReader::check_kept() const {
+    if (kept_ == Kept::too_long) {
         throw InputError("", too_large);
+    }
+    if (kept_ == Kept::no_memory) {
+        throw std::bad_alloc();
     }
 }
 

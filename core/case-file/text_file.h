@@ -12,6 +12,9 @@ namespace ravnoves {
 /// takes longer than 20 s.
 /// @throws InputError where it cannot be read, is no such file or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
+/// All that comes by an open file or pipe, however long it takes.
+/// @throws InputError where nothing can be read, or it is larger than 64 MiB
+std::string read_text(int descriptor);
 /// Writes beside the target, then renames: a file already there stays whole when anything fails or
 /// the machine stops, and nothing is left behind when a signal ends the program. A file that is
 /// replaced keeps its rights, a read-only one stays. A link is followed; a device or a pipe is
@@ -20,15 +23,16 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 /// The lines of an open file or pipe, as bytes, one at a time. Of a line longer than 64 MiB, the
-/// limit of a file, nothing is kept.
+/// limit of a file, or for which there is no memory, nothing is kept.
 class LineReader {
   public:
     explicit LineReader(int descriptor);
     /// The next line, without its line feed; false at the end.
     /// @throws InputError where nothing can be read: a folder, a closed descriptor
     bool next(std::string& line);
-    /// @throws InputError where the last line was too long
-    void check_length() const;
+    /// @throws InputError where the last line was too long, std::bad_alloc where it needs more
+    ///         memory than there is
+    void check_kept() const;
     int number() const { return number_; }  ///< of the last line, from 1
 
   private:
@@ -37,7 +41,8 @@ class LineReader {
     std::size_t at_ = 0;   ///< of the block, what is not handed out yet
     std::size_t end_ = 0;  ///< of what was read into it
     int number_ = 0;
-    bool too_long_ = false;
+    enum class Kept { whole, too_long, no_memory };
+    Kept kept_ = Kept::whole;  ///< of the last line
 };
 
 }  // namespace ravnoves
