@@ -1,18 +1,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <string>
 
+#include "case-file/process_state.h"
 #include "command.h"
 #include "output.h"
 
-int main(int argc, char** argv) {
-    using namespace ravnoves::cli;
+namespace ravnoves::cli {
+namespace {
 
+int run(int argc, char** argv) {
     CLI::App app{"Ravnoves, the engine-balancing workbench: solves case files without a display."};
     app.name("ravnoves-cli");  // not the path it was started by
     app.set_version_flag("--version", "ravnoves-cli " RAVNOVES_VERSION);
@@ -54,5 +57,18 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         complain(command.file(), std::string("internal error: ") + error.what());
         return exit_our_fault;
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::cli
+
+int main(int argc, char** argv) {
+    ravnoves::prepare_process();
+    try {
+        return ravnoves::cli::run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "ravnoves-cli: %s\n", ravnoves::cli::no_memory);
+        return ravnoves::cli::exit_bad_input;
     }
 }

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "case-file/process_state.h"
 #include "report/case_report.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -64,6 +65,7 @@ int say(const QString& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    ravnoves::prepare_process();
     const bool screenshot = given(argc, argv, {"--screenshot"});
     const bool report = given(argc, argv, {"--report"});
     const bool isSilent = screenshot || report;
@@ -134,6 +136,22 @@ int main(int argc, char** argv) {
     }
     parser.process(app);  // --help-all
 
+    // The others say what they allow.
+    for (const QCommandLineOption& option :
+         {sceneOption, caseOption, setOption, screenshotOption, reportOption, languageOption}) {
+        if (parser.values(option).contains(QString())) {
+            return fail(u"--%1: must not be empty"_s.arg(option.names().front()));
+        }
+    }
+    if (parser.positionalArguments().contains(QString())) {
+        return fail(u"case: must not be empty"_s);
+    }
+    if (screenshot && report) {
+        return fail(u"--report: excludes --screenshot"_s);
+    }
+    if (parser.isSet(scaleOption) && !screenshot) {
+        return fail(u"--scale: needs --screenshot"_s);
+    }
     if (const QString scale = parser.value(scaleOption); scale != u"1" && scale != u"2") {
         return fail(u"--scale: must be 1 or 2, got %1"_s.arg(scale));
     }
