@@ -59,7 +59,8 @@ class MethodsCommand final : public Command {
         });
         app_->add_option("--kernel", kernel_, "One kernel instead of all")->type_name("NAME");
         app_->add_option("--csv", csv_path_, "Write the tables to this file too")
-            ->type_name("FILE");
+            ->type_name("FILE")
+            ->check(names_a_file);
     }
 
     void check() const override {

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -172,7 +173,7 @@ class StudyCommand final : public Command {
             "last digit. With -o a run that was interrupted goes on where it stopped.\n");
         CLI::Option* case_option = app_->add_option(
             "CASE", case_path_, "Case file (JSON) with a study; - is standard input");
-        case_option->type_name("");
+        case_option->type_name("")->check(names_a_file);
         app_->add_option("-o,--output", output_path_, "Write to this file instead")
             ->type_name("FILE")
             ->check(names_a_file);
@@ -180,23 +181,24 @@ class StudyCommand final : public Command {
             app_->add_option("--shard", shard_text_,
                              "Take the K-th of N parts of the samples and print its counts")
                 ->type_name("K/N");
+        CLI::Option* threads_option =
+            app_->add_option("--threads", threads_, "Work with so many threads; usually one a core")
+                ->type_name("COUNT")
+                ->check(CLI::Range(1, 1024));
         app_->add_option("--merge", parts_, "Put the parts of a study together")
             ->type_name("PART...")
             ->expected(1, -1)
+            ->check(names_a_file)
             ->excludes(case_option)
-            ->excludes(shard_option);
-        app_->add_option("--threads", threads_, "Work with so many threads; usually one a core")
-            ->type_name("COUNT")
-            ->check(CLI::Range(1, 1024));
+            ->excludes(shard_option)
+            ->excludes(threads_option);
     }
 
     void check() const override {
         if (parts_.empty() && case_path_.empty()) {
             throw CLI::RequiredError("CASE or --merge");
         }
-        if (!shard_text_.empty()) {
-            read_shard();
-        }
+        read_shard();
     }
 
     int run() override { return parts_.empty() ? run_case() : merge(); }
@@ -211,23 +213,24 @@ class StudyCommand final : public Command {
 
     Shard read_shard() const {
         Shard shard;
-        if (shard_text_.empty()) {
+        if (!shard_text_) {
             return shard;
         }
-        const char* const end = shard_text_.data() + shard_text_.size();
-        const auto first = std::from_chars(shard_text_.data(), end, shard.number);
+        const char* const end = shard_text_->data() + shard_text_->size();
+        const auto first = std::from_chars(shard_text_->data(), end, shard.number);
         const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
         const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
         if (!slash || second.ec != std::errc{} || second.ptr != end || shard.number < 1 ||
             shard.number > shard.of || shard.of > studies::most_blocks) {
-            throw CLI::ValidationError("--shard",
-                                       "must be K/N with K from 1 to N, got " + shard_text_);
+            throw CLI::ValidationError("--shard", "must be K/N with K from 1 to N and N at most " +
+                                                      std::to_string(studies::most_blocks) +
+                                                      ", got " + *shard_text_);
         }
         return shard;
     }
 
     int deliver(const Part& part) const {
-        const std::string text = shard_text_.empty()
+        const std::string text = !shard_text_
                                      ? json_text(studies::write_results(part), JsonLayout::lines)
                                      : json_text(studies::write_part(part), JsonLayout::one_line);
         return output_path_.empty() ? print(text + "\n") : write_file(output_path_, text + "\n");
@@ -324,7 +327,7 @@ class StudyCommand final : public Command {
 
     std::string case_path_;
     std::string output_path_;
-    std::string shard_text_;
+    std::optional<std::string> shard_text_;
     std::vector<std::string> parts_;
     int threads_ = 0;
 };

@@ -18,7 +18,9 @@ class ValidateCommand final : public Command {
             "print); not derivable (what it takes is not printed); given (stated by the paper, or\n"
             "the inverse of another number: nothing is tested by it).\n"
             "Exit status: 0 each printed number has one of these, 1 not so.\n");
-        app_->add_option("--csv", csv_path_, "Write the table to this file too")->type_name("FILE");
+        app_->add_option("--csv", csv_path_, "Write the table to this file too")
+            ->type_name("FILE")
+            ->check(names_a_file);
     }
 
     int run() override {

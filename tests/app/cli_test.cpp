@@ -400,6 +400,49 @@ TEST_F(CommandLine, MistakesInTheCommandAreOneLineThatSaysWhatToDo) {
     EXPECT_NE(run("slove case.json").err.find("slove"), std::string::npos);
 }
 
+// Whatever takes a value refuses an empty one, and what is no value of it.
+TEST_F(CommandLine, EveryOptionRefusesNonsense) {
+    write("case.json", example().dump());
+    int tried = 0;
+    for (const std::string command : {"solve", "study", "methods", "validate"}) {
+        const bool takes_case = command == "solve" || command == "study";
+        for (const std::string& line : lines_of(run(command + " --help").out)) {
+            const std::size_t name = line.find("--");
+            const std::size_t end = line.find(' ', name);
+            if (!line.starts_with("  -") || end == std::string::npos || line[end + 1] < 'A' ||
+                line[end + 1] > 'Z' || line.substr(end + 1, 8) == "Excludes" ||
+                line.substr(end + 1, 5) == "Needs") {
+                continue;  // no option, or it takes no value
+            }
+            const std::string option = line.substr(name, end - name);
+            const std::string words =
+                command + (takes_case && option != "--merge" ? " case.json " : " ") + option;
+            for (const std::string value : {" ''", "=", " no/such/place"}) {
+                const Outcome outcome = run(words + value);
+                EXPECT_EQ(outcome.status, 2) << words << value;
+                EXPECT_EQ(outcome.out, "") << words << value;
+                EXPECT_EQ(lines_of(outcome.err).size(), 1U) << words << value << outcome.err;
+                ++tried;
+            }
+        }
+        if (takes_case) {
+            expect_refused(run(command + " ''"), "ravnoves-cli: CASE: must name a file");
+        }
+    }
+    EXPECT_GE(tried, 3 * 8);
+    for (const char* arguments :
+         {"solve case.json --only /a --only ''", "study case.json --shard 0/1",
+          "study case.json --shard 2", "study case.json --shard 1/2x",
+          "study case.json --threads 0", "study case.json --threads 1.5",
+          "study --merge a --threads 2", "study --merge a ''", "solve case.json --batch=maybe",
+          "methods --kernel Slider-Crank", "methods case.json", "validate case.json"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << arguments << outcome.err;
+    }
+}
+
 TEST_F(CommandLine, HelpNamesEveryCommandAndOption) {
     const Outcome help = run("--help");
     EXPECT_EQ(help.status, 0);

@@ -85,6 +85,18 @@ refused "--theme" --screenshot page.png --theme blue
 refused "--theme: must be light, dark or system, got" --screenshot page.png --theme ""
 refused "--language: must be one of en, ru, got xx" --screenshot page.png --language xx
 refused "--language" --screenshot page.png --language ""
+# Whatever takes a value refuses an empty one.
+"$program" --help >help
+mapfile -t takes_value < <(sed -nE 's/^ +(--[a-z]+) <.*/\1/p' help)
+[ ${#takes_value[@]} -ge 10 ] || fault "--help lists ${#takes_value[@]} options with a value"
+for option in "${takes_value[@]}"; do
+    [ "$option" = --screenshot ] && other=(--scene start) || other=(--screenshot page.png)
+    refused "$option" "${other[@]}" "$option" ""
+    refused "$option" "${other[@]}" "$option="
+done
+refused "case: must not be empty" --screenshot page.png ""
+refused "--scale: needs --screenshot" --report page.pdf --scale 2 "$case_file"
+refused "--report: excludes --screenshot" --screenshot page.png --report page.pdf "$case_file"
 refused "--set" --screenshot page.png --set shaft_angle_deg
 refused "no_such_key" --screenshot page.png --set no_such_key=1
 refused "no/such/folder/page.png" --screenshot no/such/folder/page.png
