@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json_text.h"
 #include "case-file/sha256.h"
@@ -479,16 +481,37 @@ std::string fault(const std::function<void()>& work) {
     return "";
 }
 
-TEST(Study, APartThatWasChangedIsRefused) {
-    Json study = normal_study(2, "sobol", 600, 3);
+/// Of a study by a method: a part that is done, or what is kept of it where it was interrupted.
+Json written_part(const char* method, bool finished) {
+    Json study = normal_study(2, method, 60, 3);
+    if (std::string(method) == "grid") {
+        study["vary"] = {{"/x0", {{"from", 0}, {"to", 3}, {"steps", 9}}},
+                         {"/x1", {{"values", {0, 1, 3}}}}};
+    }
     study["watch"]["/y"]["max"] = 1.0;
-    const Problem all = problem(study, {0.0, 0.0}, [](auto x, auto y) {
+    std::atomic<int> left{1 << 20};  // solutions, before one that takes longer than a stretch
+    const Problem all = problem(study, {0.0, 0.0}, [&left](auto x, auto y) {
+        if (--left == 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        }
         y[0] = x[0] + x[1] * x[1];
         return x[0] < 2.0;
     });
     Part part = begin_part(all, 2, 3, 1);
-    run_part(all, part, 1);
-    const Json written = write_part(part);
+    left = finished ? 1 << 20 : 5;
+    run_part(all, part, 1, [&](const Part&) { return finished; });
+    EXPECT_EQ(part.finished(), finished || part.study.method == Method::linear);
+    return write_part(part);
+}
+
+constexpr std::array some_parts{std::pair("sobol", true),        std::pair("sobol", false),
+                                std::pair("monte-carlo", false), std::pair("grid", true),
+                                std::pair("grid", false),        std::pair("linear", true)};
+class ChangedPart : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ChangedPart, IsRefused) {
+    const auto& [method, finished] = some_parts[GetParam()];
+    const Json written = written_part(method, finished);
     EXPECT_EQ(write_part(read_part(written)), written);
     const Json flat = written.flatten();
     std::vector<std::string> places;
@@ -497,7 +520,7 @@ TEST(Study, APartThatWasChangedIsRefused) {
     }
     const CounterRandom random(1);
     int survived = 0;
-    for (std::uint64_t i = 0; i < 1000; ++i) {
+    for (std::uint64_t i = 0; i < 200; ++i) {  // more than a thousand of all
         Json changed = written;
         const std::string& pointer = places[random.bits(i, 0, 0) % places.size()];
         Json& value = changed[Json::json_pointer(pointer)];
@@ -523,7 +546,27 @@ TEST(Study, APartThatWasChangedIsRefused) {
         }
     }
     EXPECT_GT(survived, 0);
-    Json old = written;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, ChangedPart, testing::Range<std::size_t>(0, some_parts.size()));
+
+/// What is changed in its text: a part is refused, or it is the same part.
+TEST(Study, ACharacterThatWasChangedIsRefusedOrMeansNothing) {
+    const std::string written = written_part("sobol", false).dump();
+    const CounterRandom random(2);
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        std::string changed = written;
+        const std::size_t at = random.bits(i, 0, 0) % changed.size();
+        changed[at] = "0123456789.,-eE\"[]{} "[random.bits(i, 0, 1) % 21];
+        Json read;
+        if (fault([&] { read = write_part(read_part(parse_json(changed))); }).empty()) {
+            EXPECT_EQ(read.dump(), written) << at;
+        }
+    }
+}
+
+TEST(Study, PartsOfOtherVersionsAreRefused) {
+    Json old = written_part("sobol", true);
     old["version"] = 1;
     EXPECT_EQ(fault([&] { read_part(old); }),
               "/version: must be 2; run the parts of other versions again, got 1");
