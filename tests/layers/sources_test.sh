@@ -6,7 +6,7 @@
 #   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
 #   files, numerics, drawing, bibliography, shop) includes nothing that stands on it, nor does
 #   a scene include the methods or the registry;
-#   folders of core form no circles.
+#   folders form no circles.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
@@ -135,6 +135,7 @@ check_no_circles() {
     fi
 }
 check_no_circles core
+[ "${1:-}" = core-only ] || check_no_circles ui
 
 if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then
     fault "core/CMakeLists.txt asks for Qt"

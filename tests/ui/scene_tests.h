@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 
 namespace ravnoves::test {
 

@@ -7,11 +7,11 @@
 
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/verdict_line.h"
@@ -69,8 +69,9 @@ QWidget* BalanceShaftPage::buildAnswer() {
 }
 
 QString BalanceShaftPage::resultsAsText() const {
-    return verdict_->text() + QLatin1Char('\n') + criteria_->asText() + QLatin1Char('\n') + quantities_->asText() + QLatin1Char('\n') +
-           bestRange_->text() + QLatin1Char('\n') + bestRms_->text() + QLatin1Char('\n');
+    return verdict_->text() + QLatin1Char('\n') + criteria_->asText() + QLatin1Char('\n') +
+           quantities_->asText() + QLatin1Char('\n') + bestRange_->text() + QLatin1Char('\n') +
+           bestRms_->text() + QLatin1Char('\n');
 }
 
 QString BalanceShaftPage::resultsAsCsv() const {

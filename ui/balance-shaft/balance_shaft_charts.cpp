@@ -7,21 +7,21 @@
 #include <QSlider>
 #include <QTabWidget>
 
-#include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/envelope_view.h"
 #include "balance-shaft/flywheel_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/buildable_bands.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
+#include "page/mechanism_picture.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"

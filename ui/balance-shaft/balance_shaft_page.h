@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plot/plot_view.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "widgets/field_slider.h"
 
 class QComboBox;

@@ -6,10 +6,10 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shown_curves.h"
+#include "page/mechanism_picture.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/buildable_bands.h"
+#include "balance-shaft/model/buildable_bands.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"

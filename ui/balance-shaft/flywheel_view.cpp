@@ -2,12 +2,12 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "page/mechanism_picture.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 

@@ -12,13 +12,13 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
-#include "shell/refused_entries.h"
+#include "page/refused_entries.h"
+#include "pictures/file_dialogs.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
@@ -88,10 +88,10 @@ RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : ComparedFigure(par
 void RelievedShaftDrawing::setShaft(const RelievedShaft& shaft) {
     shaft_ = shaft;
     const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
-    setAccessibleDescription(
-        shaft.half_width > 0.0 ? tr("Bar of %1, its middle cut %2 deep over %3.")
-                                     .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
-                               : tr("No shaft of these sizes"));
+    setAccessibleDescription(shaft.half_width > 0.0
+                                 ? tr("Bar of %1, its middle cut %2 deep over %3.")
+                                       .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
+                                 : tr("No shaft of these sizes"));
     update();
     Q_EMIT pictureChanged();
 }

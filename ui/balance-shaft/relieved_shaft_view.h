@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "balance-shaft/relieved_shaft.h"
-#include "widgets/compared_figure.h"
+#include "page/compared_figure.h"
 
 class QComboBox;
 class QLabel;

@@ -8,7 +8,7 @@
 #include "balance-shaft/place_scale.h"
 #include "balance-shaft/shaft_map_signs.h"
 #include "numerics/constants.h"
-#include "plot/model/shape.h"
+#include "pictures/model/shape.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 

@@ -7,7 +7,7 @@
 
 #include "balance-shaft/place_scale.h"
 #include "balance-shaft/shaft_map_signs.h"
-#include "plot/model/stroke.h"
+#include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 

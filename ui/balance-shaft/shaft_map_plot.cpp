@@ -11,7 +11,7 @@
 #include "balance-shaft/shaft_map_layers.h"
 #include "balance-shaft/shaft_map_signs.h"
 #include "numerics/units.h"
-#include "plot/picture_file.h"
+#include "pictures/picture_file.h"
 #include "plot/plot_painter.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -206,7 +206,8 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     if (chosen_ && *chosen_ < map_->markers().size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(Theme::instance().accent(), 2.0));
-        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0 * strokeScale(), 12.0 * strokeScale());
+        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0 * strokeScale(),
+                            12.0 * strokeScale());
     }
     painter.restore();
 }

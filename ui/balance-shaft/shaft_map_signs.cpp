@@ -7,7 +7,7 @@
 
 #include "balance-shaft/change_colours.h"
 #include "numerics/constants.h"
-#include "plot/model/pixel.h"
+#include "pictures/model/pixel.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 

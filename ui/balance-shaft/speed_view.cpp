@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "balance-shaft/buildable_bands.h"
+#include "balance-shaft/model/buildable_bands.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/speed_map_plot.h"

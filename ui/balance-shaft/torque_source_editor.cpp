@@ -12,10 +12,10 @@
 #include "balance-shaft/inertia_check.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_table_editor.h"
+#include "pictures/file_dialogs.h"
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 #include "widgets/layouts.h"
 

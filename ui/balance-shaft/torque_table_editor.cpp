@@ -12,11 +12,11 @@
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
 #include "model/enough_memory.h"
+#include "pictures/file_dialogs.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/number_text.h"
 #include "text/write_file.h"
-#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 

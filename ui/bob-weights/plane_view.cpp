@@ -6,8 +6,8 @@
 
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
+#include "pictures/figure.h"
 #include "text/csv_format.h"
-#include "widgets/figure.h"
 #include "widgets/panel.h"
 
 namespace ravnoves {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "page/compared_figure.h"
 #include "theme/theme.h"
-#include "widgets/compared_figure.h"
 
 class QPainter;
 

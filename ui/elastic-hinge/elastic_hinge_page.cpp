@@ -13,13 +13,14 @@
 #include "elastic-hinge/guide_search_form.h"
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
-#include "elastic-hinge/hinge_plots.h"
+#include "elastic-hinge/hinge_tabs.h"
+#include "page/mechanism_picture.h"
+#include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/field_slider.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -31,12 +32,10 @@ using elastic_hinge::Kinematics;
 using elastic_hinge::Spring;
 namespace field = elastic_hinge::field;
 
-namespace {}  // namespace
-
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
     QWidget* inputs = buildInputs();
-    plots_ = new HingePlots(model_, this);
+    plots_ = new HingeTabs(model_, this);
     verdict_ = new VerdictLine(this);
     connect(verdict_, &VerdictLine::acted, model_, &ElasticHingeModel::takeMinimumPreload);
     QVBoxLayout* column = columnIn(this);
@@ -47,7 +46,6 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
         1);
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
     connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
     showAnswer();
@@ -165,7 +163,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     connect(takeStiffness_, &QPushButton::clicked, model_,
             &ElasticHingeModel::takeMinimumStiffness);
     answerColumn->addWidget(takeStiffness_);
-    quantities_ = new ResultTable(tr("What the design gives"), answer);
+    quantities_ = new PartTable(model_, "quantities", tr("What the design gives"), answer);
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     column->addWidget(answer);
@@ -179,7 +177,6 @@ void ElasticHingePage::showAnswer() {
     const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;
     takeStiffness_->setVisible(mendable && guide.minimum_stiffness &&
                                field::stiffness.range.contains(*guide.minimum_stiffness));
-    quantities_->setResults(model_->quantities());
 }
 
 void ElasticHingePage::showAnimated() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 
 class QComboBox;
 class QPushButton;
@@ -12,7 +12,7 @@ namespace ravnoves {
 
 class GuideExportForm;
 class HingeMechanismView;
-class HingePlots;
+class HingeTabs;
 class ResultTable;
 class VerdictLine;
 
@@ -30,7 +30,7 @@ class ElasticHingePage : public ScenePage {
     QString resultsAsCsv() const override;
 
     // For tests and for the frame benchmark.
-    HingePlots* plots() const { return plots_; }
+    HingeTabs* plots() const { return plots_; }
     HingeMechanismView* picture() const { return picture_; }
     GuideExportForm* exportForm() const { return export_; }
     QTabWidget* forms() const { return forms_; }
@@ -45,7 +45,7 @@ class ElasticHingePage : public ScenePage {
     ElasticHingeModel* model_;
     QTabWidget* forms_ = nullptr;
     GuideExportForm* export_ = nullptr;
-    HingePlots* plots_ = nullptr;
+    HingeTabs* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
     VerdictLine* verdict_ = nullptr;

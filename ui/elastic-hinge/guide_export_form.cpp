@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "elastic-hinge/fields.h"
-#include "shell/refused_entries.h"
+#include "page/refused_entries.h"
+#include "pictures/file_dialogs.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 

@@ -8,10 +8,11 @@
 
 #include "case-file/decimal.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
+#include "model/reference_case.h"
 #include "numerics/constants.h"
-#include "plot/model/shape.h"
-#include "plot/model/stroke.h"
-#include "plot/model/thin_polyline.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
+#include "pictures/model/thin_polyline.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -67,7 +68,7 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
+    followReference(model_);
     connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
     connect(model_, &ElasticHingeModel::motionsChanged, this, qOverload<>(&QWidget::update));
 }
@@ -100,12 +101,12 @@ drawing::Frame HingeMechanismView::frame() const {
     double left = 0.0;
     double right = 0.0;
     double tall = 0.0;
-    for (const HingeMechanismView* each : {this, ghost()}) {
+    for (const ElasticHingeModel* each : {static_cast<const ElasticHingeModel*>(model_), ghost()}) {
         if (each == nullptr) {
             continue;
         }
-        const auto& mechanism = each->model_->result().design->mechanism();
-        const Guide& guide = each->model_->result().crank_guide;
+        const auto& mechanism = each->result().design->mechanism();
+        const Guide& guide = each->result().crank_guide;
         const double r = mechanism.crank_radius;
         const double rod = mechanism.rod_length();
         double ring = r;
@@ -113,7 +114,7 @@ drawing::Frame HingeMechanismView::frame() const {
             // Room for the relief as it is drawn.
             const double start = guide.shape->spring().start_radius(guide.branch);
             const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
-            ring = std::max(r, start + rise + each->model_->input().roller_radius);
+            ring = std::max(r, start + rise + each->input().roller_radius);
         }
         const double block = 0.5 * r;
         left = std::max({left, ring, r + mechanism.counterweight_distance});
@@ -136,15 +137,20 @@ double HingeMechanismView::reliefFactor() const {
     return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
 }
 
-std::vector<QPolygonF> HingeMechanismView::track(const drawing::Frame& map, double phi,
-                                                 double factor, bool second) const {
-    const Guide& guide = model_->result().crank_guide;
+const ElasticHingeModel* HingeMechanismView::ghost() const {
+    return static_cast<const ElasticHingeModel*>(model_->referenceCase().model());
+}
+
+std::vector<QPolygonF> HingeMechanismView::track(const ElasticHingeModel& model,
+                                                 const drawing::Frame& map, double phi,
+                                                 double factor, bool second) {
+    const Guide& guide = model.result().crank_guide;
     std::vector<QPolygonF> stretches;
     if (!guide.shape) {
         return stretches;
     }
     const double start = guide.shape->spring().start_radius(guide.branch);
-    const double roller = shownRoller(model_->input().roller_radius, start);
+    const double roller = shownRoller(model.input().roller_radius, start);
     const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
     const auto& radii =
         guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
@@ -170,12 +176,12 @@ std::vector<QPolygonF> HingeMechanismView::track(const drawing::Frame& map, doub
 
 void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
                                     double phi) const {
-    const auto& result = ghost()->model_->result();
+    const auto& result = ghost()->result();
     const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
     const double r = result.design->mechanism().crank_radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& stretch : ghost()->track(map, phi, reliefFactor(), false)) {
+    for (const QPolygonF& stretch : track(*ghost(), map, phi, reliefFactor(), false)) {
         painter.drawPolyline(stretch);
     }
     painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
@@ -236,7 +242,7 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(shade, second || !guide.feasible ? 1.4 : 2.6,
                                 guide.feasible ? Qt::SolidLine : Qt::DotLine));
-            for (const QPolygonF& stretch : track(map, phi, factor, second)) {
+            for (const QPolygonF& stretch : track(*model_, map, phi, factor, second)) {
                 paintLine(painter, stretch);
             }
         }

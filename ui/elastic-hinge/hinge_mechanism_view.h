@@ -3,9 +3,9 @@
 #include <QPolygonF>
 #include <vector>
 
+#include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 
@@ -42,13 +42,12 @@ class HingeMechanismView : public MechanismPicture {
     double reliefFactor() const;
     /// The guide that one end of the spring rolls on, the other end's with `second`; its relief
     /// enlarged by `factor`. Empty where there is none.
-    std::vector<QPolygonF> track(const drawing::Frame& map, double phi, double factor,
-                                 bool second) const;
+    static std::vector<QPolygonF> track(const ElasticHingeModel& model, const drawing::Frame& map,
+                                        double phi, double factor, bool second);
     /// Guide, crank, rod, slider and counterweight of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
-    const HingeMechanismView* ghost() const {
-        return static_cast<const HingeMechanismView*>(reference());
-    }
+    /// Null: there is none.
+    const ElasticHingeModel* ghost() const;
 
     ElasticHingeModel* model_;
 };

@@ -8,13 +8,13 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "numerics/angle.h"
+#include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 

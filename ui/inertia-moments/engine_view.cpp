@@ -12,8 +12,8 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
-#include "plot/model/shape.h"
-#include "plot/model/stroke.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"

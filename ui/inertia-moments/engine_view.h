@@ -3,9 +3,9 @@
 #include <QRectF>
 #include <utility>
 
+#include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 

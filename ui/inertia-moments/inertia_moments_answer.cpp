@@ -6,10 +6,10 @@
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {

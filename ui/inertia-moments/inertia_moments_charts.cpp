@@ -17,10 +17,10 @@
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/shaft_view.h"
 #include "numerics/constants.h"
+#include "page/mechanism_picture.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {

@@ -4,8 +4,8 @@
 #include "inertia-moments/inertia_moments_answer.h"
 #include "inertia-moments/inertia_moments_charts.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "shell/scene_page.h"
-#include "widgets/mechanism_picture.h"
+#include "page/mechanism_picture.h"
+#include "page/scene_page.h"
 
 class QTabWidget;
 

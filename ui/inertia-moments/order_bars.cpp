@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 

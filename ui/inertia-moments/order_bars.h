@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "page/compared_figure.h"
 #include "theme/theme.h"
-#include "widgets/compared_figure.h"
 
 namespace ravnoves {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "page/compared_figure.h"
 #include "theme/theme.h"
-#include "widgets/compared_figure.h"
 
 namespace ravnoves {
 

@@ -10,8 +10,8 @@
 
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
+#include "pictures/picture_file.h"
 #include "plot/model/ticks.h"
-#include "plot/picture_file.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -31,14 +31,9 @@ using methods::WorkPoint;
 
 namespace {
 
-constexpr float shadeAlpha = 0.10F;
+constexpr double shadeAlpha = 0.10;
 constexpr int pairWidth = 640;     ///< designed pixels of two charts side by side
 constexpr int foldedHeight = 310;  ///< designed pixels of one above the other, with its legend
-
-QColor shade(QColor colour, float alpha) {
-    colour.setAlphaF(alpha);
-    return colour;
-}
 
 /// Labels for a scale that crowds towards a limit: round values, then ever smaller distances from
 /// the limit.
@@ -223,7 +218,7 @@ std::vector<PlotView::Line> MethodPlots::errorLines(const Kernel& kernel,
     const auto row = [&](double at, const QString& text) {
         PlotView::Line line;
         line.at = at;
-        line.colour = PlotView::Line::muted;
+        line.colour = plot::MutedInk;
         line.text = text;
         lines.push_back(line);
     };
@@ -364,14 +359,14 @@ void MethodPlots::showFailing() {
     if (shown == nullptr) {
         return;
     }
-    const Theme& theme = Theme::instance();
     const SweepInfo& sweep = shown->sweep();
     const double tolerance = shown->kernel().choice.tolerance;
     std::vector<PlotView::Band> bands;
     PlotView::Band beyond;  // a curve in here fails
     beyond.from = tolerance;
     beyond.to = scale_.ceiling * 2.0;
-    beyond.colour = shade(theme.error(), 0.5F * shadeAlpha);
+    beyond.colour = plot::ErrorInk;
+    beyond.strength = 0.5 * shadeAlpha;
     beyond.orientation = Qt::Vertical;
     bands.push_back(beyond);
     work_->setBands(bands);
@@ -381,7 +376,8 @@ void MethodPlots::showFailing() {
         PlotView::Band band;
         band.from = from;
         band.to = to;
-        band.colour = shade(theme.mutedText(), 1.6F * shadeAlpha);
+        band.colour = plot::MutedInk;
+        band.strength = 1.6 * shadeAlpha;
         band.text = tr("not in the scene");
         bands.push_back(band);
     };
@@ -400,8 +396,8 @@ void MethodPlots::showFailing() {
         for (const auto& span : curve.failing(tolerance)) {
             PlotView::Band band;
             std::tie(band.from, band.to) = around(sweep, shown->map->values, span);
-            band.colour = shade(theme.curve(static_cast<int>(method) % Theme::curveColours),
-                                1.8F * shadeAlpha);
+            band.colour = static_cast<int>(method) % Theme::curveColours;
+            band.strength = 1.8 * shadeAlpha;
             band.text = tr("%1 fails").arg(shownText(shown->kernel().methods[method].title));
             for (PlotView::Band& other : bands) {
                 const bool apart = other.to <= band.from || other.from >= band.to;
@@ -428,7 +424,7 @@ void MethodPlots::showValue() {
         PlotView::Line line;
         line.at = present.value_or(sweep.present);
         line.orientation = Qt::Vertical;
-        line.colour = PlotView::Line::muted;
+        line.colour = plot::MutedInk;
         line.text = present ? tr("open case") : tr("preset");
         if (line.at >= sweep.from && line.at <= sweep.to) {
             lines.push_back(line);

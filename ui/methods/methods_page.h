@@ -1,7 +1,7 @@
 #pragma once
 
 #include "methods/model/methods_model.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 
 class QComboBox;
 class QLabel;

@@ -27,22 +27,21 @@
 
 namespace ravnoves {
 
-using methods::Verdict;
 
 namespace {
 
-QColor verdictColour(Verdict verdict) {
+QColor verdictColour(methods::Verdict verdict) {
     const Theme& theme = Theme::instance();
     switch (verdict) {
-        case Verdict::reproduced:
+        case methods::Verdict::reproduced:
             return theme.good();
-        case Verdict::not_derivable:
-        case Verdict::given:
+        case methods::Verdict::not_derivable:
+        case methods::Verdict::given:
             return theme.mutedText();
-        case Verdict::artefact:
-        case Verdict::slip:
+        case methods::Verdict::artefact:
+        case methods::Verdict::slip:
             return theme.warning();
-        case Verdict::differs:
+        case methods::Verdict::differs:
             break;
     }
     return theme.error();
@@ -143,7 +142,7 @@ QWidget* ValidationView::buildFilters() {
     verdicts_->setAccessibleName(tr("Verdict"));
     verdicts_->setToolTip(tr("Show the numbers with one verdict only"));
     verdicts_->addItem(tr("All verdicts"));
-    for (const Verdict verdict : methods::all_verdicts) {
+    for (const methods::Verdict verdict : methods::all_verdicts) {
         verdicts_->addItem(verdictTitle(verdict));
     }
     connect(verdicts_, &QComboBox::activated, this, [this](int index) {

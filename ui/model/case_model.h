@@ -93,6 +93,7 @@ class CaseModel : public SceneModel {
     void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
     void loadInput(const Json& input, const CaseContext& context) override;
     SolveApart solvesApart() override;
+    void showInput(const Json& input) override;
     void loadDefault() override {
         load(newName(), {scene_.defaultInput(),
                          scene_.defaultTitle(),

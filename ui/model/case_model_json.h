@@ -72,6 +72,13 @@ void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context) {
 }
 
 template <typename Scene>
+void CaseModel<Scene>::showInput(const Json& json) {
+    State next = state();
+    next.input = readInput(json, keptJson(), context());
+    take(next, {});
+}
+
+template <typename Scene>
 SceneModel::SolveApart CaseModel<Scene>::solvesApart() {
     return [this, scene = std::make_shared<Scene>(scene_), kept = keptJson(),
             context = context()](const Json& json) -> std::function<void()> {

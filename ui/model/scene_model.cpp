@@ -7,11 +7,19 @@
 #include "case-file/json.h"
 #include "model/default_inputs.h"
 #include "model/input_command.h"
+#include "model/reference_case.h"
 #include "numerics/demand.h"
 #include "text/field_names.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
+
+ReferenceCase& SceneModel::referenceCase() {
+    if (referenceCase_ == nullptr) {
+        referenceCase_ = new ReferenceCase(this);
+    }
+    return *referenceCase_;
+}
 
 SceneModel::SceneModel(QObject* parent) : QObject(parent) {
     connect(&history_, &QUndoStack::indexChanged, this, &SceneModel::historyChanged);

@@ -7,7 +7,9 @@
 #include <QUndoStack>
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,12 +18,14 @@
 #include "case-file/case_context.h"
 #include "case-file/field_index.h"
 #include "case-file/json_fwd.h"
+#include "model/part.h"
 #include "model/variants.h"
 
 namespace ravnoves {
 
 struct CaseFile;
 class InputError;
+class ReferenceCase;
 struct OpenCase;
 
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
@@ -71,6 +75,20 @@ class SceneModel : public QObject {
     using SolveApart = std::function<std::function<void()>(const Json& input)>;
     /// Empty where the model solves none.
     virtual SolveApart solvesApart() { return {}; }
+    /// What the page shows, in its order, the first the most important.
+    virtual std::span<const PagePart> parts() const { return {}; }
+    /// Makes one of them of the present input and of what is chosen to be seen of it.
+    virtual Content part(std::string_view /*id*/) const { return {}; }
+    /// Begins what takes longer than a frame of all that parts show; shownChanged() follows.
+    virtual void needParts() {}
+    /// A new model of the same scene.
+    /// @param runsJobs  it computes in the background what takes long, as this one does
+    virtual std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const { return nullptr; }
+    /// Another input in place of the present one, without a step of the history: of a model that
+    /// nobody else knows, in any thread. @throws InputError
+    virtual void showInput(const Json& /*input*/) {}
+    /// The variant that the case is seen against.
+    ReferenceCase& referenceCase();
     /// The "result" object, the same that the command line prints.
     virtual Json resultJson() const = 0;
     /// The input that a new document starts with.
@@ -216,6 +234,8 @@ class SceneModel : public QObject {
     void studyChanged();
     /// What the pictures show beside the input.
     void viewChanged();
+    /// What parts show is new, though neither input nor view is: a job has come to its end.
+    void shownChanged();
     /// Another job came onto the sheet: what it holds is of no file.
     void begunAnew();
     /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
@@ -273,6 +293,7 @@ class SceneModel : public QObject {
     bool editing_ = false;
     bool saidRefused_ = false;
     CaseContext context_;
+    ReferenceCase* referenceCase_ = nullptr;  ///< from when it is asked for
     QList<QObject*> refusedIn_;  ///< the newest last
     QUndoStack history_;
 };

@@ -7,7 +7,7 @@
 #include <QValueAxis>
 #include <utility>
 
-#include "plot/model/pixel.h"
+#include "pictures/model/pixel.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

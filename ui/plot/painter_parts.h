@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "plot/model/shape.h"
+#include "pictures/model/shape.h"
 #include "plot/plot_painter.h"
 #include "text/text_width.h"
 #include "theme/theme.h"

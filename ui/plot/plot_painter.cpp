@@ -6,10 +6,10 @@
 #include <array>
 #include <utility>
 
+#include "pictures/model/stroke.h"
 #include "plot/chart_frame.h"
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
-#include "plot/model/stroke.h"
 #include "plot/model/ticks.h"
 #include "plot/painter_parts.h"
 #include "text/number_text.h"
@@ -257,7 +257,13 @@ QRectF PlotPainter::shadeOf(const plot::Band& band) const {
 }
 
 void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
-    painter.fillRect(shadeOf(band), band.colour);
+    const Theme& theme = Theme::instance();
+    QColor colour = band.colour == plot::ErrorInk    ? theme.error()
+                    : band.colour == plot::AccentInk ? theme.accent()
+                    : band.colour == plot::MutedInk  ? theme.mutedText()
+                                                     : theme.curve(band.colour);
+    colour.setAlphaF(static_cast<float>(band.strength));
+    painter.fillRect(shadeOf(band), colour);
 }
 
 void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "plot/model/line_brush.h"
+#include "pictures/model/line_brush.h"
 #include "plot/painter_parts.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"

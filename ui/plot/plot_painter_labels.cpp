@@ -63,7 +63,7 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
 
 void PlotPainter::paintLines(QPainter& painter) const {
     for (const plot::Line& line : data_.lines) {
-        const bool muted = line.colour == plot::Line::muted;
+        const bool muted = line.colour == plot::MutedInk;
         painter.setPen(
             QPen(colourOf(line), strokeScale() * 1.2, muted ? Qt::DotLine : Qt::DashLine));
         painter.drawLine(strokeOf(line));
@@ -72,7 +72,7 @@ void PlotPainter::paintLines(QPainter& painter) const {
 
 QColor PlotPainter::colourOf(const plot::Line& line) {
     const Theme& theme = Theme::instance();
-    return line.colour == plot::Line::muted ? theme.mutedText() : theme.curve(line.colour);
+    return line.colour == plot::MutedInk ? theme.mutedText() : theme.curve(line.colour);
 }
 
 QLineF PlotPainter::strokeOf(const plot::Line& line) const {
@@ -245,7 +245,9 @@ double PlotPainter::radiusOf(const plot::Mark& mark) {
 }
 
 bool PlotPainter::isSeen(const plot::Mark& mark) const {
-    return data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y, mark.side));
+    const auto curve = mark.curve.empty() ? std::nullopt : data_.find(mark.curve);
+    return (!curve || data_.curves[*curve].shown) &&
+           data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y, mark.side));
 }
 
 void PlotPainter::paintMarks(QPainter& painter) const {

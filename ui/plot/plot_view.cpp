@@ -6,14 +6,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "pictures/figure.h"
+#include "pictures/picture_file.h"
+#include "pictures/widget_picture.h"
 #include "plot/accessible_plot.h"
 #include "plot/legend_item.h"
 #include "plot/model/plot_sentence.h"
-#include "plot/picture_file.h"
 #include "plot/plot_painter.h"
-#include "plot/widget_picture.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -78,24 +78,28 @@ void PlotView::setReference(PlotView* plot, const QString& name) {
     data_.referenceName = name;
     if (plot != nullptr) {
         plot->referenceOf_ = this;
-        if (referenceItem_ == nullptr) {
-            referenceItem_ = new LegendItem(this);
-            referenceItem_->setChecked(true);
-            connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
-                data_.referenceShown = on;
-                chartChanged();
-                Q_EMIT referenceChanged();
-            });
-        }
-        constexpr int longest = 24;
-        referenceItem_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026)
-                                                      : name);
-        referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
-        referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
-        referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
+        nameReference(name);
     }
     chartChanged();
     Q_EMIT referenceChanged();
+}
+
+void PlotView::nameReference(const QString& name) {
+    data_.referenceName = name;
+    if (referenceItem_ == nullptr) {
+        referenceItem_ = new LegendItem(this);
+        referenceItem_->setChecked(true);
+        connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
+            data_.referenceShown = on;
+            chartChanged();
+            Q_EMIT referenceChanged();
+        });
+    }
+    constexpr int longest = 24;
+    referenceItem_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
+    referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
+    referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
+    referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
 }
 
 QList<LegendItem*> PlotView::shownLegend() const {
@@ -200,8 +204,7 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
 void PlotView::showLegend() {
     const auto isThere = [this](std::size_t curve) {
         return !data_.curves[curve].x.empty() ||
-               (data_.reference != nullptr && curve < data_.reference->curves.size() &&
-                !data_.reference->curves[curve].x.empty());
+               data_.curveOfReference(data_.curves[curve]) != nullptr;
     };
     // A name without a curve says nothing, but a plot that waits for its data keeps its frame.
     bool any = false;

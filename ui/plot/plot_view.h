@@ -13,6 +13,7 @@ class FigureMenu;
 class LegendItem;
 class PlotPainter;
 struct CsvFormat;
+struct Figure;
 
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
@@ -110,6 +111,12 @@ class PlotView : public QWidget {
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
 
+    /// Shows a figure in place of the one before, curve by curve of the same word. What the user
+    /// has done to the plot stays: zoom, and which curves are switched off.
+    void showFigure(const Figure& figure);
+    /// Shows under the curves, pale, those of the same figure of another input. Null: none.
+    void showReference(const Figure* figure, const QString& name);
+
     /// Shows under the curves, pale and dashed, those that the same plot of a page with another
     /// input has, by their numbers; they follow it. Null removes them.
     void setReference(PlotView* plot, const QString& name);
@@ -143,9 +150,6 @@ class PlotView : public QWidget {
     std::optional<double> valueAt(int curve, double x) const {
         return data_.valueAt(data_.curve(curve), x);
     }
-    /// Of what is drawn out of scale, tables have what it stands for.
-    /// @param put  puts that in its place
-    void setTruth(std::function<void(PlotData&)> put) { putTruth_ = std::move(put); }
     /// The data of the shown curves as a table (PlotData::csv()).
     virtual QString csv(const CsvFormat& format) const;
     /// The same as the user's spreadsheet reads it.
@@ -219,6 +223,9 @@ class PlotView : public QWidget {
             updateChart();
         }
     }
+    /// The x axis of a figure; where it only goes farther, what was zoomed to stays.
+    void showAxis(const Axis& axis);
+    void nameReference(const QString& name);
     QList<LegendItem*> shownLegend() const;
     /// Entries for curves that are there.
     void showLegend();
@@ -246,11 +253,12 @@ class PlotView : public QWidget {
     const PlotScale* axisAt(const QPoint& at) const;
     void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
-    /// The data with the truth in its place.
-    PlotData trueData() const;
 
     PlotData data_;
-    std::function<void(PlotData&)> putTruth_;
+    std::optional<Axis> shownX_;  ///< of the figure
+    std::optional<Axis> shownLeft_;
+    std::optional<Axis> shownRight_;
+    std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
     std::unique_ptr<PlotPainter> painter_;
     FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null

@@ -2,31 +2,34 @@
 #include <QPainter>
 #include <utility>
 
+#include "pictures/figure.h"
+#include "pictures/picture_file.h"
 #include "plot/legend_item.h"
-#include "plot/picture_file.h"
 #include "plot/plot_painter.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 
-PlotData PlotView::trueData() const {
-    PlotData data = data_;
-    if (putTruth_) {
-        putTruth_(data);
+namespace {
+
+/// The data with what is drawn out of scale in its true places.
+PlotData toScale(PlotData data) {
+    for (PlotCurve& curve : data.curves) {
+        if (!curve.trueX.empty()) {
+            curve.set(curve.trueX, curve.trueY, data.x, data.scale(curve.style.side));
+        }
     }
     return data;
 }
 
+}  // namespace
+
 QString PlotView::csv(const CsvFormat& format) const {
-    if (!putTruth_) {
-        return data_.csv(format);
-    }
-    PlotData data = trueData();
-    const PlotData reference = reference_ != nullptr ? reference_->trueData() : PlotData();
-    if (reference_ != nullptr) {
+    PlotData data = toScale(data_);
+    const PlotData reference = data_.reference != nullptr ? toScale(*data_.reference) : PlotData();
+    if (data_.reference != nullptr) {
         data.reference = &reference;
     }
     return data.csv(format);

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pictures/wheel_guard.h"
 #include "plot/plot_view.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
-#include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 

@@ -16,13 +16,14 @@
 #include "model/case_sources.h"
 #include "model/input_differences.h"
 #include "model/variant_files.h"
+#include "page/scene_names.h"
+#include "page/scene_page.h"
+#include "report/case_parts.h"
 #include "report/input_tables.h"
 #include "report/page_parts.h"
 #include "report/report.h"
 #include "report/study_section.h"
 #include "scenes/scenes.h"
-#include "shell/scene_list.h"
-#include "shell/scene_page.h"
 #include "text/language.h"
 #include "text/message_text.h"
 #include "text/write_file.h"
@@ -65,15 +66,6 @@ class LightTheme {
     Theme::Mode mode_;
     bool changes_;
 };
-
-QString sceneTitle(const QString& name) {
-    for (const SceneInfo& info : sceneList()) {
-        if (info.name == name) {
-            return info.title;
-        }
-    }
-    return name;
-}
 
 /// The case as its file holds it, or would hold it; in words what it is of.
 std::pair<QString, QString> fingerprint(CaseDocument& document) {
@@ -332,8 +324,9 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
                                            : shortened(model.titleShown().simplified());
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
+    const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
     std::vector<PageGroup> groups =
-        pageParts(page, patience.of(0.0, model.study().empty() ? 0.9 : 0.7));
+        model.parts().empty() ? pageParts(page, ofParts) : caseParts(page, ofParts);
     addCase(report, model, document);
     report.items.push_back(Heading{ReportWords::tr("Inputs")});
     for (Table& table : inputTables(model)) {

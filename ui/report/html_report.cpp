@@ -1,7 +1,7 @@
 #include <QBuffer>
 #include <QRegularExpression>
 
-#include "plot/clipped_svg.h"
+#include "pictures/clipped_svg.h"
 #include "report/report.h"
 #include "theme/theme.h"
 
@@ -38,7 +38,7 @@ footer { margin-top: 2.5em; color: #5b626c; font-size: .85em; }
 )");
 
 /// An SVG that stands within a page: without a head, its names its own.
-QString inlineSvg(const Figure& figure, int number) {
+QString inlineSvg(const Drawing& figure, int number) {
     QBuffer buffer;
     ClippedSvg device(buffer, figure.size);
     QPainter painter(&device);
@@ -113,7 +113,7 @@ struct HtmlWriter {
         }
         html += QStringLiteral("</tbody></table></div>\n");
     }
-    void operator()(const Figure& figure) {
+    void operator()(const Drawing& figure) {
         html += QStringLiteral("<figure>%1").arg(inlineSvg(figure, ++figures));
         if (!figure.caption.isEmpty()) {
             html +=

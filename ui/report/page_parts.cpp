@@ -12,15 +12,16 @@
 
 #include "model/background_job.h"
 #include "model/scene_model.h"
+#include "page/mechanism_picture.h"
+#include "page/scene_page.h"
+#include "pictures/figure.h"
 #include "plot/plot_view.h"
+#include "report/figure_drawings.h"
 #include "report/patience.h"
-#include "shell/scene_page.h"
 #include "studies/tolerance_bands.h"
 #include "studies/tolerance_switch.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 #include "widgets/form_section.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -29,9 +30,6 @@ using namespace report;
 
 namespace {
 
-constexpr int figureWidth = 660;     ///< pixels, of a plot
-constexpr int narrowWidth = 480;     ///< of one that is high
-constexpr int pictureWidth = 430;    ///< of a picture
 constexpr qint64 patience = 60'000;  // ms
 constexpr double bandsShare = 0.8;   ///< of the time that the parts of the page take
 
@@ -54,87 +52,6 @@ Paragraph::Kind kindOf(const QLabel& label) {
            : ink == &Theme::good      ? Paragraph::Kind::Good
            : ink == &Theme::mutedText ? Paragraph::Kind::Muted
                                       : Paragraph::Kind::Text;
-}
-
-/// Draws with the widget at another size, then gives it back its own. A hidden widget hears of a
-/// size only when it is shown: it is told.
-template <typename Draw>
-void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
-    const auto resize = [widget](const QSize& to) {
-        const QSize from = widget->size();
-        if (from != to) {
-            widget->resize(to);
-            if (!widget->isVisible()) {
-                QResizeEvent event(to, from);
-                QCoreApplication::sendEvent(widget, &event);
-            }
-        }
-    };
-    const QSize own = widget->size();
-    resize(size);
-    draw();
-    resize(own);
-}
-
-Figure figureOf(PlotView* plot) {
-    // As high as it stands on the page, within reason.
-    const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
-    constexpr double narrow = 0.62;  // on the page it shares its row
-    const int width = shape < narrow ? figureWidth : narrowWidth;
-    const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
-    return {plot->isZoomed() ? ReportWords::tr("A section: the plot is zoomed.") : QString(),
-            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
-            size, [plot = QPointer(plot), size](QPainter& painter) {
-                if (plot) {
-                    drawAt(plot, size,
-                           [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
-                }
-            }};
-}
-
-Figure figureOf(QWidget* picture) {
-    const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
-    const int width = shape < 0.6 ? figureWidth : pictureWidth;
-    // On the page a mechanism is low, for the plots' sake.
-    const int least = qobject_cast<MechanismPicture*>(picture) != nullptr ? 340 : 160;
-    const QSize size(width, std::clamp(static_cast<int>(width * shape), least, 460));
-    return {picture->accessibleName(), picture->accessibleDescription(), size,
-            [picture = QPointer(picture), size](QPainter& painter) {
-                if (picture) {
-                    drawAt(picture, size,
-                           [&] { drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size))); });
-                }
-            }};
-}
-
-Table tableOf(const ResultTable& table) {
-    Table shown;
-    shown.caption = table.accessibleName();
-    for (int column = 0; column < table.columnCount(); ++column) {
-        shown.headings << table.horizontalHeaderItem(column)->text().toHtmlEscaped();
-        shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
-                          (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
-    }
-    for (int row = 0; row < table.rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < table.columnCount(); ++column) {
-            const QTableWidgetItem* cell = table.item(row, column);
-            cells << (cell != nullptr ? fragment(cell->text()) : QString());
-            QStringList parts = table.differenceAt(row, column);
-            parts.removeAll(QString());
-            if (!parts.isEmpty()) {
-                cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
-                                    .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
-            }
-            const QString spread = table.spreadAt(row, column);
-            if (!spread.isEmpty()) {
-                cells.last() += QStringLiteral("<br/><small>%1</small>").arg(spread);
-            }
-        }
-        shown.rows << cells;
-    }
-    shown.isSmall = shown.headings.size() > 6;
-    return shown;
 }
 
 class Collector {
@@ -264,14 +181,14 @@ class Collector {
         if (auto* plot = qobject_cast<PlotView*>(widget)) {
             // A head alone, without a row.
             if (plot->dataAsCsv().count(QLatin1Char('\n')) > 1) {
-                parts.figures.push_back(figureOf(plot));
+                parts.figures.push_back(drawingOf(plot));
             } else {
                 parts.empty << plot->title();
             }
             return true;
         }
         if (isFigure(widget)) {
-            parts.figures.push_back(figureOf(widget));
+            parts.figures.push_back(drawingOf(widget));
             return true;
         }
         if (const auto* table = qobject_cast<ResultTable*>(widget)) {

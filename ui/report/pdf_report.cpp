@@ -145,7 +145,7 @@ class Strips {
                           }});
     }
 
-    void operator()(const Figure& figure) {
+    void operator()(const Drawing& figure) {
         const double scale = std::min(1.0, width / figure.size.width());
         const QSizeF size = QSizeF(figure.size) * scale;
         strips.push_back({size.height(), 8.0, !figure.caption.isEmpty(), -1,
@@ -369,7 +369,7 @@ QByteArray reportAsPdf(const Report& report) {
         std::visit(strips, report.items[i]);
         // What is said before a figure stays with it, and so does the heading over that.
         if (i + 1 < report.items.size() && std::holds_alternative<Paragraph>(report.items[i]) &&
-            std::holds_alternative<Figure>(report.items[i + 1])) {
+            std::holds_alternative<Drawing>(report.items[i + 1])) {
             strips.strips.back().keepsWithNext = true;
         }
     }

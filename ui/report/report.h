@@ -37,14 +37,14 @@ struct Table {
     bool isSmall = false;
 };
 
-struct Figure {
+struct Drawing {
     QString caption;                      ///< plain; may be empty where the figure says it
     QString description;                  ///< plain, for who cannot see it
     QSize size;                           ///< pixels of 1/96 inch
     std::function<void(QPainter&)> draw;  ///< into (0, 0) … size
 };
 
-using Item = std::variant<Heading, Paragraph, Table, Figure>;
+using Item = std::variant<Heading, Paragraph, Table, Drawing>;
 
 }  // namespace report
 

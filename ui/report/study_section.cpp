@@ -108,7 +108,7 @@ Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
     return table;
 }
 
-Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
+Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
     auto view = std::make_shared<TornadoView>();
     showShares(*view, value, study);
     const auto rows = static_cast<int>(std::min<std::size_t>(value.shares.size(), 12));

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
 

@@ -6,11 +6,11 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/variant_files.h"
+#include "page/compared_figure.h"
+#include "page/scene_page.h"
 #include "plot/plot_view.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
 #include "text/error_text.h"
-#include "widgets/compared_figure.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 
@@ -40,6 +40,7 @@ void connectAll(const ScenePage& page, const ScenePage* twin, const QString& nam
 }  // namespace
 
 Comparison::Comparison(ScenePage* page) : QObject(page), page_(page) {
+    page->addBusy([this] { return twin_ != nullptr && twin_->isBusy(); });
     connect(page->model(), &SceneModel::variantsChanged, this, &Comparison::showReference);
     connect(page->model(), &SceneModel::changed, this, &Comparison::takeView);
     connect(page->model(), &SceneModel::viewChanged, this, &Comparison::takeView);

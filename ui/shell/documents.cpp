@@ -19,7 +19,7 @@
 #include "shell/disk_notice.h"
 #include "shell/missing_file.h"
 #include "shell/saving_dialogs.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/message_text.h"

@@ -7,7 +7,7 @@
 
 #include "case-file/json.h"
 #include "model/input_differences.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 #include "widgets/result_table.h"

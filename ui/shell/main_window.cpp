@@ -24,15 +24,16 @@
 #include <utility>
 
 #include "model/recovery.h"
-#include "plot/picture_file.h"
+#include "page/refused_entries.h"
+#include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
+#include "pictures/picture_file.h"
 #include "report/case_report.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/new_case_dialog.h"
 #include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
-#include "shell/refused_entries.h"
-#include "shell/scene_page.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "studies/tolerance_window.h"
@@ -40,7 +41,6 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/scale_button.h"
 

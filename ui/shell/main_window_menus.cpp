@@ -22,7 +22,7 @@
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
 #include "shell/page_drawing.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
 #include "studies/tolerance_switch.h"

@@ -8,7 +8,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/case_document.h"
-#include "widgets/file_dialogs.h"
+#include "pictures/file_dialogs.h"
 
 namespace ravnoves {
 

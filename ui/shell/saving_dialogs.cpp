@@ -4,10 +4,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "page/refused_entries.h"
+#include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
 #include "shell/documents.h"
-#include "shell/refused_entries.h"
-#include "shell/scene_page.h"
-#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 

@@ -1,7 +1,5 @@
 #include "shell/scene_list.h"
 
-#include <QCoreApplication>
-
 #include "balance-shaft/balance_shaft_page.h"
 #include "bob-weights/bob_weights_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
@@ -18,49 +16,27 @@ namespace {
 template <typename Page>
 ScenePage* makePage(QWidget* parent, SceneModel* kept) {
     auto* page = new Page(parent, kept);
-    new Comparison(page);
-    new ToleranceBands(page);
+    if (page->model()->parts().empty()) {
+        new Comparison(page);
+    }
+    new ToleranceBands(page, [] { return new Page; });
     return page;
 }
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("ravnoves::SceneList", text);
-}
+/// In the order of sceneNames().
+constexpr ScenePage* (*makers[])(QWidget*, SceneModel*){
+    makePage<BalanceShaftPage>, makePage<ElasticHingePage>,   makePage<V8PlugsPage>,
+    makePage<BobWeightsPage>,   makePage<InertiaMomentsPage>, makePage<MethodsPage>,
+};
 
 }  // namespace
 
 std::vector<SceneInfo> sceneList() {
-    return {
-        {QStringLiteral("balance-shaft"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Balance shaft")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Where the balance shaft of a single-cylinder engine goes")),
-         makePage<BalanceShaftPage>},
-        {QStringLiteral("elastic-hinge"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Spring guides that hold the crank speed constant")),
-         makePage<ElasticHingePage>},
-        {QStringLiteral("v8-plugs"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "V-8 workshop")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Crankpin plugs and bob weights of a V-8 under repair")),
-         makePage<V8PlugsPage>},
-        {QStringLiteral("bob-weights"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Bob weights")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Bob weights and the drilled crankshaft of any engine")),
-         makePage<BobWeightsPage>},
-        {QStringLiteral("inertia-moments"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Forces and moments of VR5 and any other cylinder layout")),
-         makePage<InertiaMomentsPage>},
-        {QStringLiteral("methods"), translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Speed against accuracy, and where methods fail")),
-         makePage<MethodsPage>},
-    };
+    std::vector<SceneInfo> scenes;
+    for (const SceneName& each : sceneNames()) {
+        scenes.push_back({each, makers[scenes.size()]});
+    }
+    return scenes;
 }
 
 }  // namespace ravnoves

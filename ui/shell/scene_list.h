@@ -1,8 +1,9 @@
 #pragma once
 
-#include <QString>
 #include <functional>
 #include <vector>
+
+#include "page/scene_names.h"
 
 class QWidget;
 
@@ -11,11 +12,8 @@ namespace ravnoves {
 class ScenePage;
 class SceneModel;
 
-/// A scene as the navigation shows it.
-struct SceneInfo {
-    QString name;     ///< its word in case files, the name of its folders and of its help page
-    QString title;    ///< in the navigation
-    QString summary;  ///< one line: what it is for
+/// A scene and its page.
+struct SceneInfo : SceneName {
     std::function<ScenePage*(QWidget* parent, SceneModel* kept)> maker;
 
     /// Makes the page, over the model that a page before it has left, or over a new one.
@@ -24,8 +22,8 @@ struct SceneInfo {
     }
 };
 
-/// All scenes in the order of the navigation. To add a scene, add its line here and in core's
-/// scenes.cpp.
+/// All scenes in the order of the navigation. To add a scene, add its line here, in scene_names.cpp
+/// and in core's scenes.cpp.
 std::vector<SceneInfo> sceneList();
 
 }  // namespace ravnoves

@@ -6,7 +6,7 @@
 
 #include "model/variant_files.h"
 #include "shell/input_comparison.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
 

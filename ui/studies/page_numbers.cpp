@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 
 namespace ravnoves {
 

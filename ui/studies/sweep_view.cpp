@@ -223,10 +223,8 @@ void SweepView::showCurves() {
     std::vector<PlotView::Band> bands;
     const double nominal = input.factor * sweep.nominal;
     if (sweep.half > 0.0) {
-        QColor pale = Theme::instance().accent();
-        pale.setAlphaF(0.12F);
         const double half = input.factor * sweep.half;
-        bands.push_back({nominal - half, nominal + half, pale, QStringLiteral("±")});
+        bands.push_back({nominal - half, nominal + half, plot::AccentInk, 0.12, QStringLiteral("±")});
     }
     plot_->setBands(std::move(bands));
     const auto shown = [&](double value) {
@@ -249,7 +247,7 @@ void SweepView::showCurves() {
                  {std::pair(watched.min, tr("at least")), std::pair(watched.max, tr("at most"))}) {
                 if (limit) {
                     lines.push_back({.at = *limit,
-                                     .colour = plot::Line::muted,
+                                     .colour = plot::MutedInk,
                                      .text = text,
                                      .keptAtEdge = true});
                 }

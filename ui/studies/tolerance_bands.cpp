@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QTabWidget>
+#include <QThread>
 #include <condition_variable>
 #include <mutex>
 
@@ -9,9 +10,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/background_job.h"
+#include "page/part_views.h"
+#include "page/scene_page.h"
 #include "plot/plot_view.h"
-#include "shell/scene_list.h"
-#include "shell/scene_page.h"
 #include "studies/model/study_model.h"
 #include "studies/page_numbers.h"
 #include "studies/tolerance_switch.h"
@@ -54,8 +55,9 @@ class AwaitedNumbers {
 
 }  // namespace
 
-ToleranceBands::ToleranceBands(ScenePage* page)
-    : QObject(page), page_(page), job_(new BackgroundJob(this)) {
+ToleranceBands::ToleranceBands(ScenePage* page, std::function<ScenePage*()> another)
+    : QObject(page), page_(page), another_(std::move(another)), job_(new BackgroundJob(this)) {
+    page->addBusy([this] { return isBusy(); });
     rest_.setSingleShot(true);
     rest_.setInterval(handRestsMs);
     connect(&rest_, &QTimer::timeout, this, &ToleranceBands::begin);
@@ -139,7 +141,7 @@ void ToleranceBands::outdate() {
     isOfAll_ = false;
     ++run_;
     job_->cancel();
-    if (numbers_ != nullptr) {
+    if (numbers_ != nullptr || !spreads_.empty()) {
         clear(isWanted());
     }
     if (!isWanted()) {
@@ -159,6 +161,10 @@ void ToleranceBands::beginLater() {
 
 void ToleranceBands::clear(bool othersFollow) {
     numbers_.reset();
+    spreads_.clear();
+    for (PartView* view : PartView::below(*page_, false)) {
+        view->clearSpread(othersFollow);
+    }
     for (PlotView* plot : page_->findChildren<PlotView*>()) {
         plot->clearSpreads();
     }
@@ -170,11 +176,7 @@ void ToleranceBands::clear(bool othersFollow) {
 bool ToleranceBands::makeTwin() {
     const SceneModel& model = *page_->model();
     if (twin_ == nullptr) {
-        for (const SceneInfo& info : sceneList()) {
-            if (info.name == model.sceneName()) {
-                twin_.reset(info.make(nullptr, nullptr));
-            }
-        }
+        twin_.reset(another_());
         twin_->model()->history()->setUndoLimit(1);
     }
     try {
@@ -192,6 +194,10 @@ void ToleranceBands::begin() {
         return;
     }
     ScatteredInputs inputs(page_->model()->caseFile().input, study_);  // with its defaults
+    if (!page_->model()->parts().empty()) {
+        inputs.isEmpty() ? clear(false) : beginParts(std::move(inputs));
+        return;
+    }
     const bool canSolve = !inputs.isEmpty() && makeTwin();
     const SceneModel::SolveApart solve =
         canSolve ? twin_->model()->solvesApart() : SceneModel::SolveApart();
@@ -224,12 +230,74 @@ void ToleranceBands::begin() {
         }
         return [this, run, count = samples.size(), sides = samples.sides()] {
             if (run == run_ && count > 0 && numbers_->isWhole()) {
-                numbers_->show(sides, tr("Half of the range from 5 % to 95 % of %1 samples of the "
-                                         "tolerances; both sides where they differ.")
-                                          .arg(count));
+                numbers_->show(sides, howText(count));
             }
         };
     });
+}
+
+void ToleranceBands::beginParts(ScatteredInputs inputs) {
+    const SceneModel& model = *page_->model();
+    std::vector<std::string_view> ids;
+    if (isOfAll_) {
+        for (const PagePart& part : model.parts()) {
+            ids.push_back(part.id);
+        }
+    } else {
+        for (const PartView* view : PartView::below(*page_, true)) {
+            ids.push_back(view->id());
+        }
+    }
+    auto sample = std::shared_ptr<SceneModel>(model.another(false));
+    sample->history()->setUndoLimit(1);
+    sample->loadCase(model.inputJson(), model.context(), model.title());
+    sample->takeView(model);
+    sample->moveToThread(nullptr);
+    auto numbers = std::make_shared<const PartNumbers>(model, ids);
+    job_->start([this, run = ++run_, inputs = std::make_shared<ScatteredInputs>(std::move(inputs)),
+                 numbers, sample = std::move(sample)](
+                    const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
+        const std::shared_ptr<SceneModel> own = std::move(sample);
+        own->moveToThread(QThread::currentThread());
+        BandSamples samples(numbers->nominal(), numbers->periods());
+        for (int i = 0; i < ScatteredInputs::count; ++i) {
+            if (!progress(static_cast<double>(i) / ScatteredInputs::count)) {
+                return {};
+            }
+            try {
+                own->showInput(inputs->next());
+            } catch (const InputError&) {
+                continue;  // it has no numbers
+            }
+            samples.add(numbers->of(*own));
+        }
+        return [this, run, numbers, count = samples.size(), sides = samples.sides()] {
+            if (run == run_ && count > 0) {
+                spreads_ = numbers->spreads(sides, howText(count));
+                showSpreads();
+            }
+        };
+    });
+}
+
+void ToleranceBands::showSpreads() {
+    for (PartView* view : PartView::below(*page_, false)) {
+        const auto found = spreads_.find(view->id());
+        if (found != spreads_.end()) {
+            view->showSpread(found->second);
+        }
+    }
+}
+
+const PartSpread* ToleranceBands::spreadOf(std::string_view part) const {
+    const auto found = spreads_.find(part);
+    return found != spreads_.end() ? &found->second : nullptr;
+}
+
+QString ToleranceBands::howText(std::size_t count) {
+    return tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both sides "
+              "where they differ.")
+        .arg(count);
 }
 
 std::optional<std::vector<double>> ToleranceBands::read(int run,

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/part.h"
+#include "studies/model/part_numbers.h"
 #include "studies/study.h"
 
 namespace ravnoves {
@@ -27,7 +29,8 @@ class ToleranceBands : public QObject {
 
   public:
     /// Belongs to the page and follows its model.
-    explicit ToleranceBands(ScenePage* page);
+    /// @param another  makes a page of the same scene
+    ToleranceBands(ScenePage* page, std::function<ScenePage*()> another);
     ~ToleranceBands() override;
 
     /// True until what is seen has its bands.
@@ -37,6 +40,8 @@ class ToleranceBands : public QObject {
     /// Begins those of all that the page has, also of what is not seen, until something changes.
     /// What has never been shown is empty.
     void findAll();
+    /// What was found of a part; null where there is nothing.
+    const PartSpread* spreadOf(std::string_view part) const;
     /// Nothing else is begun meanwhile.
     void hold(bool held);
 
@@ -51,6 +56,9 @@ class ToleranceBands : public QObject {
     void begin();
     bool makeTwin();
     void clear(bool othersFollow);
+    void beginParts(ScatteredInputs inputs);
+    void showSpreads();
+    static QString howText(std::size_t count);
     /// Whether there are tolerances to be shown.
     bool isWanted() const;
     /// The tolerances of the case as far as bands depend on them.
@@ -60,9 +68,11 @@ class ToleranceBands : public QObject {
     std::optional<std::vector<double>> read(int run, const std::function<void()>& take);
 
     ScenePage* page_;
+    std::function<ScenePage*()> another_;
     BackgroundJob* job_;
     std::unique_ptr<ScenePage> twin_;
     std::unique_ptr<PageNumbers> numbers_;
+    std::map<std::string, PartSpread, std::less<>> spreads_;
     studies::Study study_;
     QTimer rest_;
     int run_ = 0;  ///< whose samples count

@@ -27,7 +27,7 @@
 #include "model/background_job.h"
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
@@ -239,6 +239,9 @@ QWidget* ToleranceWindow::makeInputs() {
     watched_ = edit(new WatchTable(model_), tr("Results to watch"),
                     tr("Remove the selected results"), {WatchTable::Least, WatchTable::Most});
     column->addWidget(watched_, 2);
+    for (TableEditor* table : {inputs_, watched_}) {
+        page_->addTable(table);
+    }
     // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
     // its lines scrolls.
     refused_ = new TroubleLine(holder);
@@ -547,7 +550,7 @@ void ToleranceWindow::showChosen() {
         if (at) {
             lines.push_back({.at = *at,
                              .orientation = Qt::Vertical,
-                             .colour = plot::Line::muted,
+                             .colour = plot::MutedInk,
                              .text = text,
                              .keptAtEdge = true});
         }

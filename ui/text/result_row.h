@@ -89,6 +89,15 @@ ResultCell shownCell(double si, const Unit& unit, int decimals);
 ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,
                    const QString& tip = {});
 
+/// What scatter of the inputs makes of a cell of a table.
+struct CellSpread {
+    int row = 0;
+    int column = 0;
+    QString name;        ///< of the row, which is elsewhere where that is another
+    double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
+    double above = 0.0;  ///< from the number to 95 %
+};
+
 /// A difference with a sign, "0" for none.
 QString signedNumber(double value, int decimals);
 QString signedPercent(double value, double reference);

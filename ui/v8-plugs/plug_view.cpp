@@ -2,11 +2,11 @@
 
 #include <QPainter>
 
+#include "pictures/figure.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_drawing.h"
-#include "widgets/figure.h"
 #include "widgets/panel.h"
 
 namespace ravnoves {

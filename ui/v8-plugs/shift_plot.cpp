@@ -46,10 +46,8 @@ ShiftPlot::ShiftPlot(QWidget* parent) : PlotView(tr("Shift of the plug's centre 
     own.pen = Qt::DashLine;
     own.inLegend = false;
     own_ = addCurve(own);
-    QColor shade = Theme::instance().accent();
-    shade.setAlphaF(0.12F);
     setYRange(Side::Left, 0.0, 0.04);  // with room for the word over the lines
-    setBands({{smallest_shift / mm, largest_shift / mm, shade, tr("neglected")}});
+    setBands({{smallest_shift / mm, largest_shift / mm, plot::AccentInk, 0.12, tr("neglected")}});
 }
 
 void ShiftPlot::showRadius(const std::optional<double>& crankRadius) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "plot/plot_view.h"
+#include "plot/model/plot_data.h"
 
 namespace ravnoves {
 
@@ -19,7 +19,7 @@ Apart::Apart(QLabel* held, QWidget* parent) : QWidget(parent), held_(held) {
 int Apart::heightForWidth(int width) const {
     const int needed =
         held_->hasHeightForWidth() ? held_->heightForWidth(width) : held_->sizeHint().height();
-    return PlotView::isSteady() && width == this->width() ? std::max(height_, needed) : needed;
+    return PlotData::steady && width == this->width() ? std::max(height_, needed) : needed;
 }
 
 bool Apart::event(QEvent* event) {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "numerics/constants.h"
-#include "plot/model/shape.h"
-#include "plot/model/stroke.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
 #include "theme/theme.h"
 
 namespace ravnoves::drawing {

@@ -240,7 +240,7 @@ void ResultTable::setRows(const ResultRows& rows) {
     if (!spreads_.empty()) {
         showSpreads();
     }
-    if (reference_ != nullptr) {
+    if (rowsOfReference() != nullptr) {
         showDifferences();
     } else if (!isSameShape) {
         fitColumns();
@@ -348,22 +348,40 @@ void ResultTable::showSpreads() {
     }
 }
 
+const ResultRows* ResultTable::rowsOfReference() const {
+    return reference_ != nullptr ? &reference_->rows_
+           : referenceRows_      ? &*referenceRows_
+                                 : nullptr;
+}
+
+void ResultTable::showReference(const Results* results, const QString& name) {
+    if (results == nullptr && !referenceRows_) {
+        return;
+    }
+    referenceRows_ = results != nullptr ? std::optional(results->rows) : std::nullopt;
+    referenceName_ = name;
+    fittedTo_ = -1;
+    showDifferences();
+    showTips();
+}
+
 int ResultTable::rowInReference(int row) const {
-    const auto name = [](const ResultTable& table, int at) {
-        const ResultRow row = table.rows_.value(at);
+    const ResultRows& reference = *rowsOfReference();
+    const auto name = [](const ResultRows& rows, int at) {
+        const ResultRow row = rows.value(at);
         return row.name.isEmpty() ? row.value(0).text : row.name;
     };
-    const QString wanted = name(*this, row);
-    if (row < reference_->rowCount() && name(*reference_, row) == wanted) {
+    const QString wanted = name(rows_, row);
+    if (row < reference.size() && name(reference, row) == wanted) {
         return row;
     }
     // Of rows with one name the first is the first there.
     int before = 0;
     for (int i = 0; i < row; ++i) {
-        before += name(*this, i) == wanted ? 1 : 0;
+        before += name(rows_, i) == wanted ? 1 : 0;
     }
-    for (int i = 0; i < reference_->rowCount(); ++i) {
-        if (name(*reference_, i) == wanted && before-- == 0) {
+    for (int i = 0; i < reference.size(); ++i) {
+        if (name(reference, i) == wanted && before-- == 0) {
             return i;
         }
     }
@@ -372,8 +390,9 @@ int ResultTable::rowInReference(int row) const {
 
 void ResultTable::showDifferences() {
     for (int row = 0; row < rows_.size(); ++row) {
-        const int other = reference_ != nullptr ? rowInReference(row) : -1;
-        const ResultRow was = other >= 0 ? reference_->rows_[other] : ResultRow();
+        const ResultRows* reference = rowsOfReference();
+        const int other = reference != nullptr ? rowInReference(row) : -1;
+        const ResultRow was = other >= 0 ? (*reference)[other] : ResultRow();
         for (int column = 1; column < columnCount(); ++column) {
             const auto found = rows_[row].value(column).from(was.value(column));
             const QStringList parts =
@@ -430,7 +449,7 @@ void ResultTable::fitColumns() {
             sum += width;
         }
         // Differences stand below each other before they shorten the words.
-        if (sum + (reference_ != nullptr ? cut : 0) <= room || room_ == Room::Little) {
+        if (sum + (rowsOfReference() != nullptr ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);

@@ -45,16 +45,11 @@ class ResultTable : public QTableWidget {
     /// removes them.
     void setReference(ResultTable* table, const QString& name);
     const ResultTable* reference() const { return reference_; }
+    /// The same against the rows that another input gives. Null removes them.
+    void showReference(const Results* results, const QString& name);
     /// Absolute and percent of a cell, as shown; empty where there is nothing to compare.
     QStringList differenceAt(int row, int column) const;
-    /// What scatter of the inputs makes of a cell.
-    struct Spread {
-        int row = 0;
-        int column = 0;
-        QString name;        ///< of the row, which is elsewhere where that is another
-        double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
-        double above = 0.0;  ///< from the number to 95 %
-    };
+    using Spread = CellSpread;
     /// Shows them below the numbers, after differences. None removes them.
     /// @param how  they were found, which the cells say too
     void setSpreads(std::vector<Spread> spreads, const QString& how = {});
@@ -101,6 +96,8 @@ class ResultTable : public QTableWidget {
     /// What stands below a cell, line by line.
     QStringList below(int row, int column) const;
     void fitRows();
+    /// Null where there is no reference.
+    const ResultRows* rowsOfReference() const;
     int rowInReference(int row) const;
     void showTips();
 
@@ -114,6 +111,7 @@ class ResultTable : public QTableWidget {
     ResultColumns headings_;
     ResultRows rows_;
     ResultTable* reference_ = nullptr;
+    std::optional<ResultRows> referenceRows_;  ///< of results, not of a table
     ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one
     QString referenceName_;
     std::vector<Spread> spreads_;

@@ -14,11 +14,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "shell/scene_list.h"
+#include "page/scene_names.h"
+#include "pictures/file_dialogs.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
@@ -51,15 +51,6 @@ QList<JournalColumn> journalColumns() {
             {JournalDialog::tr("Result"), 150},
             {JournalDialog::tr("Bob weight, g"), 108},
             {JournalDialog::tr("Machine, g·mm"), lastWidth}};
-}
-
-QString sceneTitle(const QString& scene) {
-    for (const SceneInfo& each : sceneList()) {
-        if (each.name == scene) {
-            return each.title;
-        }
-    }
-    return scene;
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <QPixmap>
 #include <QPushButton>
 
+#include "pictures/file_dialogs.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 #include "workshop/job_card.h"
 
 namespace ravnoves {

@@ -20,14 +20,14 @@
 #include <exception>
 
 #include "model/worker_thread.h"
-#include "shell/refused_entries.h"
+#include "page/refused_entries.h"
+#include "pictures/file_dialogs.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"

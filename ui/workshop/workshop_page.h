@@ -3,7 +3,7 @@
 #include <QSet>
 #include <memory>
 
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "workshop/model/journal.h"
 
 class QPrinter;

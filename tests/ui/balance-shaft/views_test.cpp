@@ -28,7 +28,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "events.h"
 #include "model/background_job.h"
-#include "widgets/file_dialogs.h"
+#include "pictures/file_dialogs.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"

@@ -18,10 +18,11 @@
 #include "case-file/text_file.h"
 #include "elastic-hinge/guide_export_form.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
-#include "elastic-hinge/hinge_plots.h"
+#include "elastic-hinge/hinge_tabs.h"
 #include "elastic-hinge/number_list_field.h"
 #include "elastic-hinge/presets.h"
 #include "events.h"
+#include "page/part_views.h"
 #include "text/csv_format.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -67,7 +68,7 @@ class ElasticHingePageTest : public ::testing::Test {
         QApplication::processEvents();
     }
     void bringPlots(const char* name) {
-        HingePlots* plots = page.plots();
+        HingeTabs* plots = page.plots();
         for (int i = 0; i < plots->count(); ++i) {
             if (plots->widget(i)->objectName() == QLatin1String(name)) {
                 QTest::mouseClick(plots->tabBar(), Qt::LeftButton, {},
@@ -77,6 +78,8 @@ class ElasticHingePageTest : public ::testing::Test {
         QApplication::processEvents();
         ASSERT_EQ(page.plots()->currentWidget()->objectName(), QLatin1String(name));
     }
+    PlotView* plotOf(std::string_view part) { return partPlot(page, part); }
+    QPushButton* cancelButton() { return find<QPushButton>("cancel_motion"); }
     void waitForMotions() {
         QSignalSpy running(model->runner(), &MotionRunner::runningChanged);
         while (model->runner()->isRunning()) {
@@ -108,7 +111,7 @@ TEST_F(ElasticHingePageTest, KeysBeforeADragAreAStepOfTheirOwn) {
 TEST_F(ElasticHingePageTest, SliderDragMovesEverythingLive) {
     auto* slider = find<QSlider>("angular_speed_rad_s_slider");
     const QString before = page.resultsAsText();
-    const double relief = *page.plots()->reliefPlot()->valueAt(0, 60.0);
+    const double relief = *plotOf("relief")->valueAt(0, 60.0);
     const int y = slider->height() / 2;
     const int x = static_cast<int>(slider->width() * slider->value() / 600.0);
     QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
@@ -123,7 +126,7 @@ TEST_F(ElasticHingePageTest, SliderDragMovesEverythingLive) {
     EXPECT_EQ(model->history()->count(), 1);
     EXPECT_NE(page.resultsAsText(), before);
     EXPECT_EQ(find<NumberField>("angular_speed_rad_s")->value(), model->input().angular_speed);
-    EXPECT_GT(*page.plots()->reliefPlot()->valueAt(0, 60.0), 2 * relief);
+    EXPECT_GT(*plotOf("relief")->valueAt(0, 60.0), 2 * relief);
 }
 
 TEST_F(ElasticHingePageTest, EverySliderSetsItsQuantity) {
@@ -289,9 +292,9 @@ TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
     EXPECT_EQ(model->input().lambda, 1.0);
     EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("locks")));
     bringPlots("rod-hinge");
-    EXPECT_TRUE(page.plots()->rodMomentPlot()->valueAt(0, 90.0).has_value());
+    EXPECT_TRUE(plotOf("rod-moment")->valueAt(0, 90.0).has_value());
     bringPlots("crank-moment");
-    EXPECT_FALSE(page.plots()->crankMomentPlot()->valueAt(0, 90.0).has_value());
+    EXPECT_FALSE(plotOf("crank-moment")->valueAt(0, 90.0).has_value());
     // Back to the exact kinematics is refused at λ = 1, and the choice shows it.
     choose("kinematics", 0);
     EXPECT_EQ(find<QComboBox>("kinematics")->currentIndex(), 1);
@@ -299,40 +302,40 @@ TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
 
 TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     // Fig. 2: the guide, here enlarged: at φ = 0 on the circle of ρ₀.
-    ASSERT_TRUE(page.plots()->guidePlot()->title().contains(QStringLiteral("500")));
-    EXPECT_NEAR(*page.plots()->reliefPlot()->valueAt(0, 90.0), 16.8, 0.05);  // µm
+    ASSERT_TRUE(plotOf("guides")->title().contains(QStringLiteral("500")));
+    EXPECT_NEAR(*plotOf("relief")->valueAt(0, 90.0), 16.8, 0.05);  // µm
     bringPlots("rod-hinge");
-    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(0, 30.0), -14.849, 1e-3);
-    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
-    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(2, 30.0), -14.782, 1e-3);  // the series
-    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(3), QStringLiteral("500\u00A0rad/s"));
-    EXPECT_TRUE(page.plots()->rodSpeedsPlot()->isCurveShown(3));
-    EXPECT_FALSE(page.plots()->rodSpeedsPlot()->isCurveShown(4));
+    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(0, 30.0), -14.849, 1e-3);
+    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
+    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(2, 30.0), -14.782, 1e-3);  // the series
+    EXPECT_EQ(plotOf("rod-moment-speeds")->curveName(3), QStringLiteral("500\u00A0rad/s"));
+    EXPECT_TRUE(plotOf("rod-moment-speeds")->isCurveShown(3));
+    EXPECT_EQ(plotOf("rod-moment-speeds")->curveCount(), 4);
     bringPlots("side-force");
-    EXPECT_NEAR(*page.plots()->sideLambdasPlot()->valueAt(1, 90.0), -9.4746, 1e-3);
-    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(0, 90.0), -94.746, 1e-2);
-    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(2, 60.0), 85.128, 1e-3);
+    EXPECT_NEAR(*plotOf("side-force-lambdas")->valueAt(1, 90.0), -9.4746, 1e-3);
+    EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(0, 90.0), -94.746, 1e-2);
+    EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(2, 60.0), 85.128, 1e-3);
     bringPlots("crank-moment");
-    EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(0, 30.0), 16.5966, 1e-3);
-    EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(1, 30.0), -4.0567, 1e-3);
+    EXPECT_NEAR(*plotOf("crank-moment")->valueAt(0, 30.0), 16.5966, 1e-3);
+    EXPECT_NEAR(*plotOf("crank-moment")->valueAt(1, 30.0), -4.0567, 1e-3);
     bringPlots("motion");
     waitForMotions();
-    EXPECT_NEAR(*page.plots()->speedPlot()->valueAt(1, 2.5), 100.0, 1e-6);
-    EXPECT_LT(*page.plots()->speedPlot()->valueAt(0, 0.25), 60.0);
+    EXPECT_NEAR(*plotOf("crank-speed")->valueAt(1, 2.5), 100.0, 1e-6);
+    EXPECT_LT(*plotOf("crank-speed")->valueAt(0, 0.25), 60.0);
     // With a counterweight the moment is M₁*.
     QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
     bringPlots("crank-moment");
-    EXPECT_EQ(page.plots()->crankMomentPlot()->curveName(1), QStringLiteral("M₁*"));
+    EXPECT_EQ(plotOf("crank-moment")->curveName(1), QStringLiteral("M₁*"));
     // Nothing is left of the side force, and the axis does not enlarge the rounding.
     bringPlots("side-force");
-    const auto [low, high] = page.plots()->sideLambdasPlot()->yInterval(PlotView::Side::Left);
+    const auto [low, high] = plotOf("side-force-lambdas")->yInterval(PlotView::Side::Left);
     EXPECT_LT(low, -0.9);
     EXPECT_GT(high, 0.9);
 }
 
 TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
     typeInBox("guide_radius_at_zero_mm", QStringLiteral("99.5"));
-    PlotView* relief = page.plots()->reliefPlot();
+    PlotView* relief = plotOf("relief");
     EXPECT_TRUE(relief->valueAt(0, 20.0).has_value());
     EXPECT_FALSE(relief->valueAt(0, 76.0).has_value());
     EXPECT_TRUE(relief->valueAt(1, 180.0).has_value());  // the second piece of the same curve
@@ -358,13 +361,13 @@ TEST_F(ElasticHingePageTest, GuideChoiceAndExaggerationFollowTheMouse) {
     EXPECT_FALSE(model->hasAutomaticExaggeration());
     QTest::keyClick(find<QSlider>("exaggeration_slider"), Qt::Key_Home);
     EXPECT_EQ(model->exaggeration(), 1.0);
-    EXPECT_TRUE(page.plots()->guidePlot()->title().contains(QStringLiteral("to scale")));
+    EXPECT_TRUE(plotOf("guides")->title().contains(QStringLiteral("to scale")));
     QTest::mouseClick(automatic, Qt::LeftButton, {}, QPoint(8, automatic->height() / 2));
     EXPECT_GT(model->exaggeration(), 1.0);
 }
 
 TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces) {
-    PlotView* plot = page.plots()->guidePlot();
+    PlotView* plot = plotOf("guides");
     model->setExaggeration(5.0);
     // A copy: the edit below makes another guide.
     const std::vector<double> radius = model->shownGuide().radius_compressed;
@@ -412,7 +415,7 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
 }
 
 TEST_F(ElasticHingePageTest, MouseOverAPlotTurnsTheCrank) {
-    PlotView* plot = page.plots()->reliefPlot();
+    PlotView* plot = plotOf("relief");
     const QPoint p(plot->toPixel(200.0, 0.0).toPoint().x(),
                    plot->plotArea().center().toPoint().y());
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
@@ -494,13 +497,13 @@ TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRefused) {
 TEST_F(ElasticHingePageTest, MotionIsCancelledByItsButton) {
     bringPlots("motion");
     waitForMotions();
-    EXPECT_FALSE(page.plots()->cancelButton()->isVisible());
+    EXPECT_FALSE(cancelButton()->isVisible());
     type(find<NumberField>("turns"), QStringLiteral("1000"));
     ASSERT_TRUE(model->runner()->isRunning());
-    EXPECT_TRUE(page.plots()->cancelButton()->isVisible());
-    QTest::mouseClick(page.plots()->cancelButton(), Qt::LeftButton);
+    EXPECT_TRUE(cancelButton()->isVisible());
+    QTest::mouseClick(cancelButton(), Qt::LeftButton);
     waitForMotions();
-    EXPECT_FALSE(page.plots()->cancelButton()->isVisible());
+    EXPECT_FALSE(cancelButton()->isVisible());
     EXPECT_LT(model->motions()->without->crank_angle.back(), 10 * two_pi);  // the old one
 }
 

@@ -12,7 +12,7 @@
 #include "case-file/field_index.h"
 #include "scenes/scenes.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/message_text.h"
 

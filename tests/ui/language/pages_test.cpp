@@ -31,7 +31,7 @@
 #include "shell/help_window.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/key_words.h"
 #include "text/language.h"
 #include "text/message_text.h"

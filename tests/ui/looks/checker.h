@@ -16,9 +16,9 @@
 #include <QTableView>
 
 #include "painted.h"
+#include "pictures/figure.h"
 #include "plot/legend_item.h"
 #include "plot/plot_view.h"
-#include "widgets/figure.h"
 
 namespace ravnoves::test {
 

@@ -11,12 +11,12 @@
 
 #include "events.h"
 #include "looks/checker.h"
+#include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
-#include "shell/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 namespace {

@@ -19,7 +19,7 @@
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
 

@@ -23,7 +23,7 @@
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
-#include "plot/picture_file.h"
+#include "pictures/picture_file.h"
 #include "shell/main_window.h"
 #include "text/csv_format.h"
 #include "theme/theme.h"

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "events.h"
-#include "plot/clipped_svg.h"
-#include "plot/model/clip_shape.h"
+#include "pictures/clipped_svg.h"
+#include "pictures/model/clip_shape.h"
 #include "plot/plot_view.h"
 
 namespace ravnoves {

@@ -1,12 +1,12 @@
-#include "plot/model/line_brush.h"
+#include "pictures/model/line_brush.h"
 
 #include <gtest/gtest.h>
 
 #include <QPainter>
 #include <cmath>
 
-#include "plot/model/shape.h"
-#include "plot/model/stroke.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
 
 namespace ravnoves {
 namespace {

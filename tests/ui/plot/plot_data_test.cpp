@@ -7,9 +7,9 @@
 #include <array>
 #include <limits>
 
+#include "pictures/model/thin_polyline.h"
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
-#include "plot/model/thin_polyline.h"
 #include "text/csv_format.h"
 #include "text/text_width.h"
 #include "theme/theme.h"

@@ -20,10 +20,10 @@
 #include <cstdlib>
 
 #include "events.h"
-#include "plot/picture_file.h"
+#include "pictures/figure.h"
+#include "pictures/picture_file.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "events.h"
 #include "painted.h"
+#include "pictures/picture_file.h"
 #include "plot/legend_item.h"
 #include "plot/model/ticks.h"
-#include "plot/picture_file.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -303,7 +303,7 @@ TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
 }
 
 TEST_F(PlotViewTest, AWordStandsOverTheLineOfThePresentValue) {
-    plot.setBands({{300.0, 420.0, QColor(200, 0, 0, 40), QStringLiteral("forbidden")}});
+    plot.setBands({{300.0, 420.0, plot::ErrorInk, 0.16, QStringLiteral("forbidden")}});
     plot.setPresentX(360.0);
     QRectF ink;
     for (const test::PaintedText& each : test::painted(plot).texts) {

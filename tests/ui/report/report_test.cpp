@@ -20,16 +20,16 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
+#include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
 #include "plot/plot_view.h"
 #include "report/case_report.h"
 #include "report/report.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/scene_page.h"
 #include "studies/tolerance_bands.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -583,10 +583,10 @@ TEST(ReportPages, WhatIsSaidBeforeAFigureStaysWithIt) {
     for (int height = 300; height < 900; height += 100) {
         Report report = emptyReport();
         const auto draw = [](QPainter& painter) { painter.drawText(20, 30, u"DRAWN"_s); };
-        report.items.push_back(report::Figure{{}, u"space"_s, {400, height}, [](QPainter&) {}});
+        report.items.push_back(report::Drawing{{}, u"space"_s, {400, height}, [](QPainter&) {}});
         report.items.push_back(report::Heading{u"HEADING"_s, 2});
         report.items.push_back(report::Paragraph{u"WORDS"_s, report::Paragraph::Kind::Muted});
-        report.items.push_back(report::Figure{{}, u"a figure"_s, {400, 400}, draw});
+        report.items.push_back(report::Drawing{{}, u"a figure"_s, {400, 400}, draw});
         bool isSeen = false;
         for (const QString& page : pagesOf(report)) {
             isSeen = isSeen || page.contains(u"DRAWN"_s);

@@ -13,7 +13,7 @@
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

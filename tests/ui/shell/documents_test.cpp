@@ -27,7 +27,7 @@
 #include "model/case_document.h"
 #include "model/open_case.h"
 #include "shell/main_window.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "shell/screenshot.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"

@@ -25,8 +25,8 @@
 #include "model/case_document.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/refused_entries.h"
-#include "shell/scene_page.h"
+#include "page/refused_entries.h"
+#include "page/scene_page.h"
 #include "shell/screenshot.h"
 #include "workshop/model/job_desk.h"
 

@@ -11,7 +11,7 @@
 #include "shell/help_pages.h"
 #include "shell/help_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"

@@ -22,7 +22,7 @@
 #include "events.h"
 #include "shell/help_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/language.h"
 #include "theme/icons.h"

@@ -16,7 +16,7 @@
 #include "events.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "text/language.h"
 #include "text/number_text.h"

@@ -25,7 +25,7 @@
 #include "shell/new_case_dialog.h"
 #include "shell/new_cases.h"
 #include "shell/scene_list.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"

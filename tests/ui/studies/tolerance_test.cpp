@@ -25,8 +25,8 @@
 #include "report/study_section.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
-#include "shell/refused_entries.h"
-#include "shell/scene_page.h"
+#include "page/refused_entries.h"
+#include "page/scene_page.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/model/study_model.h"
@@ -902,7 +902,7 @@ TEST_F(Tolerances, StandInTheReport) {
     std::vector<report::Table> tables;
     int figures = 0;
     for (const report::Item& item : report.items) {
-        figures += std::holds_alternative<report::Figure>(item) ? 1 : 0;
+        figures += std::holds_alternative<report::Drawing>(item) ? 1 : 0;
         if (const auto* table = std::get_if<report::Table>(&item)) {
             tables.push_back(*table);
         }

@@ -16,9 +16,9 @@
 #include <QRegularExpression>
 #include <QSettings>
 
+#include "pictures/file_dialogs.h"
 #include "v8-plugs/page_test.h"
 #include "v8-plugs/plugs_card.h"
-#include "widgets/file_dialogs.h"
 #include "workshop/shop_dialog.h"
 
 namespace ravnoves {

@@ -22,10 +22,10 @@
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "pictures/file_dialogs.h"
 #include "v8-plugs/page_test.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
-#include "widgets/file_dialogs.h"
 #include "workshop/checked_field.h"
 #include "workshop/journal_dialog.h"
 

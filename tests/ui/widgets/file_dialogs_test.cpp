@@ -1,4 +1,4 @@
-#include "widgets/file_dialogs.h"
+#include "pictures/file_dialogs.h"
 
 #include <gtest/gtest.h>
 

@@ -14,10 +14,10 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "events.h"
+#include "pictures/wheel_guard.h"
 #include "text/number_text.h"
 #include "text/typed_number.h"
 #include "widgets/value_slider.h"
-#include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 namespace {

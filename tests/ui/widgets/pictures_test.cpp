@@ -10,11 +10,11 @@
 #include <limits>
 
 #include "events.h"
+#include "page/mechanism_picture.h"
 #include "painted.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/form_section.h"
-#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 namespace {

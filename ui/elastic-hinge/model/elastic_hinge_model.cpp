@@ -88,10 +88,11 @@ ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
 
 template class CaseModel<ElasticHingeScene>;
 
-ElasticHingeModel::ElasticHingeModel(QObject* parent)
+ElasticHingeModel::ElasticHingeModel(QObject* parent, bool runsJobs)
     : CaseModel(
           {.options = {.speeds = {100.0, 300.0, 500.0}, .lambdas = {0.3, 0.4, 0.6, 0.8, 1.0}}},
-          parent) {
+          parent),
+      runsJobs_(runsJobs) {
     connect(&runner_, &MotionRunner::computed, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
@@ -100,6 +101,7 @@ ElasticHingeModel::ElasticHingeModel(QObject* parent)
                     motionTime_ = motion != nullptr ? motion->time_at(*motionAngle_) : std::nullopt;
                 }
                 Q_EMIT motionsChanged();
+                Q_EMIT shownChanged();
             });
     taken();
 }

@@ -9,6 +9,7 @@
 
 #include "case-file/field.h"
 #include "elastic-hinge/guide_export.h"
+#include "elastic-hinge/model/hinge_parts.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
@@ -46,9 +47,15 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     enum class Animated { WithoutHinge, CrankHinge, BothHinges, OffDesign };
     Q_ENUM(Animated)
 
-    explicit ElasticHingeModel(QObject* parent = nullptr);
+    /// @param runsJobs  computes motions in the background
+    explicit ElasticHingeModel(QObject* parent = nullptr, bool runsJobs = true);
 
     QString sceneName() const override { return QStringLiteral("elastic-hinge"); }
+    std::span<const PagePart> parts() const override { return hingeParts(); }
+    Content part(std::string_view id) const override { return hingePart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool runsJobs) const override {
+        return std::make_unique<ElasticHingeModel>(nullptr, runsJobs);
+    }
     Json resultJson() const override;
     bool setViewOption(const QString& key, const QString& value) override;
     void takeView(const SceneModel& other) override;
@@ -128,8 +135,13 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
   private:
     void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
                  const Field& field);
-    void taken() override { runner_.start(input(), solved().result); }
+    void taken() override {
+        if (runsJobs_) {
+            runner_.start(input(), solved().result);
+        }
+    }
 
+    bool runsJobs_;
     MotionRunner runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
     CrankAngle crank_{60.0, 360.0};

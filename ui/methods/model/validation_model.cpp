@@ -13,7 +13,6 @@ namespace ravnoves {
 
 using methods::ValidationReport;
 using methods::ValidationRow;
-using methods::Verdict;
 
 namespace {
 
@@ -45,7 +44,7 @@ QString shownDifference(const ValidationRow& row) {
 
 }  // namespace
 
-QString verdictTitle(Verdict verdict) {
+QString verdictTitle(methods::Verdict verdict) {
     return shownText(methods::verdict_title(verdict));
 }
 
@@ -72,7 +71,7 @@ void ValidationModel::setPaper(std::optional<std::size_t> paper) {
     filter();
 }
 
-void ValidationModel::setVerdict(std::optional<Verdict> verdict) {
+void ValidationModel::setVerdict(std::optional<methods::Verdict> verdict) {
     verdict_ = verdict;
     filter();
 }
@@ -195,13 +194,13 @@ QString ValidationModel::countsText() const {
     if (!report_) {
         return tr("computing…");
     }
-    const auto count = [this](Verdict verdict) {
+    const auto count = [this](methods::Verdict verdict) {
         return paper_ ? report_->count(verdict, methods::papers()[*paper_].scene)
                       : report_->count(verdict);
     };
     std::size_t all = 0;
     QStringList parts;
-    for (const Verdict verdict : methods::all_verdicts) {
+    for (const methods::Verdict verdict : methods::all_verdicts) {
         const std::size_t n = count(verdict);
         all += n;
         parts << QStringLiteral("%1: %2").arg(verdictTitle(verdict)).arg(n);

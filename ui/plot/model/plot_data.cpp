@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "plot/model/thin_polyline.h"
+#include "pictures/model/thin_polyline.h"
 #include "text/csv_format.h"
 #include "text/shown_units.h"
 
@@ -81,13 +81,31 @@ double PlotData::yAt(double pixelY, Side side) const {
     return scale(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
 }
 
-const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
-    const auto number = static_cast<std::size_t>(&curve - curves.data());
-    if (reference == nullptr || !referenceShown || !curve.shown ||
-        number >= reference->curves.size() || reference->curves[number].x.empty()) {
+std::optional<std::size_t> PlotData::find(std::string_view id) const {
+    const auto found = std::find_if(curves.begin(), curves.end(),
+                                    [&](const PlotCurve& curve) { return curve.id == id; });
+    return found != curves.end() ? std::optional(static_cast<std::size_t>(found - curves.begin()))
+                                 : std::nullopt;
+}
+
+const PlotCurve* PlotData::curveOfReference(const PlotCurve& curve) const {
+    if (reference == nullptr) {
         return nullptr;
     }
-    const PlotCurve& ghost = reference->curves[number];
+    const std::size_t number = curve.id.empty()
+                                   ? static_cast<std::size_t>(&curve - curves.data())
+                                   : reference->find(curve.id).value_or(reference->curves.size());
+    return number < reference->curves.size() && !reference->curves[number].x.empty()
+               ? &reference->curves[number]
+               : nullptr;
+}
+
+const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
+    const PlotCurve* found = referenceShown && curve.shown ? curveOfReference(curve) : nullptr;
+    if (found == nullptr) {
+        return nullptr;
+    }
+    const PlotCurve& ghost = *found;
     // Another quantity has no place on this axis.
     const plot::Side side = curve.style.side;
     return reference->scale(ghost.style.side).spec.title == scale(side).spec.title ? &ghost

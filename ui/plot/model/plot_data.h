@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QColor>
 #include <QImage>
 #include <QPointF>
 #include <QPolygonF>
@@ -18,6 +17,8 @@ struct CsvFormat;
 namespace plot {
 
 enum class Side { Left, Right };
+/// Colours that are no curve's; others are numbers of Theme::curve().
+enum Ink { MutedInk = -1, ErrorInk = -2, AccentInk = -3 };
 enum class Shape {
     Line,
     Points,
@@ -43,6 +44,8 @@ struct CurveStyle {
     /// Of a vector's path: the angle φ that its points share out evenly, from 0, degrees. The
     /// cursor then reads the nearest point with its φ.
     double turn = 0.0;
+
+    bool operator==(const CurveStyle&) const = default;
 };
 
 /// A point worth seeing, with a label.
@@ -52,14 +55,16 @@ struct Mark {
     QString text;
     int colour = 0;
     Side side = Side::Left;
-    bool ring = false;  ///< a ring instead of a dot
+    bool ring = false;       ///< a ring instead of a dot
+    std::string curve = {};  ///< it is seen with this curve alone; empty: always
 };
 
 /// A shaded stretch of x (horizontal) or of the left axis (vertical).
 struct Band {
     double from = 0.0;
     double to = 0.0;
-    QColor colour;  ///< with alpha
+    int colour = MutedInk;
+    double strength = 0.12;  ///< of the colour, 0…1
     QString text = {};
     Qt::Orientation orientation = Qt::Horizontal;
 
@@ -68,7 +73,6 @@ struct Band {
 
 /// A straight line across the plot.
 struct Line {
-    static constexpr int muted = -1;  ///< a colour that is no curve's
     double at = 0.0;
     Qt::Orientation orientation = Qt::Horizontal;
     int colour = 0;
@@ -93,9 +97,13 @@ struct Member {
 
 /// One curve: its points, those that are not finite left out, and how they hang together.
 struct PlotCurve {
+    std::string id = {};  ///< by which a figure and a reference have it
     plot::CurveStyle style = {};
     std::vector<double> x = {};
     std::vector<double> y = {};
+    /// What is drawn out of scale stands for these places, point by point; else empty.
+    std::vector<double> trueX = {};
+    std::vector<double> trueY = {};
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
     std::vector<double> low = {};          ///< ends of the error bars
     std::vector<double> high = {};
@@ -169,8 +177,12 @@ struct PlotData {
     const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
     PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
     const PlotCurve& curve(int number) const { return curves.at(static_cast<std::size_t>(number)); }
+    /// The place of the curve with this word; nothing where there is none.
+    std::optional<std::size_t> find(std::string_view id) const;
     bool sideUsed(Side side) const;
-    /// The reference's curve under a curve; null where there is none to be seen.
+    /// The same curve of the reference; null where it has none.
+    const PlotCurve* curveOfReference(const PlotCurve& curve) const;
+    /// The same where it is seen.
     const PlotCurve* ghostOf(const PlotCurve& curve) const;
     bool hasGhosts() const;
     /// A curve that is shown with its spread.

@@ -8,7 +8,7 @@
 
 #include "model/scene_model.h"
 #include "shell/main_window.h"
-#include "shell/scene_page.h"
+#include "page/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"

@@ -22,12 +22,12 @@
 #include <vector>
 
 #include "model/scene_model.h"
+#include "page/mechanism_picture.h"
+#include "page/scene_page.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "widgets/mechanism_picture.h"
 #include "widgets/value_slider.h"
 #include "workshop/model/journal.h"
 

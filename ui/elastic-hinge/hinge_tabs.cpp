@@ -1,0 +1,203 @@
+#include "elastic-hinge/hinge_tabs.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "elastic-hinge/model/guide_picture.h"
+#include "elastic-hinge/model/hinge_parts.h"
+#include "page/part_views.h"
+#include "theme/theme.h"
+#include "widgets/layouts.h"
+#include "widgets/page_columns.h"
+#include "widgets/panel.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+using elastic_hinge::Branch;
+using elastic_hinge::Hinge;
+using elastic_hinge::Motion;
+
+HingeTabs::HingeTabs(ElasticHingeModel* model, QWidget* parent)
+    : QTabWidget(parent), model_(model) {
+    constexpr int least = 300;  // designed pixels in which titles and texts can be read
+    setMinimumWidth(Theme::withText(least));
+    setDocumentMode(true);
+    addGuides();
+    addAnglePlots(addTab("rod-hinge", HingePlots::tr("R&od hinge")),
+                  {"rod-moment", "rod-moment-speeds"});
+    addAnglePlots(addTab("side-force", HingePlots::tr("Sid&e force")),
+                  {"side-force-lambdas", "side-force-speeds"});
+    addAnglePlots(addTab("crank-moment", HingePlots::tr("Crank &moment")),
+                  {"crank-moment", "crank-moment-speeds"});
+    addMotion();
+    for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged}) {
+        connect(model, signal, this, &HingeTabs::showView);
+    }
+    connect(model->crank(), &CrankAngle::changed, this, &HingeTabs::showAngle);
+    showView();
+}
+
+QVBoxLayout* HingeTabs::addTab(const char* name, const QString& title) {
+    auto* tab = new QWidget(this);
+    auto* column = new QVBoxLayout(tab);
+    column->setContentsMargins(0, Theme::gap, 0, 0);
+    column->setSpacing(Theme::space);
+    addScrolledTab(this, tab, QString::fromLatin1(name), title);
+    return column;
+}
+
+QHBoxLayout* HingeTabs::addBar(QVBoxLayout* column) {
+    auto* bar = new Panel(column->parentWidget());
+    column->addWidget(bar);
+    return rowIn(bar, Theme::space, barMargins);
+}
+
+PartPlot* HingeTabs::addPlot(QVBoxLayout* column, std::string_view part, int share) {
+    auto* plot = new PartPlot(model_, part, column->parentWidget());
+    column->addWidget(plot, share);
+    return plot;
+}
+
+PartPlot* HingeTabs::addAnglePlot(QVBoxLayout* column, std::string_view part, int share) {
+    PartPlot* plot = addPlot(column, part, share);
+    connect(plot, &PlotView::cursorMoved, model_, [this](double phi) {
+        model_->setMotionTime(std::nullopt);
+        model_->crank()->turnTo(phi);
+    });
+    anglePlots_.push_back(plot);
+    return plot;
+}
+
+void HingeTabs::addAnglePlots(QVBoxLayout* column, std::initializer_list<std::string_view> parts) {
+    QList<PlotView*> plots;
+    for (const std::string_view part : parts) {
+        plots << addAnglePlot(column, part);
+    }
+    PlotView::stack(plots);
+}
+
+void HingeTabs::addGuides() {
+    QVBoxLayout* column = addTab("guides", HingePlots::tr("&Guides"));
+    buildGuideBar(addBar(column));
+    guides_ = addPlot(column, "guides", 5);
+    addAnglePlot(column, "relief", 3);
+}
+
+void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
+    auto* folding = new FoldingRow(0, bar->parentWidget());
+    bar->addWidget(folding);
+    const auto addPart = [folding](int share) {
+        auto* part = new QWidget(folding);
+        QHBoxLayout* row = rowIn(part);
+        folding->add(part, share);
+        return row;
+    };
+    QHBoxLayout* row = addPart(0);
+    hingeChoice_ = new QComboBox(this);
+    hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
+    hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
+                            HingePlots::tr("rod, for M₁₂")});
+    hingeChoice_->setAccessibleName(HingePlots::tr("Which guide is shown"));
+    hingeChoice_->setToolTip(HingePlots::tr(
+        "The hinge between frame and crank alone (M), the same beside the rod's hinge (M₁), or "
+        "the hinge between crank and rod, whose guide goes by θ = φ + ψ"));
+    connect(hingeChoice_, &QComboBox::activated, this,
+            [this](int index) { model_->setShownHinge(static_cast<Hinge>(index)); });
+    auto* label = new QLabel(HingePlots::tr("&Guide"), this);
+    label->setBuddy(hingeChoice_);
+    row->addWidget(label);
+    row->addWidget(hingeChoice_, 1);
+    row = addPart(1);
+    constexpr Range factors = ElasticHingeModel::exaggerationField.range;
+    exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), factors.min, factors.max, 1.0,
+                                    10.0, 0, {}, this);
+    exaggeration_->setLogarithmic(12, 2);
+    exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
+    exaggeration_->setHint(
+        HingePlots::tr("The pictures enlarge the guide's relief by this factor; 1 is to scale"));
+    connect(exaggeration_, &ValueSlider::valueEdited, this,
+            [this](double factor) { model_->setExaggeration(factor); });
+    row->addWidget(exaggeration_, 1);
+    automatic_ = new QCheckBox(HingePlots::tr("a&uto"), this);
+    automatic_->setObjectName(QStringLiteral("exaggeration_auto"));
+    automatic_->setToolTip(HingePlots::tr("Choose the factor by the relief"));
+    connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
+        model_->setExaggeration(on ? std::nullopt : std::optional(model_->exaggeration()));
+    });
+    row->addWidget(automatic_);
+}
+
+void HingeTabs::addMotion() {
+    QVBoxLayout* column = addTab("motion", HingePlots::tr("Mo&tion"));
+    QHBoxLayout* bar = addBar(column);
+    bar->addWidget(new PartText(model_, "motions", bar->parentWidget()), 1);
+    addProgress(bar);
+    speed_ = addPlot(column, "crank-speed");
+}
+
+void HingeTabs::addProgress(QHBoxLayout* bar) {
+    auto* progress = new QProgressBar(bar->parentWidget());
+    progress->setRange(0, 1000);
+    progress->setTextVisible(false);
+    progress->setFixedWidth(Theme::withText(110));
+    progress->setAccessibleName(HingePlots::tr("Part of the motion computed"));
+    auto* cancel = new QPushButton(HingePlots::tr("Cancel"), bar->parentWidget());
+    cancel->setObjectName(QStringLiteral("cancel_motion"));
+    cancel->setToolTip(HingePlots::tr("Stop computing the motion"));
+    // Their place stays, so that nothing jumps when a run starts.
+    for (QWidget* widget : std::initializer_list<QWidget*>{progress, cancel}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+        bar->addWidget(widget);
+    }
+    MotionRunner* runner = model_->runner();
+    const auto showRunning = [progress, cancel](bool running) {
+        progress->setVisible(running);
+        cancel->setVisible(running);
+        progress->setValue(0);
+    };
+    showRunning(runner->isRunning());
+    connect(runner, &MotionRunner::runningChanged, progress, showRunning);
+    connect(runner, &MotionRunner::progress, progress, [progress](double part) {
+        progress->setValue(static_cast<int>(std::lround(1000 * part)));
+    });
+    connect(cancel, &QPushButton::clicked, runner, &MotionRunner::cancel);
+}
+
+void HingeTabs::showView() {
+    hingeChoice_->setCurrentIndex(static_cast<int>(model_->shownHinge()));
+    exaggeration_->setValue(model_->exaggeration());
+    automatic_->setChecked(model_->hasAutomaticExaggeration());
+    showAngle();
+}
+
+void HingeTabs::showAngle() {
+    for (PartPlot* plot : anglePlots_) {
+        plot->setPresentX(model_->crank()->degrees());
+    }
+    const GuidePicture picture(model_->shownGuide(), model_->exaggeration());
+    std::vector<PlotView::Mark> marks;
+    for (const auto& [branch, colour] :
+         {std::pair(Branch::compressed, 2), std::pair(Branch::stretched, 1)}) {
+        if (const auto at = picture.centre(branch, model_->crank()->degrees() * degree)) {
+            marks.push_back({at->x, at->y, {}, colour});
+        }
+    }
+    guides_->setMarks(std::move(marks));
+    const Motion* motion = model_->animatedMotion();
+    const auto time = model_->motionTime();
+    speed_->setPresentX(
+        motion != nullptr && time
+            ? std::optional(std::abs(motion->angle_at(*time) - motion->crank_angle.front()) /
+                            two_pi)
+            : std::nullopt);
+}
+
+}  // namespace ravnoves

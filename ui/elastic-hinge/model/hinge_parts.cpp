@@ -1,0 +1,357 @@
+#include "elastic-hinge/model/hinge_parts.h"
+
+#include <array>
+#include <cmath>
+
+#include "elastic-hinge/model/elastic_hinge_model.h"
+#include "elastic-hinge/model/guide_picture.h"
+#include "numerics/constants.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+using elastic_hinge::Branch;
+using elastic_hinge::FamilyMember;
+using elastic_hinge::Kinematics;
+using elastic_hinge::MechanismCurves;
+using elastic_hinge::Motion;
+using elastic_hinge::Result;
+
+namespace {
+
+constexpr std::array branches{Branch::compressed, Branch::stretched};
+constexpr std::array branchColours{2, 1};
+
+QString branchName(Branch branch) {
+    return branch == Branch::compressed ? HingePlots::tr("compressed")
+                                        : HingePlots::tr("stretched");
+}
+
+std::string branchId(Branch branch) {
+    return branch == Branch::compressed ? "compressed" : "stretched";
+}
+
+plot::Axis turnAxis() {
+    return {.title = HingePlots::tr("φ, °"), .min = 0.0, .max = 360.0, .degrees = true};
+}
+
+Figure overTurn(const QString& title, const QString& unit) {
+    return {.title = title, .x = turnAxis(), .left = {.title = unit}};
+}
+
+QString pointText(const ElasticHingeModel& model, Branch branch, std::size_t point) {
+    const elastic_hinge::Guide& guide = model.shownGuide();
+    const std::vector<double>& radius =
+        branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+    return QStringList{
+        branchName(branch),
+        QStringLiteral("φ = %1°").arg(
+            fixedNumber(model.result().crank_angle_deg[point], 1, QLocale())),
+        QStringLiteral("ρ = ") + shownNumber(radius[point], units::mm, 4)}
+        .join(QLatin1Char('\n'));
+}
+
+Figure guides(const ElasticHingeModel& model) {
+    const double factor = model.exaggeration();
+    Figure figure;
+    figure.title = factor == 1.0
+                       ? HingePlots::tr("Guides, to scale")
+                       : HingePlots::tr("Guides, relief × %1").arg(formNumber(factor, QLocale(), 6));
+    figure.left = {.title = HingePlots::tr("y, mm")};
+    figure.equalScale = true;
+    const GuidePicture drawn(model.shownGuide(), factor);
+    const GuidePicture toScale(model.shownGuide(), 1.0);
+    double reach = 0.0;
+    const auto add = [&](Figure::Curve curve, GuidePicture::Path path, GuidePicture::Path real) {
+        reach = std::max(reach, path.reach());
+        curve.style.gaps = true;
+        curve.style.closed = true;
+        curve.x = std::move(path.x);
+        curve.y = std::move(path.y);
+        curve.trueX = std::move(real.x);
+        curve.trueY = std::move(real.y);
+        figure.curves.push_back(std::move(curve));
+    };
+    for (const Branch branch : branches) {
+        GuidePicture::Path circle = drawn.circle(branch);
+        figure.curves.push_back(
+            {.id = "circle-" + branchId(branch),
+             .style = {.name = branch == Branch::compressed ? HingePlots::tr("ρ₀")
+                                                            : HingePlots::tr("ℓ₀ − ρ₀"),
+                       .width = 1.0,
+                       .inLegend = false},
+             .x = std::move(circle.x),
+             .y = std::move(circle.y)});
+    }
+    const double roller = model.input().roller_radius;
+    add({.id = "profile",
+         .style = {.name = HingePlots::tr("profile"),
+                   .colour = 3,
+                   .width = 1.4,
+                   .toolTip = HingePlots::tr("What the roller touches: the path of its centre "
+                                             "offset by its radius")}},
+        drawn.profile(roller), toScale.profile(roller));
+    const std::array tips{HingePlots::tr("Guide of the compressed spring, minus in (3)"),
+                          HingePlots::tr("Guide of the stretched spring, plus in (3)")};
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        add({.id = branchId(branches[i]),
+             .style = {.name = branchName(branches[i]),
+                       .colour = branchColours[i],
+                       .width = 1.8,
+                       .toolTip = tips[i]},
+             .text = [&model, branch = branches[i]](
+                         std::size_t point) { return pointText(model, branch, point); }},
+            drawn.path(branches[i]), toScale.path(branches[i]));
+    }
+    const double most = reach > 0.0 ? 1.12 * reach : 130.0;
+    figure.x = {.title = HingePlots::tr("x, mm"), .min = -most, .max = most};
+    figure.leftRange = std::pair(-most, most);
+    return figure;
+}
+
+Figure relief(const ElasticHingeModel& model) {
+    const std::vector<double>& phi = model.result().crank_angle_deg;
+    const GuidePicture picture(model.shownGuide(), model.exaggeration());
+    const double finest = picture.greatestRise();
+    constexpr double border = 0.5e-3;  // m
+    const bool isNarrow = finest > 0.0 && finest < border;
+    Figure figure = overTurn(HingePlots::tr("ρ over the turn, from its value at 0°"),
+                             isNarrow ? HingePlots::tr("ρ − ρ(0), µm")
+                                      : HingePlots::tr("ρ − ρ(0), mm"));
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        figure.curves.push_back(
+            {.id = branchId(branches[i]),
+             .style = {.name = branchName(branches[i]),
+                       .colour = branchColours[i],
+                       .width = i == 0 ? 1.8 : 1.4,
+                       .gaps = true},
+             .x = phi,
+             .y = picture.rise(branches[i], isNarrow ? units::micrometre : units::mm)});
+    }
+    for (const auto& [from, to] : picture.gaps(phi)) {
+        figure.bands.push_back({from, to, plot::ErrorInk, 0.12, HingePlots::tr("no guide")});
+    }
+    return figure;
+}
+
+using Values = std::vector<double> MechanismCurves::*;
+
+/// One of a mechanism's curves at several ω or λ, and that of the case itself: broad and beneath,
+/// so that it is seen where it is one of the family.
+void addFamily(Figure& figure, const Result& result, const std::vector<FamilyMember>& members,
+               Values values, const char* word, const std::function<QString(double)>& name) {
+    figure.curves.push_back({.id = "case",
+                             .style = {.name = HingePlots::tr("this case"),
+                                       .colour = 7,
+                                       .width = 3.6,
+                                       .toolTip = HingePlots::tr("At the λ and ω of the case")},
+                             .x = result.crank_angle_deg,
+                             .y = result.curves.*values});
+    int number = 0;
+    for (const FamilyMember& member : members) {
+        figure.curves.push_back(
+            {.id = word + std::to_string(number),
+             .style = {.name = name(member.parameter), .colour = 1 + number, .width = 1.4},
+             .x = result.crank_angle_deg,
+             .y = member.curves.*values});
+        ++number;
+    }
+}
+
+void addSpeeds(Figure& figure, const Result& result, Values values) {
+    addFamily(figure, result, result.by_speed, values, "speed-",
+              [](double speed) { return shownShort(speed, units::rad_per_s, 5); });
+}
+
+Figure rodMoment(const ElasticHingeModel& model) {
+    const Result& result = model.result();
+    const std::vector<double>& phi = result.crank_angle_deg;
+    Figure figure = overTurn(HingePlots::tr("M₁₂ and its potential part"), HingePlots::tr("N·m"));
+    figure.curves = {
+        {.id = "moment",
+         .style = {.name = HingePlots::tr("M₁₂"),
+                   .colour = 2,
+                   .width = 2.4,
+                   .toolTip = HingePlots::tr("Moment on the rod that makes the side force zero, "
+                                             "(4), with a counterweight (9)")},
+         .x = phi,
+         .y = result.curves.rod_hinge_moment},
+        {.id = "potential",
+         .style = {.name = HingePlots::tr("potential part"),
+                   .colour = 1,
+                   .pen = Qt::DashLine,
+                   .toolTip = HingePlots::tr("M₁₂ less its mean, (5)")},
+         .x = phi,
+         .y = result.curves.rod_hinge_moment_potential},
+        {.id = "other",
+         .style = {.name = model.input().kinematics == Kinematics::series
+                               ? HingePlots::tr("exact")
+                               : HingePlots::tr("series"),
+                   .colour = 7,
+                   .width = 1.4,
+                   .pen = Qt::DashLine,
+                   .toolTip = HingePlots::tr("M₁₂ by the other kinematics, for comparison")},
+         .x = phi,
+         .y = result.other_rod_hinge_moment}};
+    return figure;
+}
+
+Figure rodMomentSpeeds(const ElasticHingeModel& model) {
+    Figure figure = overTurn(HingePlots::tr("M₁₂ at several ω"), HingePlots::tr("N·m"));
+    addSpeeds(figure, model.result(), &MechanismCurves::rod_hinge_moment);
+    return figure;
+}
+
+Figure sideForceLambdas(const ElasticHingeModel& model) {
+    Figure figure =
+        overTurn(HingePlots::tr("Side force with rod hinge, several λ"), HingePlots::tr("N"));
+    addFamily(figure, model.result(), model.result().by_lambda,
+              &MechanismCurves::side_force_with_hinge, "lambda-", [](double lambda) {
+                  return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5);
+              });
+    if (model.sideForceVanishes()) {
+        figure.leftRange = std::pair(-1.0, 1.0);  // a flat line at 0, not its rounding enlarged
+    }
+    return figure;
+}
+
+Figure sideForceSpeeds(const ElasticHingeModel& model) {
+    const Result& result = model.result();
+    Figure figure =
+        overTurn(HingePlots::tr("Side force without hinge, several ω"), HingePlots::tr("N"));
+    std::vector<double> tenfold = result.curves.side_force_with_hinge;
+    for (double& force : tenfold) {
+        force *= 10.0;
+    }
+    figure.curves.push_back(
+        {.id = "with-hinge",
+         .style = {.name = HingePlots::tr("10 × with hinge"),
+                   .width = 1.8,
+                   .toolTip = HingePlots::tr("Ten times the side force with the rod's hinge: the "
+                                             "same at every ω")},
+         .x = result.crank_angle_deg,
+         .y = std::move(tenfold)});
+    addSpeeds(figure, result, &MechanismCurves::side_force_without_hinge);
+    return figure;
+}
+
+Figure crankMoment(const ElasticHingeModel& model) {
+    const Result& result = model.result();
+    Figure figure =
+        overTurn(HingePlots::tr("Moment that keeps the crank's speed"), HingePlots::tr("N·m"));
+    figure.curves = {
+        {.id = "without",
+         .style = {.name = HingePlots::tr("M"),
+                   .colour = 2,
+                   .width = 1.8,
+                   .toolTip = HingePlots::tr("Without the rod's hinge, d(T + V)/dφ")},
+         .x = result.crank_angle_deg,
+         .y = result.curves.crank_moment},
+        {.id = "with",
+         .style = {.name = result.has_counterweight ? HingePlots::tr("M₁*") : HingePlots::tr("M₁"),
+                   .colour = 1,
+                   .width = 1.8,
+                   .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
+                                             "counterweight M₁*, (11)")},
+         .x = result.crank_angle_deg,
+         .y = result.curves.crank_moment_with_rod_hinge}};
+    return figure;
+}
+
+Figure crankMomentSpeeds(const ElasticHingeModel& model) {
+    Figure figure = overTurn(model.result().has_counterweight
+                                 ? HingePlots::tr("M₁* at several ω")
+                                 : HingePlots::tr("M₁ at several ω"),
+                             HingePlots::tr("N·m"));
+    addSpeeds(figure, model.result(), &MechanismCurves::crank_moment_with_rod_hinge);
+    return figure;
+}
+
+Figure crankSpeed(const ElasticHingeModel& model) {
+    Figure figure;
+    figure.title = HingePlots::tr("Crank speed");
+    figure.x = {.title = HingePlots::tr("turns"),
+                .min = 0.0,
+                .max = model.input().motion.value_or(elastic_hinge::MotionWish{}).turns};
+    figure.left = {.title = HingePlots::tr("rad/s")};
+    const HingeMotions* motions = model.motions();
+    const auto add = [&](const char* id, const std::optional<Motion> HingeMotions::*which,
+                         plot::CurveStyle style) {
+        Figure::Curve& curve = figure.curves.emplace_back();
+        curve.id = id;
+        curve.style = std::move(style);
+        if (motions == nullptr || !(motions->*which)) {
+            return;
+        }
+        const Motion& motion = *(motions->*which);
+        for (const double angle : motion.crank_angle) {
+            curve.x.push_back(std::abs(angle - motion.crank_angle.front()) / two_pi);
+        }
+        curve.y = motion.speed;
+    };
+    add("without", &HingeMotions::without,
+        {.name = HingePlots::tr("without hinge"),
+         .width = 1.4,
+         .toolTip = HingePlots::tr("The bare mechanism, from the design speed")});
+    add("crank", &HingeMotions::crank,
+        {.name = HingePlots::tr("crank hinge"),
+         .colour = 2,
+         .width = 3.0,
+         .toolTip = HingePlots::tr("With the crank's hinge, from the design speed")});
+    add("both", &HingeMotions::both,
+        {.name = HingePlots::tr("both hinges"),
+         .colour = 7,
+         .width = 2.0,
+         .pen = Qt::DashLine,
+         .toolTip = HingePlots::tr("With the rod's hinge and the crank's beside it, from the "
+                                   "design speed")});
+    add("off-design", &HingeMotions::offDesign,
+        {.name = HingePlots::tr("off design"),
+         .colour = 1,
+         .width = 1.4,
+         .toolTip = HingePlots::tr("With the crank's hinge, from another speed: the hinge is exact "
+                                   "at one speed only")});
+    return figure;
+}
+
+Notes motions(const ElasticHingeModel& model) {
+    Notes notes;
+    // No unit is broken behind its stroke.
+    const QString text = model.motionsText().replace(u'/', QStringLiteral("/\u2060"));
+    for (const QString& line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        notes.lines.emplace_back(Severity::note, line);
+    }
+    return notes;
+}
+
+Results quantities(const ElasticHingeModel& model) {
+    return model.quantities();
+}
+
+using Maker = PartMaker<ElasticHingeModel>;
+constexpr std::array makers{
+    Maker{{.id = "quantities"}, made<quantities>},
+    Maker{{.id = "guides", .tab = "guides"}, made<guides>},
+    Maker{{.id = "relief", .tab = "guides"}, made<relief>},
+    Maker{{.id = "rod-moment", .tab = "rod-hinge"}, made<rodMoment>},
+    Maker{{.id = "rod-moment-speeds", .tab = "rod-hinge"}, made<rodMomentSpeeds>},
+    Maker{{.id = "side-force-lambdas", .tab = "side-force"}, made<sideForceLambdas>},
+    Maker{{.id = "side-force-speeds", .tab = "side-force"}, made<sideForceSpeeds>},
+    Maker{{.id = "crank-moment", .tab = "crank-moment"}, made<crankMoment>},
+    Maker{{.id = "crank-moment-speeds", .tab = "crank-moment"}, made<crankMomentSpeeds>},
+    Maker{{.id = "crank-speed", .tab = "motion", .hasBand = false}, made<crankSpeed>},
+    Maker{{.id = "motions", .tab = "motion", .hasBand = false}, made<motions>},
+};
+
+}  // namespace
+
+std::span<const PagePart> hingeParts() {
+    return partsOf(makers);
+}
+
+Content hingePart(const ElasticHingeModel& model, std::string_view id) {
+    return makePart(makers, model, id);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <QString>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "case-file/verdict.h"
+#include "plot/model/figure.h"
+#include "text/result_row.h"
+
+namespace ravnoves {
+
+/// Something that a page shows: a plot, a table, lines of text. Variants, tolerances, report and
+/// clipboard know it by its word and have no line in the scene.
+struct PagePart {
+    std::string_view id;
+    std::string_view tab = {};  ///< name of the tab that it is on; empty: beside them
+    bool hasBand = true;        ///< what takes longer than a frame has none
+};
+
+/// Lines of text, each with what it means for the answer.
+struct Notes {
+    std::vector<std::pair<Severity, QString>> lines;
+};
+
+/// What the tolerances do to the numbers of a part: from 5 % to each number, and from it to 95 %.
+struct PartSpread {
+    /// Of a curve, point by point.
+    struct Curve {
+        std::vector<double> below;
+        std::vector<double> above;
+    };
+    std::map<std::string, Curve> curves;  ///< of a figure, by their words
+    std::vector<CellSpread> cells;        ///< of a table
+    QString how;                          ///< they were found
+};
+
+
+/// What a part shows of one input; nothing where it does not exist.
+using Content = std::variant<std::monostate, Figure, Results, Notes>;
+
+/// A part, and what makes it of a scene's model. A scene has one array of them, in the order of the
+/// page.
+template <typename Model>
+struct PartMaker {
+    PagePart part;
+    Content (*make)(const Model& model);
+};
+
+/// Such a maker's function from one that returns a figure, a table or notes.
+template <auto make, typename Model>
+Content made(const Model& model) {
+    return make(model);
+}
+
+template <typename Makers>
+std::span<const PagePart> partsOf(const Makers& makers) {
+    static const std::vector<PagePart> parts = [&] {
+        std::vector<PagePart> all;
+        for (const auto& maker : makers) {
+            all.push_back(maker.part);
+        }
+        return all;
+    }();
+    return parts;
+}
+
+/// Makes the part with this word; nothing where there is none.
+template <typename Makers, typename Model>
+Content makePart(const Makers& makers, const Model& model, std::string_view id) {
+    for (const auto& maker : makers) {
+        if (maker.part.id == id) {
+            return maker.make(model);
+        }
+    }
+    return {};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <string>
+
+namespace ravnoves {
+
+class SceneModel;
+
+/// The variant that a case is seen against, solved, as a model of its own: what makes a part of the
+/// one makes it of the other. There is none while the case has no reference.
+class ReferenceCase : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Belongs to the model of the case and follows it.
+    explicit ReferenceCase(SceneModel* present);
+    ~ReferenceCase() override;
+
+    /// Null: none.
+    const SceneModel* model() const { return model_.get(); }
+    SceneModel* model() { return model_.get(); }
+    QString name() const { return name_; }
+    /// Why the reference cannot be shown; empty where it can, or where there is none.
+    QString trouble() const { return trouble_; }
+
+  Q_SIGNALS:
+    /// Another one, or none, or it shows something else.
+    void changed();
+    /// What the user is told of it.
+    void said(const QString& text);
+
+  private:
+    void follow();
+    void takeView();
+
+    SceneModel* present_;
+    std::unique_ptr<SceneModel> model_;
+    std::string shown_;  ///< the input that it holds
+    QString name_;
+    QString trouble_;
+};
+
+}  // namespace ravnoves

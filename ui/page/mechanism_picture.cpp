@@ -1,0 +1,181 @@
+#include "page/mechanism_picture.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "pictures/picture_file.h"
+#include "pictures/widget_picture.h"
+#include "plot/plot_view.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int frameMs = 16;
+constexpr qint64 longestStepMs = 100;       ///< after a standstill it goes on where it was
+constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
+
+}  // namespace
+
+void showCrankAngle(PlotView* plot, CrankAngle* crank) {
+    QObject::connect(plot, &PlotView::cursorMoved, crank, &CrankAngle::turnTo);
+    QObject::connect(crank, &CrankAngle::changed, plot, &PlotView::setPresentX);
+    plot->setPresentX(crank->degrees());
+}
+
+MechanismPicture::MechanismPicture(CrankAngle* crank, const QString& name, const QString& hint,
+                                   QWidget* parent)
+    : ComparedFigure(parent), crank_(crank) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // it begins with its own ground
+    setAccessibleName(name);
+    setToolTip(hint);
+    timer_.setInterval(frameMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, [this] {
+        play(1e-3 * static_cast<double>(std::min(sinceStep_.restart(), longestStepMs)));
+    });
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(crank_, &CrankAngle::changed, this, qOverload<>(&QWidget::update));
+}
+
+void MechanismPicture::play(double seconds) {
+    crank_->turnTo(crank_->degrees() + degreesPerSecond * seconds);
+}
+
+void MechanismPicture::setPlaying(bool playing) {
+    if (playing == isPlaying()) {
+        return;
+    }
+    sinceStep_.start();
+    playing ? timer_.start() : timer_.stop();
+    update();
+    Q_EMIT playingChanged(playing);
+}
+
+QPen MechanismPicture::ghostPen() {
+    QColor colour = Theme::instance().mutedText();
+    colour.setAlphaF(0.35F);
+    return {colour, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+}
+
+void MechanismPicture::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Space:
+            setPlaying(!isPlaying());
+            return;
+        case Qt::Key_Left:
+            step(-1.0);
+            return;
+        case Qt::Key_Right:
+            step(1.0);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    if (drawsForFile(painter, *this)) {
+        painter.fillRect(rect(), Theme::instance().panel());
+        painter.setRenderHint(QPainter::Antialiasing);
+        paintPicture(painter);
+        return;
+    }
+    // Into a picture whose pixels lines and shapes are painted on.
+    fitPicture(picture_, *this);
+    QPainter inside(&picture_);
+    inside.setFont(font());
+    paintSurface(inside);
+    inside.setRenderHint(QPainter::Antialiasing);
+    paintPicture(inside);
+    drawFocus(inside);
+    inside.end();
+    drawPicture(painter, picture_, rect());
+}
+
+void MechanismPicture::paintSurface(QPainter& painter) const {
+    painter.fillRect(rect(), Theme::instance().panel());
+    const auto* panel = qobject_cast<const Panel*>(parentWidget());
+    if (panel == nullptr) {
+        return;
+    }
+    constexpr int round = 2;  // pixels of a corner that reach into it
+    painter.save();
+    painter.setClipRegion(QRegion(0, 0, round, round) + QRegion(width() - round, 0, round, round));
+    painter.fillRect(rect(), Theme::instance().window());
+    paintPanel(painter, panel->rect().translated(-pos()));
+    painter.restore();
+}
+
+void MechanismPicture::drawFocus(QPainter& painter) const {
+    if (hasFocus()) {
+        painter.setPen(QPen(Theme::instance().accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent)
+    : Panel(parent), controls_(new QHBoxLayout), action_(new QAction(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(1, 1, 1, Theme::gap);
+    column->setSpacing(0);
+    column->addWidget(picture, 1);
+    controls_->setContentsMargins(Theme::space, 0, Theme::space, 0);
+    controls_->setSpacing(Theme::space);
+    column->addLayout(controls_);
+    auto* button = new QToolButton(this);
+    button->setAutoRaise(true);
+    button->setAccessibleName(tr("Play or pause the picture"));
+    controls_->addWidget(button);
+    const CrankAngle* crank = picture->crank();
+    slider_ =
+        new ValueSlider(tr("&φ"), 0.0, crank->cycle(), 1.0, 15.0, 0, QStringLiteral("°"), this);
+    slider_->setHint(hint);
+    connect(slider_, &ValueSlider::valueEdited, picture, &MechanismPicture::turnTo);
+    const auto showAngle = [this](double degrees) { slider_->setValue(std::round(degrees)); };
+    connect(crank, &CrankAngle::changed, this, showAngle);
+    connect(crank, &CrankAngle::cycleChanged, this,
+            [this](double degrees) { slider_->setRange(0.0, degrees); });
+    showAngle(crank->degrees());
+    controls_->addWidget(slider_, 1);
+    action_->setToolTip(tr("Turn the crank"));
+
+    const auto toggle = [picture] { picture->setPlaying(!picture->isPlaying()); };
+    connect(button, &QToolButton::clicked, picture, toggle);
+    connect(action_, &QAction::triggered, picture, toggle);
+    const auto show = [this, button](bool playing) {
+        const QIcon icon = themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"));
+        action_->setIcon(icon);
+        action_->setText(playing ? tr("&Pause") : tr("&Play"));
+        button->setIcon(icon);
+        button->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
+    };
+    connect(picture, &MechanismPicture::playingChanged, this, show);
+    show(false);
+}
+
+void PicturePanel::addControl(QWidget* control) {
+    if (choices_ == nullptr) {
+        choices_ = new QHBoxLayout;
+        choices_->setContentsMargins(Theme::space, 0, Theme::space, Theme::gap);
+        choices_->setSpacing(Theme::space);
+        auto* column = static_cast<QVBoxLayout*>(layout());
+        column->insertLayout(column->indexOf(controls_), choices_);
+        choices_->addStretch(1);
+    }
+    choices_->insertWidget(choices_->count() - 1, control);
+}
+
+}  // namespace ravnoves

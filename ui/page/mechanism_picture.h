@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QTimer>
+
+#include "model/crank_angle.h"
+#include "page/compared_figure.h"
+#include "widgets/panel.h"
+
+class QAction;
+class QHBoxLayout;
+class QPainter;
+class QPen;
+
+namespace ravnoves {
+
+class PlotView;
+class ValueSlider;
+
+/// φ in a plot over it: the cursor turns the crank, a mark shows where it stands.
+void showCrankAngle(PlotView* plot, CrankAngle* crank);
+
+/// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
+/// a degree. Below its own it shows the mechanism of the reference, at the same crank angle.
+class MechanismPicture : public ComparedFigure {
+    Q_OBJECT
+
+  public:
+    /// @param name  for screen readers
+    MechanismPicture(CrankAngle* crank, const QString& name, const QString& hint,
+                     QWidget* parent = nullptr);
+
+    CrankAngle* crank() const { return crank_; }
+    /// By hand: a step, the slider.
+    virtual void turnTo(double degrees) { crank_->turnTo(degrees); }
+    bool isPlaying() const { return timer_.isActive(); }
+    void setPlaying(bool playing);
+
+  Q_SIGNALS:
+    void playingChanged(bool playing);
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    /// All that is on the surface; smooth.
+    virtual void paintPicture(QPainter& painter) = 0;
+    /// Moves on by the time since the picture before, s.
+    virtual void play(double seconds);
+    /// An arrow key: −1 or +1, degrees.
+    virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
+    /// For the mechanism of the reference: pale and wide, as its curves in the plots.
+    static QPen ghostPen();
+
+  private:
+    /// What all else is painted on; the corners of a panel around it stay round.
+    void paintSurface(QPainter& painter) const;
+    /// The frame around a picture with the focus.
+    void drawFocus(QPainter& painter) const;
+
+    CrankAngle* crank_;
+    QImage picture_;  ///< what is seen, whose pixels lines and shapes are painted on
+    QTimer timer_;
+    QElapsedTimer sinceStep_;
+};
+
+/// A panel with a picture and below it its bar: play and pause, the crank angle.
+class PicturePanel : public Panel {
+    Q_OBJECT
+
+  public:
+    /// @param hint  what the crank angle is
+    PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent = nullptr);
+
+    ValueSlider* slider() const { return slider_; }
+    /// Plays and pauses, for menu and toolbar.
+    QAction* action() const { return action_; }
+    /// Puts another control into a row of its own above the bar: the angle's slider needs its
+    /// width.
+    void addControl(QWidget* control);
+
+  private:
+    QHBoxLayout* controls_;
+    QHBoxLayout* choices_ = nullptr;
+    ValueSlider* slider_;
+    QAction* action_;
+};
+
+}  // namespace ravnoves

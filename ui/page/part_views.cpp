@@ -1,0 +1,148 @@
+#include "page/part_views.h"
+
+#include "model/reference_case.h"
+
+namespace ravnoves {
+
+PartView::PartView(SceneModel* model, std::string_view id, QWidget* widget)
+    : model_(model), id_(id), widget_(widget) {
+    const auto outdateOwn = [this] { outdate(false); };
+    for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged,
+                              &SceneModel::shownChanged, &SceneModel::rested}) {
+        QObject::connect(model, signal, widget, outdateOwn);
+    }
+    QObject::connect(&model->referenceCase(), &ReferenceCase::changed, widget,
+                     [this] { outdate(true); });
+}
+
+void PartView::outdate(bool ofReference) {
+    (ofReference ? isReferenceStale_ : isStale_) = true;
+    if (isSeen()) {
+        shown();
+    }
+}
+
+void PartView::shown() {
+    if (std::exchange(isStale_, false)) {
+        showPart(model_->part(id_));
+    }
+    if (std::exchange(isReferenceStale_, false)) {
+        const ReferenceCase& reference = model_->referenceCase();
+        if (reference.model() != nullptr) {
+            const Content content = reference.model()->part(id_);
+            showReference(&content, reference.name());
+        } else {
+            showReference(nullptr, {});
+        }
+    }
+}
+
+void PartView::refresh() {
+    isStale_ = true;
+    isReferenceStale_ = true;
+    shown();
+}
+
+std::vector<PartView*> PartView::below(const QWidget& page, bool seenAlone) {
+    std::vector<PartView*> views;
+    for (QWidget* widget : page.findChildren<QWidget*>()) {
+        auto* view = dynamic_cast<PartView*>(widget);
+        if (view != nullptr && (!seenAlone || widget->isVisible())) {
+            views.push_back(view);
+        }
+    }
+    return views;
+}
+
+PartPlot::PartPlot(SceneModel* model, std::string_view id, QWidget* parent)
+    : PlotView({}, parent), PartView(model, id, this) {
+    refresh();
+}
+
+void PartPlot::showEvent(QShowEvent* event) {
+    PlotView::showEvent(event);
+    shown();
+}
+
+void PartPlot::showPart(const Content& content) {
+    const auto* figure = std::get_if<Figure>(&content);
+    showFigure(figure != nullptr ? *figure : Figure());
+}
+
+void PartPlot::showReference(const Content* content, const QString& name) {
+    PlotView::showReference(content != nullptr ? std::get_if<Figure>(content) : nullptr, name);
+}
+
+void PartPlot::showSpread(const PartSpread& spread) {
+    for (int curve = 0; curve < curveCount(); ++curve) {
+        const auto found = spread.curves.find(data().curve(curve).id);
+        const bool isThere = found != spread.curves.end();
+        setSpread(curve, isThere ? found->second.below : std::vector<double>(),
+                  isThere ? found->second.above : std::vector<double>());
+    }
+}
+
+void PartPlot::clearSpread(bool /*another*/) {
+    clearSpreads();
+}
+
+PartPlot* partPlot(const QWidget& page, std::string_view id) {
+    for (PartPlot* plot : page.findChildren<PartPlot*>()) {
+        if (plot->id() == id) {
+            return plot;
+        }
+    }
+    return nullptr;
+}
+
+PartTable::PartTable(SceneModel* model, std::string_view id, const QString& name, QWidget* parent)
+    : ResultTable(name, parent), PartView(model, id, this) {
+    refresh();
+}
+
+void PartTable::showEvent(QShowEvent* event) {
+    ResultTable::showEvent(event);
+    shown();
+}
+
+void PartTable::showPart(const Content& content) {
+    const auto* results = std::get_if<Results>(&content);
+    setResults(results != nullptr ? *results : Results());
+}
+
+void PartTable::showReference(const Content* content, const QString& name) {
+    ResultTable::showReference(content != nullptr ? std::get_if<Results>(content) : nullptr, name);
+}
+
+void PartTable::showSpread(const PartSpread& spread) {
+    setSpreads(spread.cells, spread.how);
+}
+
+void PartTable::clearSpread(bool another) {
+    another ? awaitSpreads() : setSpreads({});
+}
+
+PartText::PartText(SceneModel* model, std::string_view id, QWidget* parent)
+    : QLabel(parent), PartView(model, id, this) {
+    setWordWrap(true);
+    setTextFormat(Qt::PlainText);
+    setTextInteractionFlags(Qt::TextSelectableByMouse);
+    refresh();
+}
+
+void PartText::showEvent(QShowEvent* event) {
+    QLabel::showEvent(event);
+    shown();
+}
+
+void PartText::showPart(const Content& content) {
+    QStringList lines;
+    if (const auto* notes = std::get_if<Notes>(&content)) {
+        for (const auto& [severity, line] : notes->lines) {
+            lines << line;
+        }
+    }
+    setText(lines.join(QLatin1Char('\n')));
+}
+
+}  // namespace ravnoves

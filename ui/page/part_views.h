@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QLabel>
+#include <vector>
+
+#include "model/part.h"
+#include "model/scene_model.h"
+#include "plot/plot_view.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+/// Keeps a widget at what a part of a model shows, while it is seen: one that is behind another tab
+/// is made when it comes to the front. Below it stands the same part of the reference.
+class PartView {
+  public:
+    /// @param id  of the part; of the model's parts()
+    PartView(SceneModel* model, std::string_view id, QWidget* widget);
+    virtual ~PartView() = default;
+    PartView(const PartView&) = delete;
+    PartView& operator=(const PartView&) = delete;
+
+    std::string_view id() const { return id_; }
+    const QWidget* widget() const { return widget_; }
+    /// Shows what the part is now, seen or not.
+    void refresh();
+    /// What the tolerances do to what is shown.
+    virtual void showSpread(const PartSpread& spread) = 0;
+    /// What is shown is another: its spread is on its way, or none is.
+    virtual void clearSpread(bool another) = 0;
+    /// All below a widget that are seen, or all.
+    static std::vector<PartView*> below(const QWidget& page, bool seenAlone);
+
+  protected:
+    /// Its widget came to the front.
+    void shown();
+    virtual void showPart(const Content& content) = 0;
+    /// Nothing: there is no reference.
+    virtual void showReference(const Content* content, const QString& name) = 0;
+    SceneModel* partModel() const { return model_; }
+
+  private:
+    bool isSeen() const { return widget_->isVisibleTo(widget_->window()); }
+    void outdate(bool ofReference);
+
+    SceneModel* model_;
+    std::string_view id_;
+    QWidget* widget_;
+    bool isStale_ = true;
+    bool isReferenceStale_ = true;
+};
+
+/// A plot of a figure.
+class PartPlot : public PlotView, public PartView {
+    Q_OBJECT
+
+  public:
+    PartPlot(SceneModel* model, std::string_view id, QWidget* parent = nullptr);
+
+    void showSpread(const PartSpread& spread) override;
+    void clearSpread(bool another) override;
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void showPart(const Content& content) override;
+    void showReference(const Content* content, const QString& name) override;
+};
+
+/// The plot of a part below a widget; null where there is none.
+PartPlot* partPlot(const QWidget& page, std::string_view id);
+
+/// A table of results.
+class PartTable : public ResultTable, public PartView {
+    Q_OBJECT
+
+  public:
+    /// @param name  what it shows, for screen readers
+    PartTable(SceneModel* model, std::string_view id, const QString& name,
+              QWidget* parent = nullptr);
+
+    void showSpread(const PartSpread& spread) override;
+    void clearSpread(bool another) override;
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void showPart(const Content& content) override;
+    void showReference(const Content* content, const QString& name) override;
+};
+
+/// Lines of text, which are selected and copied.
+class PartText : public QLabel, public PartView {
+    Q_OBJECT
+
+  public:
+    PartText(SceneModel* model, std::string_view id, QWidget* parent = nullptr);
+
+    void showSpread(const PartSpread& /*spread*/) override {}
+    void clearSpread(bool /*another*/) override {}
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void showPart(const Content& content) override;
+    void showReference(const Content* /*content*/, const QString& /*name*/) override {}
+};
+
+}  // namespace ravnoves

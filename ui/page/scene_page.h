@@ -1,0 +1,98 @@
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QPointer>
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+class TableEditor;
+
+/// One page of the program: thin widgets over a model.
+class ScenePage : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ScenePage(QWidget* parent = nullptr);
+    ~ScenePage() override;
+
+    virtual SceneModel* model() = 0;
+    /// Actions for the toolbar and the Scene menu, in order; null entries are separators.
+    virtual QList<QAction*> sceneActions() { return {}; }
+    /// The results as tab-separated text and as CSV.
+    virtual QString resultsAsText() const = 0;
+    virtual QString resultsAsCsv() const = 0;
+    /// Called when the page comes to the front or leaves it (animations stop).
+    virtual void setActive(bool active);
+    /// Every plot of the page shows all it has.
+    void resetZoom();
+    /// True while something that the page shows is still computed in the background.
+    bool isBusy() const;
+    /// Something beside the page may be computed for it.
+    void addBusy(std::function<bool()> isBusy) { busy_.push_back(std::move(isBusy)); }
+    /// What is refused in a table of another window counts with what is refused here.
+    void addTable(TableEditor* table);
+    const QList<QPointer<TableEditor>>& tablesBeside() const { return tables_; }
+    /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
+    /// than in case files. @return false where the user wants to stay; nothing: the window asks
+    virtual std::optional<bool> askToSave() { return std::nullopt; }
+
+    /// How to look up what is open on the other pages. Called once, after the page was made.
+    virtual void setOpenCases(const OpenCases& /*cases*/) {}
+
+    /// Brings the other open page to the front that is as wanted. @return false where none is
+    using ShowOther = std::function<bool(const std::function<bool(ScenePage*)>& isWanted)>;
+    void setShowOther(const ShowOther& show) { showOther_ = show; }
+
+    /// Lets the model go: the page is made anew over it, in another language or with other units.
+    SceneModel* letGo();
+    /// The tabs in front, by the names of their pages.
+    QStringList shownTabs() const;
+    void showTabs(const QStringList& names);
+
+    /// Looks into the journal of the page, where it keeps one.
+    virtual void showJournal(const QString& /*search*/) {}
+
+  Q_SIGNALS:
+    /// A line for the status bar.
+    void status(const QString& text);
+    /// The journal of another scene has what was searched for.
+    void journalWanted(const QString& scene, const QString& search);
+
+  protected:
+    /// The model that a page before this one has left, else a new one.
+    template <typename Model, typename... Arguments>
+    Model* takeOver(SceneModel* kept, Arguments&&... arguments) {
+        if (kept == nullptr) {
+            kept = new Model(std::forward<Arguments>(arguments)..., this);
+        }
+        kept->setParent(this);
+        followDrags(kept);
+        return static_cast<Model*>(kept);
+    }
+
+    /// As ShowOther.
+    bool showOther(const std::function<bool(ScenePage*)>& isWanted) const {
+        return showOther_ && showOther_(isWanted);
+    }
+
+    bool event(QEvent* event) override;
+
+  private:
+    /// Axes rest while something is dragged, and are then those of what is shown, whatever was
+    /// shown before.
+    void followDrags(SceneModel* model);
+
+    ShowOther showOther_;
+    std::vector<std::function<bool()>> busy_;
+    QList<QPointer<TableEditor>> tables_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,154 @@
+#include "pictures/picture_file.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QImage>
+#include <QInputDialog>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPageSize>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QStatusBar>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/units.h"
+#include "pictures/clipped_svg.h"
+#include "text/write_file.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double screenDots = 96.0;  ///< to the inch
+constexpr double printDots = 300.0;
+
+QString say(const char* text) {
+    return QCoreApplication::translate("ravnoves::PictureFile", text);
+}
+
+bool endsIn(const QString& path, const char* suffix) {
+    return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+}
+
+bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    painter.setRenderHint(QPainter::LosslessImageRendering);  // no JPEG within a PDF
+    draw(painter, 1.0);
+    return painter.end();
+}
+
+bool drawSvg(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
+    ClippedSvg device(out, size, title);
+    return drawOn(device, draw);
+}
+
+bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
+    QPdfWriter writer(&out);
+    writer.setResolution(static_cast<int>(screenDots));
+    writer.setPageSize(
+        QPageSize(QSizeF(size) * (72.0 / screenDots), QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins({});
+    writer.setTitle(title);
+    return drawOn(writer, draw);
+}
+
+bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw, int pixels) {
+    const double scale = static_cast<double>(pixels) / size.width();
+    QImage image(pixels, static_cast<int>(std::lround(size.height() * scale)),
+                 QImage::Format_RGB32);
+    const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / units::inch.to_si));
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+    image.fill(Theme::instance().window());
+    QPainter painter(&image);
+    draw(painter, scale);
+    painter.end();
+    return image.save(&out, "PNG");
+}
+
+}  // namespace
+
+int printedWidth(const QSize& size) {
+    return static_cast<int>(std::lround(size.width() * printDots / screenDots));
+}
+
+QString writePicture(const QString& path, const QSize& size, const QString& title,
+                     const DrawPicture& draw, int pixels) {
+    QBuffer whole;  // a file is only begun with a picture that is drawn
+    whole.open(QIODevice::WriteOnly);
+    bool isDrawn = false;
+    if (endsIn(path, ".svg")) {
+        isDrawn = drawSvg(whole, size, title, draw);
+    } else if (endsIn(path, ".pdf")) {
+        isDrawn = drawPdf(whole, size, title, draw);
+    } else if (endsIn(path, ".png")) {
+        isDrawn = drawPng(whole, size, draw, pixels > 0 ? pixels : printedWidth(size));
+    } else {
+        return say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
+                                     "%1: a picture is written as .png, .svg or .pdf."))
+            .arg(path);
+    }
+    return isDrawn
+               ? writeFile(path, [&] { return whole.data().toStdString(); })
+               : say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "%1 cannot be written.")).arg(path);
+}
+
+void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
+                           const QSize& size, const QList<FileFormat>& others,
+                           const std::function<QString(const QString&, int)>& write) {
+    const QString path = askSavePath(parent, title, name, pictureFormats() + others);
+    if (path.isEmpty()) {
+        return;
+    }
+    int pixels = 0;
+    if (endsIn(path, ".png")) {
+        constexpr int least = 100;
+        constexpr int most = 12000;
+        bool isGiven = false;
+        pixels = QInputDialog::getInt(
+            parent, title,
+            say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
+                                  "Width in pixels; %1 print with 300 dots to the inch:"))
+                .arg(printedWidth(size)),
+            std::min(printedWidth(size), most), least, most, 1, &isGiven);
+        if (!isGiven) {
+            return;
+        }
+    }
+    const QString trouble = write(path, pixels);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(parent, title, trouble);
+        return;
+    }
+    for (QWidget* each = parent; each != nullptr; each = each->parentWidget()) {
+        if (auto* window = qobject_cast<QMainWindow*>(each)) {
+            constexpr int readFor = 5000;  // ms
+            window->statusBar()->showMessage(
+                say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "Written: %1"))
+                    .arg(QFileInfo(path).fileName()),
+                readFor);
+            break;
+        }
+    }
+}
+
+bool takesLines(const QPainter& painter) {
+    const QPaintEngine::Type type = painter.paintEngine()->type();
+    return type == QPaintEngine::Pdf || type == QPaintEngine::SVG || type == QPaintEngine::Picture;
+}
+
+bool drawsForFile(const QPainter& painter, const QWidget& widget) {
+    return takesLines(painter) ||
+           painter.deviceTransform().m11() > 1.01 * widget.devicePixelRatioF();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,102 @@
+#include "pictures/wheel_guard.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QFocusEvent>
+#include <QPointer>
+#include <QSlider>
+
+namespace ravnoves {
+
+namespace {
+
+/// The wheel turns the field that the user went to, by a click, a key or its letter. One that
+/// merely has the focus, for it is the first of a page that came to the front, is not turned:
+/// nobody meant it.
+class WheelGuard : public QObject {
+  public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        switch (event->type()) {
+            case QEvent::Wheel:
+            case QEvent::Polish:
+            case QEvent::FocusIn:
+            case QEvent::MouseButtonPress:
+            case QEvent::KeyPress:
+                break;
+            default:
+                return false;
+        }
+        if (qobject_cast<QComboBox*>(watched) == nullptr &&
+            qobject_cast<QSlider*>(watched) == nullptr) {
+            return false;
+        }
+        auto* widget = static_cast<QWidget*>(watched);
+        switch (event->type()) {
+            case QEvent::Polish:
+                if (widget->focusPolicy() == Qt::WheelFocus) {
+                    widget->setFocusPolicy(
+                        Qt::StrongFocus);  // the wheel does not give it the focus
+                }
+                return false;
+            case QEvent::FocusIn:
+                noteFocus(widget, static_cast<QFocusEvent*>(event)->reason());
+                return false;
+            case QEvent::Wheel:
+                // A closed list shows one word alone: what a notch makes of it is seen too late.
+                if (widget->hasFocus() && chosen_ == widget &&
+                    qobject_cast<QComboBox*>(watched) == nullptr) {
+                    return false;
+                }
+                event->ignore();
+                return true;
+            default:
+                chosen_ = widget;
+                return false;
+        }
+    }
+
+  private:
+    void noteFocus(QWidget* widget, Qt::FocusReason reason) {
+        switch (focusWay(reason)) {
+            case FocusWay::went:
+                chosen_ = widget;
+                break;
+            case FocusWay::back:
+                break;
+            case FocusWay::other:
+                chosen_.clear();
+        }
+    }
+
+    QPointer<QWidget> chosen_;
+};
+
+}  // namespace
+
+FocusWay focusWay(Qt::FocusReason reason) {
+    switch (reason) {
+        case Qt::MouseFocusReason:
+        case Qt::TabFocusReason:
+        case Qt::BacktabFocusReason:
+        case Qt::ShortcutFocusReason:
+            return FocusWay::went;
+        case Qt::ActiveWindowFocusReason:
+        case Qt::PopupFocusReason:
+        case Qt::MenuBarFocusReason:
+            return FocusWay::back;
+        default:
+            return FocusWay::other;
+    }
+}
+
+void guardWheel() {
+    static QPointer<WheelGuard> guard;
+    if (guard.isNull()) {
+        guard = new WheelGuard(qApp);
+        qApp->installEventFilter(guard);
+    }
+}
+
+}  // namespace ravnoves

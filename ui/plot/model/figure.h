@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plot/model/plot_data.h"
+
+namespace ravnoves {
+
+/// What a plot shows of a case, as a value: made anew for another input, it is the reference under
+/// the curves, a sample of the tolerances, or a picture of a report. What the user does to a plot,
+/// zoom and legend, is the plot's and goes on with the curve's word.
+struct Figure {
+    struct Curve {
+        std::string id;  ///< its word, one of the figure's own
+        plot::CurveStyle style = {};
+        std::vector<double> x = {};  ///< may be empty
+        std::vector<double> y = {};
+        /// Where it is drawn out of scale, the places that it stands for; else empty.
+        std::vector<double> trueX = {};
+        std::vector<double> trueY = {};
+        /// What is read out of point i of x, as lines; null: the curve's value is.
+        std::function<QString(std::size_t point)> text = {};
+        std::vector<double> low = {};  ///< ends of the error bars, or none
+        std::vector<double> high = {};
+        Qt::Orientation bars = Qt::Vertical;
+    };
+
+    QString title = {};
+    plot::Axis x = {};
+    plot::Axis left = {};
+    plot::Axis right = {};
+    /// What a y axis shows at least; nothing: it follows the data.
+    std::optional<std::pair<double, double>> leftRange = {};
+    std::optional<std::pair<double, double>> rightRange = {};
+    bool equalScale = false;  ///< one unit is the same length on both axes
+    std::vector<Curve> curves = {};
+    /// Nothing: what stands there follows the crank, not the case.
+    std::optional<std::vector<plot::Mark>> marks = {};
+    std::vector<plot::Band> bands = {};
+    std::vector<plot::Line> lines = {};
+    std::optional<double> presentX = {};  ///< likewise
+};
+
+}  // namespace ravnoves

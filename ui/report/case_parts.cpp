@@ -1,0 +1,176 @@
+#include "report/case_parts.h"
+
+#include <QElapsedTimer>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <algorithm>
+#include <memory>
+#include <span>
+
+#include "model/background_job.h"
+#include "page/part_views.h"
+#include "page/scene_page.h"
+#include "pictures/figure.h"
+#include "report/figure_drawings.h"
+#include "report/patience.h"
+#include "studies/tolerance_bands.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+constexpr qint64 jobPatienceMs = 60'000;
+
+Paragraph::Kind kindOf(Severity severity) {
+    switch (severity) {
+        case Severity::error:
+            return Paragraph::Kind::Error;
+        case Severity::warning:
+            return Paragraph::Kind::Warning;
+        case Severity::good:
+            return Paragraph::Kind::Good;
+        case Severity::note:
+            break;
+    }
+    return Paragraph::Kind::Text;
+}
+
+/// The groups of a report: one for what stands beside the tabs, one for each tab that has parts.
+class Groups {
+  public:
+    explicit Groups(const ScenePage& page) : page_(page) { groups_.emplace_back(); }
+
+    PageGroup& at(const QString& tab) {
+        if (tab.isEmpty()) {
+            return groups_.front().second;
+        }
+        for (auto& [name, group] : groups_) {
+            if (name == tab) {
+                return group;
+            }
+        }
+        auto& [name, group] = groups_.emplace_back(tab, PageGroup());
+        group.title = titleOf(tab);
+        return group;
+    }
+    std::vector<PageGroup> take() {
+        std::vector<PageGroup> all;
+        for (auto& [name, group] : groups_) {
+            all.push_back(std::move(group));
+        }
+        return all;
+    }
+
+  private:
+    QString titleOf(const QString& tab) const {
+        for (const QTabWidget* tabs : page_.findChildren<QTabWidget*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
+                if (tabs->widget(i)->objectName() == tab) {
+                    return tabs->tabText(i).remove(QLatin1Char('&'));
+                }
+            }
+        }
+        return tab;
+    }
+
+    const ScenePage& page_;
+    std::vector<std::pair<QString, PageGroup>> groups_;
+};
+
+/// Name of the tab of parts that a widget of the page is on; empty beside them.
+QString tabOf(const QWidget* widget, std::span<const PagePart> parts) {
+    for (const QWidget* at = widget; at != nullptr; at = at->parentWidget()) {
+        const std::string name = at->objectName().toStdString();
+        const bool isTab =
+            !name.empty() && std::any_of(parts.begin(), parts.end(),
+                                         [&](const PagePart& part) { return part.tab == name; });
+        if (isTab) {
+            return at->objectName();
+        }
+    }
+    return {};
+}
+
+void addFigure(SceneModel& model, const PagePart& part, const Figure& figure,
+               const PartSpread* spread, PageGroup& group) {
+    const bool isEmpty = std::all_of(figure.curves.begin(), figure.curves.end(),
+                                     [](const Figure::Curve& curve) { return curve.x.empty(); });
+    if (isEmpty) {
+        group.empty << figure.title;
+        return;
+    }
+    auto plot = std::make_shared<PartPlot>(&model, part.id);
+    if (spread != nullptr) {
+        plot->showSpread(*spread);
+    }
+    constexpr int width = 660;
+    constexpr int high = 460;
+    constexpr int low = 290;
+    plot->resize(figure.equalScale ? high : width, figure.equalScale ? high : low);
+    group.figures.push_back(drawingOf(std::move(plot)));
+}
+
+void addTable(SceneModel& model, const PagePart& part, const Results& results,
+              const PartSpread* spread, PageGroup& group) {
+    if (results.rows.isEmpty()) {
+        return;
+    }
+    PartTable table(&model, part.id, {});
+    if (spread != nullptr) {
+        table.showSpread(*spread);
+    }
+    group.tables.push_back(tableOf(table));
+}
+
+void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
+    QElapsedTimer waited;
+    waited.start();
+    patience.wait();
+    while (page.isBusy() && waited.elapsed() < longest) {
+        patience.wait(20);
+    }
+}
+
+}  // namespace
+
+std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
+    SceneModel& model = *page.model();
+    model.needParts();
+    auto* bands = page.findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
+    waitFor(page, patience, jobPatienceMs);
+    if (bands != nullptr) {
+        bands->findAll();
+        const QObject told;
+        QObject::connect(bands->job(), &BackgroundJob::progress, &told, [&](double part) {
+            patience.tell(ReportWords::tr("Samples of the tolerances"), part);
+        });
+        waitFor(page, patience, jobPatienceMs);
+    }
+    Groups groups(page);
+    for (const PagePart& part : model.parts()) {
+        PageGroup& group = groups.at(
+            QString::fromLatin1(part.tab.data(), static_cast<qsizetype>(part.tab.size())));
+        const PartSpread* spread = bands != nullptr ? bands->spreadOf(part.id) : nullptr;
+        const Content content = model.part(part.id);
+        if (const auto* notes = std::get_if<Notes>(&content)) {
+            for (const auto& [severity, line] : notes->lines) {
+                group.words.push_back(Paragraph{line.toHtmlEscaped(), kindOf(severity)});
+            }
+        } else if (const auto* results = std::get_if<Results>(&content)) {
+            addTable(model, part, *results, spread, group);
+        } else if (const auto* figure = std::get_if<Figure>(&content)) {
+            addFigure(model, part, *figure, spread, group);
+        }
+        patience.wait();
+    }
+    for (QWidget* picture : page.findChildren<QWidget*>()) {
+        if (isFigure(picture) && qobject_cast<PlotView*>(picture) == nullptr) {
+            groups.at(tabOf(picture, model.parts())).figures.push_back(drawingOf(picture));
+        }
+    }
+    return groups.take();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,122 @@
+#include "report/figure_drawings.h"
+
+#include <QApplication>
+#include <QPointer>
+#include <QResizeEvent>
+#include <algorithm>
+
+#include "page/mechanism_picture.h"
+#include "pictures/figure.h"
+#include "plot/plot_view.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+constexpr int figureWidth = 660;   ///< pixels, of a plot
+constexpr int narrowWidth = 480;   ///< of one that is high
+constexpr int pictureWidth = 430;  ///< of a picture
+
+/// A cell's text as a fragment of HTML.
+QString cellHtml(const QString& text) {
+    return text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br/>"));
+}
+
+/// Draws with the widget at another size, then gives it back its own. A hidden widget hears of a
+/// size only when it is shown: it is told.
+template <typename Draw>
+void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
+    const auto resize = [widget](const QSize& to) {
+        const QSize from = widget->size();
+        if (from != to) {
+            widget->resize(to);
+            if (!widget->isVisible()) {
+                QResizeEvent event(to, from);
+                QCoreApplication::sendEvent(widget, &event);
+            }
+        }
+    };
+    const QSize own = widget->size();
+    resize(size);
+    draw();
+    resize(own);
+}
+
+}  // namespace
+
+Drawing drawingOf(PlotView* plot) {
+    // As high as it stands on the page, within reason.
+    const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
+    constexpr double narrow = 0.62;  // on the page it shares its row
+    const int width = shape < narrow ? figureWidth : narrowWidth;
+    const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
+    return {plot->isZoomed() ? ReportWords::tr("A section: the plot is zoomed.") : QString(),
+            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
+            size, [plot = QPointer(plot), size](QPainter& painter) {
+                if (plot) {
+                    drawAt(plot, size,
+                           [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
+                }
+            }};
+}
+
+Drawing drawingOf(std::shared_ptr<PlotView> plot) {
+    const QSize size = plot->size();
+    return {{},
+            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
+            size,
+            [plot, size](QPainter& painter) {
+                drawAt(plot.get(), size,
+                       [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
+            }};
+}
+
+Drawing drawingOf(QWidget* picture) {
+    const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
+    const int width = shape < 0.6 ? figureWidth : pictureWidth;
+    // On the page a mechanism is low, for the plots' sake.
+    const int least = qobject_cast<MechanismPicture*>(picture) != nullptr ? 340 : 160;
+    const QSize size(width, std::clamp(static_cast<int>(width * shape), least, 460));
+    return {picture->accessibleName(), picture->accessibleDescription(), size,
+            [picture = QPointer(picture), size](QPainter& painter) {
+                if (picture) {
+                    drawAt(picture, size,
+                           [&] { drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size))); });
+                }
+            }};
+}
+
+Table tableOf(const ResultTable& table) {
+    Table shown;
+    shown.caption = table.accessibleName();
+    for (int column = 0; column < table.columnCount(); ++column) {
+        shown.headings << table.horizontalHeaderItem(column)->text().toHtmlEscaped();
+        shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
+                          (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
+    }
+    for (int row = 0; row < table.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < table.columnCount(); ++column) {
+            const QTableWidgetItem* cell = table.item(row, column);
+            cells << (cell != nullptr ? cellHtml(cell->text()) : QString());
+            QStringList parts = table.differenceAt(row, column);
+            parts.removeAll(QString());
+            if (!parts.isEmpty()) {
+                cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
+                                    .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
+            }
+            const QString spread = table.spreadAt(row, column);
+            if (!spread.isEmpty()) {
+                cells.last() += QStringLiteral("<br/><small>%1</small>").arg(spread);
+            }
+        }
+        shown.rows << cells;
+    }
+    shown.isSmall = shown.headings.size() > 6;
+    return shown;
+}
+
+}  // namespace ravnoves
