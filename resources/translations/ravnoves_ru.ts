@@ -11994,10 +11994,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Выбрать увеличение по перепаду</translation>
     </message>
     <message>
-        <source>Guides</source>
-        <translation>Направляющие</translation>
-    </message>
-    <message>
         <source>x, mm</source>
         <translation>x, мм</translation>
     </message>
@@ -14490,6 +14486,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ReferenceCase</name>
+    <message>
+        <source>Reference %1: %2</source>
+        <translation>Эталон %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::RefusedEntries</name>
     <message>
         <source>These entries were refused; the values before them count:</source>
@@ -14665,6 +14668,69 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ReportDialog</name>
+    <message>
+        <source>Report</source>
+        <translation>Отчёт</translation>
+    </message>
+    <message>
+        <source>The first page has the answer: verdict, picture, leading results, variants.</source>
+        <translation>На первой странице ответ: вывод, рисунок, главные результаты, варианты.</translation>
+    </message>
+    <message>
+        <source>&amp;Inputs</source>
+        <translation>&amp;Исходные данные</translation>
+    </message>
+    <message>
+        <source>All inputs with their units.</source>
+        <translation>Все исходные данные с единицами.</translation>
+    </message>
+    <message>
+        <source>&amp;Plots and tables</source>
+        <translation>&amp;Графики и таблицы</translation>
+    </message>
+    <message>
+        <source>The plots and tables of each tab of the page.</source>
+        <translation>Графики и таблицы каждой вкладки.</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas and what the model leaves out</source>
+        <translation>&amp;Формулы и чего модель не учитывает</translation>
+    </message>
+    <message>
+        <source>Each formula with its source.</source>
+        <translation>Каждая формула с источником.</translation>
+    </message>
+    <message>
+        <source>&amp;Validation of the paper</source>
+        <translation>&amp;Проверка по статье</translation>
+    </message>
+    <message>
+        <source>Every number that the paper prints, compared with this program.</source>
+        <translation>Сравнение каждого напечатанного в статье числа с программой.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Paper of a PDF file.</source>
+        <translation>Бумага файла PDF.</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>&amp;Бумага</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Сохранить как…</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ReportWords</name>
     <message>
         <source>SHA-256 of the file</source>
@@ -14693,14 +14759,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Notes</source>
         <translation>Заметки</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Результаты</translation>
-    </message>
-    <message>
-        <source>Left out, since this case gives them nothing to show: %1.</source>
-        <translation>Опущены, так как в этой задаче им нечего показать: %1.</translation>
     </message>
     <message>
         <source>Formulas</source>
@@ -14905,6 +14963,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Bands about curves and ± beside numbers are the range from 5 % to 95 % of 128 samples.</source>
         <translation>Полосы вокруг кривых и ± у чисел — диапазон от 5 % до 95 % по 128 пробам.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Задача</translation>
+    </message>
+    <message>
+        <source>Plots and tables</source>
+        <translation>Графики и таблицы</translation>
     </message>
 </context>
 <context>
@@ -17996,6 +18062,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>No variant is kept yet: Ctrl+K keeps the present input as one.</source>
         <translation>Ни одного варианта ещё нет: Ctrl+K сохраняет нынешние данные как вариант.</translation>
+    </message>
+    <message>
+        <source>%1 (reference)</source>
+        <translation>%1 (эталон)</translation>
+    </message>
+    <message>
+        <source>An input that differs.</source>
+        <translation>Отличающееся исходное данное.</translation>
     </message>
 </context>
 <context>

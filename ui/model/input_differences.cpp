@@ -215,4 +215,23 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     return numbers;
 }
 
+QString nameByDifferences(const SceneModel& model) {
+    if (model.reference() < 0) {
+        return {};
+    }
+    const auto differences = inputDifferences(model, model.variantInput(model.reference()));
+    constexpr std::size_t most = 2;
+    if (differences.empty() || differences.size() > most) {
+        return {};
+    }
+    QStringList values;
+    for (const InputDifference& each : differences) {
+        if (each.present.isEmpty()) {
+            return {};
+        }
+        values << withUnit(each.present, each.unit);
+    }
+    return values.join(QStringLiteral(", "));
+}
+
 }  // namespace ravnoves

@@ -32,6 +32,10 @@ struct InputDifference {
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
 
+/// What tells the present input from the reference, where that is a value or two: "60°, 90 mm";
+/// else empty.
+QString nameByDifferences(const SceneModel& model);
+
 /// A number of the input with its name in the form.
 struct InputNumber {
     std::string pointer;  ///< below "input"

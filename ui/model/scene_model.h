@@ -87,6 +87,8 @@ class SceneModel : public QObject {
     /// Another input in place of the present one, without a step of the history: of a model that
     /// nobody else knows, in any thread. @throws InputError
     virtual void showInput(const Json& /*input*/) {}
+    /// What holds, first of all; nothing where the scene says none.
+    virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// The variant that the case is seen against.
     ReferenceCase& referenceCase();
     /// The "result" object, the same that the command line prints.

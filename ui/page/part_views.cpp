@@ -1,6 +1,8 @@
 #include "page/part_views.h"
 
 #include "model/reference_case.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
 
 namespace ravnoves {
 
@@ -126,6 +128,8 @@ PartText::PartText(SceneModel* model, std::string_view id, QWidget* parent)
     : QLabel(parent), PartView(model, id, this) {
     setWordWrap(true);
     setTextFormat(Qt::PlainText);
+    setFont(Theme::font(Theme::smallSize));
+    colourText(this, &Theme::mutedText);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
     refresh();
 }

@@ -16,6 +16,7 @@
 #include "model/case_sources.h"
 #include "model/input_differences.h"
 #include "model/variant_files.h"
+#include "model/variant_results.h"
 #include "page/scene_names.h"
 #include "page/scene_page.h"
 #include "report/case_parts.h"
@@ -28,6 +29,7 @@
 #include "text/message_text.h"
 #include "text/write_file.h"
 #include "theme/theme.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -83,6 +85,7 @@ std::pair<QString, QString> fingerprint(CaseDocument& document) {
 }
 
 void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
+    report.items.push_back(Heading{ReportWords::tr("Case")});
     Table table;
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
@@ -105,9 +108,9 @@ void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
 }
 
 void addResults(Report& report, std::vector<PageGroup> groups) {
-    report.items.push_back(Heading{ReportWords::tr("Results")});
+    report.items.push_back(Heading{ReportWords::tr("Plots and tables")});
     for (PageGroup& group : groups) {
-        if (group.isEmpty() && group.empty.isEmpty()) {
+        if (group.isEmpty()) {
             continue;
         }
         if (!group.title.isEmpty()) {
@@ -115,13 +118,6 @@ void addResults(Report& report, std::vector<PageGroup> groups) {
         }
         for (auto* part : {&group.words, &group.tables, &group.figures}) {
             std::move(part->begin(), part->end(), std::back_inserter(report.items));
-        }
-        if (!group.empty.isEmpty()) {
-            report.items.push_back(Paragraph{
-                ReportWords::tr("Left out, since this case gives them nothing to show: %1.")
-                    .arg(group.empty.join(QStringLiteral(", ")))
-                    .toHtmlEscaped(),
-                Paragraph::Kind::Muted});
         }
     }
 }
@@ -276,6 +272,25 @@ void addVariants(Report& report, const SceneModel& model) {
                           Paragraph::Kind::Warning});
         }
     }
+    if (!model.parts().empty()) {
+        QStringList troubles;  // they are said above
+        const Results results = variantResults(model, troubles);
+        Table table;
+        for (const ResultColumn& column : results.columns) {
+            table.numbers << !table.headings.isEmpty();
+            table.headings << column.heading.toHtmlEscaped();
+        }
+        for (const ResultRow& row : results.rows) {
+            QStringList cells;
+            for (const ResultCell& cell : row) {
+                cells << shortened(cell.text).toHtmlEscaped();
+            }
+            table.rows << cells;
+        }
+        table.isSmall = results.columns.size() > 4;
+        report.items.push_back(std::move(table));
+        return;
+    }
     if (reference < 0) {
         return;
     }
@@ -314,12 +329,33 @@ void addVariants(Report& report, const SceneModel& model) {
     }
 }
 
-Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patience) {
+/// The answer: what holds, the picture, the leading results.
+void addAnswer(Report& report, const SceneModel& model, PageGroup& front) {
+    if (const std::optional<Verdict> verdict = model.verdictShown()) {
+        const Paragraph::Kind kind = verdict->severity == Severity::error ? Paragraph::Kind::Error
+                                     : verdict->severity == Severity::warning
+                                         ? Paragraph::Kind::Warning
+                                     : verdict->severity == Severity::good ? Paragraph::Kind::Good
+                                                                           : Paragraph::Kind::Text;
+        report.items.push_back(Paragraph{
+            (severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text))
+                .toHtmlEscaped(),
+            kind});
+    }
+    for (auto* part : {&front.figures, &front.tables, &front.words}) {
+        std::move(part->begin(), part->end(), std::back_inserter(report.items));
+    }
+    front = {};
+}
+
+Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& choice,
+                  const Patience& patience) {
     SceneModel& model = *page.model();
     Report report;
     report.program = QStringLiteral("Ravnoves " RAVNOVES_VERSION);
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     report.language = currentLanguage();
+    report.paper = choice.paper;
     report.title = model.title().isEmpty() ? sceneTitle(model.sceneName())
                                            : shortened(model.titleShown().simplified());
     report.subtitle =
@@ -327,23 +363,32 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
     std::vector<PageGroup> groups =
         model.parts().empty() ? pageParts(page, ofParts) : caseParts(page, ofParts);
-    addCase(report, model, document);
-    report.items.push_back(Heading{ReportWords::tr("Inputs")});
-    for (Table& table : inputTables(model)) {
-        report.items.push_back(std::move(table));
-    }
-    if (std::optional<Table> missing = leftOut(model)) {
-        report.items.push_back(std::move(*missing));
-    }
+    addAnswer(report, model, groups.front());
     addVariants(report, model);
     if (!model.study().empty()) {
         patience.tell(ReportWords::tr("Tolerances"), 0.7);
     }
     addTolerances(report, model, patience);
-    addResults(report, std::move(groups));
-    addTheory(report, model);
-    patience.tell(ReportWords::tr("Validation of the methods"), 0.9);
-    addValidation(report, model.sceneName(), patience);
+    if (choice.inputs) {
+        report.items.push_back(Heading{ReportWords::tr("Inputs")});
+        for (Table& table : inputTables(model)) {
+            report.items.push_back(std::move(table));
+        }
+        if (std::optional<Table> missing = leftOut(model)) {
+            report.items.push_back(std::move(*missing));
+        }
+    }
+    if (choice.plots) {
+        addResults(report, std::move(groups));
+    }
+    if (choice.formulas) {
+        addTheory(report, model);
+    }
+    if (choice.validation) {
+        patience.tell(ReportWords::tr("Validation of the methods"), 0.9);
+        addValidation(report, model.sceneName(), patience);
+    }
+    addCase(report, model, document);
     patience.tell(ReportWords::tr("Pages"), 0.95);
     return report;
 }
@@ -360,7 +405,7 @@ bool isReportName(const QString& path) {
 }
 
 QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
-                    const Patience& patience) {
+                    const ReportChoice& choice, const Patience& patience) {
     if (!isReportName(path)) {
         return ReportWords::tr("%1: a report ends in .pdf or .html").arg(path);
     }
@@ -370,7 +415,7 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     }
     return writeFile(path, [&] {
         const LightTheme light(page.window());
-        const Report report = makeReport(page, document, patience);
+        const Report report = makeReport(page, document, choice, patience);
         return (isPdf(path) ? reportAsPdf(report) : reportAsHtml(report)).toStdString();
     });
 }

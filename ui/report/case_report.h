@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "report/patience.h"
+#include "report/report_choice.h"
 
 namespace ravnoves {
 
@@ -17,6 +18,6 @@ bool isReportName(const QString& path);
 /// Never writes over an open case, or over a file that one reads.
 /// @return an empty string, or what is wrong
 QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
-                    const Patience& patience = Patience());
+                    const ReportChoice& choice, const Patience& patience = Patience());
 
 }  // namespace ravnoves

@@ -19,13 +19,11 @@ using namespace report;
 
 namespace {
 
-// A4, in pixels of 1/96 inch, as the figures are.
+// In pixels of 1/96 inch, as the figures are; as wide as A4 leaves, which Letter does too.
 constexpr double perMillimetre = 96.0 / (units::inch.to_si / units::mm);
 constexpr double pageWidth = 210.0 * perMillimetre;
-constexpr double pageHeight = 297.0 * perMillimetre;
 constexpr double left = 20.0 * perMillimetre;
 constexpr double top = 22.0 * perMillimetre;
-constexpr double bottom = pageHeight - 20.0 * perMillimetre;
 constexpr double width = pageWidth - left - 15.0 * perMillimetre;
 constexpr double cellGap = 9.0;
 constexpr double cellPad = 2.0;
@@ -298,7 +296,12 @@ struct Placed {
     const Strip* strip;
 };
 
-std::vector<Placed> placed(const Strips& all) {
+/// Where the text of a page ends.
+double bottomOf(const Report& report) {
+    return (QPageSize::size(report.paper, QPageSize::Millimeter).height() - 20.0) * perMillimetre;
+}
+
+std::vector<Placed> placed(const Strips& all, double bottom) {
     std::vector<Placed> result;
     int page = 0;
     double y = top;
@@ -345,7 +348,7 @@ void drawFrame(QPainter& painter, const Report& report, int page, int pages) {
     const QFont font = paperFont(9);
     painter.setFont(font);
     painter.setPen(QColor::fromRgb(pale));
-    const QRectF foot(left, bottom + 6.0 * perMillimetre, width, 14.0);
+    const QRectF foot(left, bottomOf(report) + 6.0 * perMillimetre, width, 14.0);
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1 · %2").arg(report.program, report.date));
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
@@ -373,7 +376,7 @@ QByteArray reportAsPdf(const Report& report) {
             strips.strips.back().keepsWithNext = true;
         }
     }
-    const std::vector<Placed> places = placed(strips);
+    const std::vector<Placed> places = placed(strips, bottomOf(report));
     const int pages = places.empty() ? 1 : places.back().page + 1;
 
     QBuffer buffer;
@@ -382,7 +385,7 @@ QByteArray reportAsPdf(const Report& report) {
     writer.setResolution(96);  // recorded pictures are scaled by it, their text too
     writer.setTitle(frameTitle(report));
     writer.setCreator(report.program);
-    QPageLayout layout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF());
+    QPageLayout layout(QPageSize(report.paper), QPageLayout::Portrait, QMarginsF());
     layout.setMode(QPageLayout::FullPageMode);
     writer.setPageLayout(layout);
     QPainter painter(&writer);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QPageSize>
 #include <QPainter>
 #include <QSize>
 #include <QString>
@@ -54,6 +55,7 @@ struct Report {
     QString program;   ///< plain: name and version
     QString date;      ///< plain
     QString language;  ///< code
+    QPageSize::PageSizeId paper = QPageSize::A4;
     std::vector<report::Item> items;
 };
 
@@ -62,7 +64,7 @@ struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ReportWords)
 };
 
-/// A4 pages; text is text, figures are vectors.
+/// Pages of the report's paper; text is text, figures are vectors.
 QByteArray reportAsPdf(const Report& report);
 /// One file that refers to nothing outside of it.
 QByteArray reportAsHtml(const Report& report);

@@ -29,6 +29,7 @@
 #include "pictures/file_dialogs.h"
 #include "pictures/picture_file.h"
 #include "report/case_report.h"
+#include "report/report_dialog.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/new_case_dialog.h"
@@ -495,13 +496,19 @@ void MainWindow::exportPicture() {
 }
 
 QString MainWindow::writeReport(const QString& path, const Patience& patience) {
-    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path, patience);
+    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path,
+                                 ReportChoice::kept(), patience);
 }
 
 void MainWindow::exportReport() {
     if (!goOnWithoutRefused(currentPage(), tr("Report"))) {
         return;
     }
+    ReportDialog dialog(this);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    dialog.choice().keep();
     const QFileInfo file(documents_->current().document->path());
     const QString name = file.filePath().isEmpty()
                              ? currentScene()

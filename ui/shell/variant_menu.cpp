@@ -5,8 +5,8 @@
 #include <QToolButton>
 
 #include "model/variant_files.h"
-#include "shell/input_comparison.h"
 #include "page/scene_page.h"
+#include "shell/input_comparison.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
 
@@ -142,7 +142,7 @@ void VariantMenu::fillList() {
 }
 
 void VariantMenu::keep() {
-    model_->keepVariant();
+    model_->keepVariant(nameByDifferences(*model_));
     kept_ = model_->variants().constLast().name;
     Q_EMIT page_->status(
         tr("Kept as variant %1; what changes from here on is shown against it.").arg(kept_));

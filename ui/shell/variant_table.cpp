@@ -12,6 +12,7 @@
 #include "case-file/json.h"
 #include "model/scene_model.h"
 #include "model/variant_files.h"
+#include "model/variant_results.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "shell/scene_list.h"
@@ -77,7 +78,7 @@ VariantTable::VariantTable(ScenePage* page, QWidget* parent)
     setWindowTitle(tr("Variants side by side"));
     resizeWithText(this, 720, 520);
     for (const SceneInfo& info : sceneList()) {
-        if (info.name == page->model()->sceneName()) {
+        if (page->model()->parts().empty() && info.name == page->model()->sceneName()) {
             twin_.reset(info.make(nullptr));
         }
     }
@@ -115,6 +116,13 @@ void VariantTable::showVariants() {
         return;  // the page is gone, and this closes
     }
     const SceneModel& model = *page_->model();
+    if (!model.parts().empty()) {
+        QStringList troubles;
+        table_->setResults(variantResults(model, troubles));
+        sayOrHide(words_,
+                  model.variants().isEmpty() ? noneText() : troubles.join(QLatin1Char('\n')));
+        return;
+    }
     ResultColumns columns{tr("Result")};
     QStringList troubles;
     QStringList names;
@@ -154,9 +162,11 @@ void VariantTable::showVariants() {
         rows << row;
     }
     table_->setResults({columns, rows});
-    sayOrHide(words_, model.variants().isEmpty()
-                          ? tr("No variant is kept yet: Ctrl+K keeps the present input as one.")
-                          : troubles.join(QLatin1Char('\n')));
+    sayOrHide(words_, model.variants().isEmpty() ? noneText() : troubles.join(QLatin1Char('\n')));
+}
+
+QString VariantTable::noneText() {
+    return tr("No variant is kept yet: Ctrl+K keeps the present input as one.");
 }
 
 QString VariantTable::exportTo(const QString& path) const {

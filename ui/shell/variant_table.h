@@ -26,6 +26,7 @@ class VariantTable : public QDialog {
 
   private:
     void showVariants();
+    static QString noneText();
     void saveWithDialog();
 
     ScenePage* page_;

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QElapsedTimer>
@@ -25,6 +26,7 @@
 #include "plot/plot_view.h"
 #include "report/case_report.h"
 #include "report/report.h"
+#include "report/report_dialog.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "studies/tolerance_bands.h"
@@ -500,10 +502,18 @@ TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
         *filter = offered.split(u";;"_s).constLast();
         return file(u"handed-over"_s);
     };
+    test::whenModal<ReportDialog>(&window, [](ReportDialog* dialog) {
+        test::named<QCheckBox>(*dialog, "report_formulas")->setChecked(false);
+        dialog->accept();
+    });
     QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier);
     fileChoosers() = before;
     EXPECT_TRUE(filters.contains(u"*.pdf"_s));
     EXPECT_TRUE(QFile::exists(file(u"handed-over.html"_s)));
+    // What was not wanted is left out, of the next report too.
+    EXPECT_FALSE(fileText(file(u"handed-over.html"_s)).contains(u">Formulas<"_s));
+    EXPECT_FALSE(ReportChoice::kept().formulas);
+    ReportChoice().keep();
 }
 
 /// The program's own word: status and standard error.

@@ -24,6 +24,7 @@
 #include "page/refused_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
+#include "report/report_dialog.h"
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -235,6 +236,7 @@ TEST_F(SavingTest, ReturnDoesNotCancelAReport) {
     const QString path = folder.filePath(u"report.html"_s);
     fileChoosers().save = [&](auto...) { return path; };
     bool isCancelled = true;
+    test::whenModal<ReportDialog>(&window, [](ReportDialog* dialog) { dialog->accept(); });
     test::whenModal<QProgressDialog>(&window, [&](QProgressDialog* dialog) {
         QTest::keyClick(dialog->findChild<QPushButton*>(), Qt::Key_Return);
         isCancelled = dialog->wasCanceled();

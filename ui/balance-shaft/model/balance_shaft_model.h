@@ -143,6 +143,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// What looks like a slip in the input.
     QString doubtsText() const;
     Verdict verdict() const { return balance_shaft::verdict(result()); }
+    std::optional<Verdict> verdictShown() const override { return verdict(); }
     std::vector<std::string> usualObjects() const override { return {"/envelope"}; }
 
   Q_SIGNALS:

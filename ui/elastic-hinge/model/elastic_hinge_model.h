@@ -110,6 +110,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     }
 
     Verdict verdict() const;
+    std::optional<Verdict> verdictShown() const override { return verdict(); }
     /// How guides are exported.
     struct GuideExport {
         elastic_hinge::Hinge hinge = elastic_hinge::Hinge::crank;

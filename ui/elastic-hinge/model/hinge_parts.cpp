@@ -44,20 +44,19 @@ QString pointText(const ElasticHingeModel& model, Branch branch, std::size_t poi
     const elastic_hinge::Guide& guide = model.shownGuide();
     const std::vector<double>& radius =
         branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
-    return QStringList{
-        branchName(branch),
-        QStringLiteral("φ = %1°").arg(
-            fixedNumber(model.result().crank_angle_deg[point], 1, QLocale())),
-        QStringLiteral("ρ = ") + shownNumber(radius[point], units::mm, 4)}
+    return QStringList{branchName(branch),
+                       QStringLiteral("φ = %1°").arg(
+                           fixedNumber(model.result().crank_angle_deg[point], 1, QLocale())),
+                       QStringLiteral("ρ = ") + shownNumber(radius[point], units::mm, 4)}
         .join(QLatin1Char('\n'));
 }
 
 Figure guides(const ElasticHingeModel& model) {
     const double factor = model.exaggeration();
     Figure figure;
-    figure.title = factor == 1.0
-                       ? HingePlots::tr("Guides, to scale")
-                       : HingePlots::tr("Guides, relief × %1").arg(formNumber(factor, QLocale(), 6));
+    figure.title =
+        factor == 1.0 ? HingePlots::tr("Guides, to scale")
+                      : HingePlots::tr("Guides, relief × %1").arg(formNumber(factor, QLocale(), 6));
     figure.left = {.title = HingePlots::tr("y, mm")};
     figure.equalScale = true;
     const GuidePicture drawn(model.shownGuide(), factor);
@@ -85,13 +84,15 @@ Figure guides(const ElasticHingeModel& model) {
              .y = std::move(circle.y)});
     }
     const double roller = model.input().roller_radius;
-    add({.id = "profile",
-         .style = {.name = HingePlots::tr("profile"),
-                   .colour = 3,
-                   .width = 1.4,
-                   .toolTip = HingePlots::tr("What the roller touches: the path of its centre "
-                                             "offset by its radius")}},
-        drawn.profile(roller), toScale.profile(roller));
+    if (GuidePicture::Path profile = drawn.profile(roller); !profile.x.empty()) {
+        add({.id = "profile",
+             .style = {.name = HingePlots::tr("profile"),
+                       .colour = 3,
+                       .width = 1.4,
+                       .toolTip = HingePlots::tr("What the roller touches: the path of its centre "
+                                                 "offset by its radius")}},
+            std::move(profile), toScale.profile(roller));
+    }
     const std::array tips{HingePlots::tr("Guide of the compressed spring, minus in (3)"),
                           HingePlots::tr("Guide of the stretched spring, plus in (3)")};
     for (std::size_t i = 0; i < branches.size(); ++i) {
@@ -116,9 +117,9 @@ Figure relief(const ElasticHingeModel& model) {
     const double finest = picture.greatestRise();
     constexpr double border = 0.5e-3;  // m
     const bool isNarrow = finest > 0.0 && finest < border;
-    Figure figure = overTurn(HingePlots::tr("ρ over the turn, from its value at 0°"),
-                             isNarrow ? HingePlots::tr("ρ − ρ(0), µm")
-                                      : HingePlots::tr("ρ − ρ(0), mm"));
+    Figure figure =
+        overTurn(HingePlots::tr("ρ over the turn, from its value at 0°"),
+                 isNarrow ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm"));
     for (std::size_t i = 0; i < branches.size(); ++i) {
         figure.curves.push_back(
             {.id = branchId(branches[i]),
@@ -260,9 +261,8 @@ Figure crankMoment(const ElasticHingeModel& model) {
 }
 
 Figure crankMomentSpeeds(const ElasticHingeModel& model) {
-    Figure figure = overTurn(model.result().has_counterweight
-                                 ? HingePlots::tr("M₁* at several ω")
-                                 : HingePlots::tr("M₁ at several ω"),
+    Figure figure = overTurn(model.result().has_counterweight ? HingePlots::tr("M₁* at several ω")
+                                                              : HingePlots::tr("M₁ at several ω"),
                              HingePlots::tr("N·m"));
     addSpeeds(figure, model.result(), &MechanismCurves::crank_moment_with_rod_hinge);
     return figure;

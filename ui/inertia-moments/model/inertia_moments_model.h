@@ -142,6 +142,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     Results weightResults() const;
     Results remainingResults() const;
     Verdict verdict() const { return inertia_moments::verdict(input(), result()); }
+    std::optional<Verdict> verdictShown() const override { return verdict(); }
 
   Q_SIGNALS:
     void tabChanged(InertiaMomentsModel::Tabs group, int index);
