@@ -27,16 +27,33 @@ struct Pattern {
     double metal = 0.0;  // kg
 };
 
+/// Down to a step.
+double stepped(double depth, const HoleLimits& limits) {
+    return limits.depth_step > 0.0
+               ? limits.depth_step * std::floor(depth / limits.depth_step + 1e-9)
+               : depth;
+}
+
+double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits) {
+    const double room = cut.axial_wall ? limits.maximum_depth : cut.radius - cut.cone(diameter);
+    return stepped(std::min(limits.maximum_depth, room), limits);
+}
+
 class Planner {
   public:
     /// @param whole  the holes' edges lie in the sector, too
     Planner(double target, double angle, const Cut& cut, const HoleLimits& limits, bool whole)
-        : target_(target), angle_(angle), cut_(cut), limits_(limits), whole_(whole) {}
+        : target_(target),
+          angle_(angle),
+          cut_(cut),
+          limits_(limits),
+          whole_(whole),
+          least_(limits.depth_step > 0.0
+                     ? limits.depth_step *
+                           std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
+                     : limits.smallest_depth) {}
 
-    double deepest(double diameter) const {
-        const double room = cut_.radius - cut_.cone(diameter);
-        return stepped(std::min(limits_.maximum_depth, room));
-    }
+    double deepest(double diameter) const { return deepest_hole(diameter, cut_, limits_); }
 
     /// Whether n holes of that depth have room.
     bool fits(int n, double diameter, double depth) const {
@@ -47,7 +64,7 @@ class Planner {
     /// or one alone would take off too much.
     std::optional<Pattern> pattern(int n, double diameter) const {
         const double most = deepest(diameter);
-        if (most < 0.0 || !fits(n, diameter, 0.0)) {
+        if (most < least_ || !fits(n, diameter, least_)) {
             return std::nullopt;
         }
         // What n holes take off grows with the depth: their unbalance does, and where the spacing
@@ -55,14 +72,14 @@ class Planner {
         // falls alone where a hole has to leap over one of an earlier run.
         const double room = roomy(n, diameter, most);
         constexpr int steps = 32;
-        double depth = 0.0;
-        double low = 0.0;
-        double high = 0.0;
-        double best = taken(n, diameter, 0.0);
+        double depth = least_;
+        double low = least_;
+        double high = least_;
+        double best = taken(n, diameter, least_);
         bool reaches = best > target_;
         for (int i = 1; i <= steps && !reaches; ++i) {
             low = high;
-            high = room * i / steps;
+            high = least_ + (room - least_) * i / steps;
             const double there = taken(n, diameter, high);
             reaches = there > target_;
             if (there > best) {
@@ -71,7 +88,7 @@ class Planner {
             }
         }
         if (!reaches) {
-            depth = depth < room ? stepped(depth) : room;
+            depth = depth < room ? std::max(least_, stepped(depth)) : room;
         } else {
             for (int i = 0; i < 100 && high - low > 1e-12; ++i) {
                 const double middle = 0.5 * (low + high);
@@ -86,24 +103,20 @@ class Planner {
     std::vector<Hole> holes(const Pattern& pattern) const {
         std::vector<Hole> list;
         const Removed one = cut_.removed(pattern.diameter, pattern.depth);
+        const double lever = cut_.lever(pattern.diameter, pattern.depth);
         std::vector<double> places;
         place(pattern.count, pattern.diameter, pattern.depth,
               [&](double offset) { places.push_back(offset); });
         std::sort(places.begin(), places.end());
         for (const double offset : places) {
             list.push_back({pattern.diameter, pattern.depth, turn_of(angle_ + offset), one.mass,
-                            one.unbalance, one.slug});
+                            one.unbalance, one.slug, lever});
         }
         return list;
     }
 
   private:
-    /// Down to a step.
-    double stepped(double depth) const {
-        return limits_.depth_step > 0.0
-                   ? limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9)
-                   : depth;
-    }
+    double stepped(double depth) const { return bob_weights::stepped(depth, limits_); }
 
     double taken(int n, double diameter, double depth) const {
         double cosines = 0.0;
@@ -177,20 +190,20 @@ class Planner {
         if (fits(n, diameter, most)) {
             return most;
         }
-        double low = 0.0;
+        double low = least_;
         double high = most;
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
             (fits(n, diameter, middle) ? low : high) = middle;
         }
-        return stepped(low);
+        return std::max(least_, stepped(low));
     }
 
     double rounded(int n, double diameter, double depth, double most) const {
         if (limits_.depth_step <= 0.0) {
             return depth;
         }
-        const double below = stepped(depth);
+        const double below = std::max(least_, stepped(depth));
         const double above = below + limits_.depth_step;
         const bool can = above <= most + 1e-12 && fits(n, diameter, above);
         return can && std::abs(taken(n, diameter, above) - target_) <
@@ -204,6 +217,7 @@ class Planner {
     const Cut& cut_;
     const HoleLimits& limits_;
     bool whole_;
+    double least_;  ///< depth of a hole, m
 };
 
 HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const double> diameters,
@@ -279,17 +293,26 @@ Removed Cut::removed(double diameter, double depth) const {
     const double point = cone(diameter);
     const double cylinder = area * depth;
     const double tip = area * point / 3.0;
-    const double lever = radius - 0.5 * depth;
+    const double middle = lever(diameter, depth);
+    const double tip_radius = axial_wall ? middle : radius - depth - 0.25 * point;
     const double mass = density * (cylinder + tip);
-    const double unbalance = density * (cylinder * lever + tip * (radius - depth - 0.25 * point));
+    const double unbalance = density * (cylinder * middle + tip * tip_radius);
     if (!slug_density) {
         return {mass, unbalance};
     }
     const double slug = *slug_density * cylinder;
-    return {slug - mass, slug * lever - unbalance, slug};
+    return {slug - mass, slug * middle - unbalance, slug};
+}
+
+double Cut::lever(double diameter, double depth) const {
+    return axial_wall ? radius - *axial_wall - 0.5 * diameter : radius - 0.5 * depth;
 }
 
 std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall) {
+    if (cut.axial_wall) {
+        const double share = 0.5 * (diameter + wall) / cut.lever(diameter, depth);
+        return share > 0.0 && share < 1.0 ? std::optional(std::asin(share)) : std::nullopt;
+    }
     // From a plane through the axis: the edge of the bottom at the radius b = R − h, half a
     // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a.
     const double bottom = cut.radius - depth;
@@ -314,8 +337,11 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
         // nothing here.
         const double angle = inwards > 2.0 * pi - rounding ? 0.0 : inwards;
         if (angle < 0.5 * pi) {
-            most = std::max(most, 0.5 * hole.diameter * std::cos(angle) -
-                                      (cut.radius - hole.depth) * std::sin(angle));
+            most = std::max(most, cut.axial_wall
+                                      ? 0.5 * hole.diameter -
+                                            cut.lever(hole.diameter, hole.depth) * std::sin(angle)
+                                      : 0.5 * hole.diameter * std::cos(angle) -
+                                            (cut.radius - hole.depth) * std::sin(angle));
         }
     }
     return most < rounding ? 0.0 : most;
@@ -378,6 +404,227 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
         }
     }
     return best;
+}
+
+namespace {
+
+/// Looks for the depths of holes that are there, on the grid of the depth step.
+class Deepener {
+  public:
+    using Vector = std::complex<double>;
+
+    Deepener(Vector unbalance, const std::vector<Hole>& holes, const Cut& cut,
+             const HoleLimits& limits)
+        : unbalance_(unbalance), cut_(cut), limits_(limits) {
+        for (const Hole& hole : holes) {
+            add(hole);
+        }
+        present_.assign(all_.size(), 0);
+    }
+
+    DeepeningPlan plan(double enough) const {
+        Depths best = present_;
+        // One hole, two, and then any two of them at a time as long as that helps.
+        for (const std::size_t count : {1, 2, 3}) {
+            const Depths found = count < 3 ? best_of(present_, count) : improved(best);
+            if (left(found) < left(best) - rounding) {
+                best = found;
+            }
+            if (left(best) <= std::max(enough, steps_of(best))) {
+                return {deepened(best), true};
+            }
+        }
+        return {deepened(best), false};
+    }
+
+  private:
+    static constexpr double rounding = 1e-12;  // kg·m
+    using Depths = std::vector<std::size_t>;   // in steps beyond the present depth
+
+    struct Each {
+        Hole hole;
+        Vector along;
+        double step;                              ///< m
+        std::vector<double> taken;                ///< kg·m, by steps
+        std::vector<std::optional<double>> half;  ///< of its width, wall included, rad, by steps
+    };
+
+    double depth_of(const Each& each, std::size_t steps) const {
+        return steps == 0 ? each.hole.depth
+                          : stepped_grid(each.hole.depth) + static_cast<double>(steps) * each.step;
+    }
+    double stepped_grid(double depth) const { return stepped(depth, limits_); }
+
+    void add(const Hole& hole) {
+        constexpr double fine = 0.01e-3;  // where depths are not rounded
+        Each each{hole,
+                  std::polar(1.0, hole.angle),
+                  limits_.depth_step > 0.0 ? limits_.depth_step : fine,
+                  {},
+                  {}};
+        const double away = std::abs(std::remainder(hole.angle - std::arg(unbalance_), 2.0 * pi));
+        const bool may = away <= limits_.maximum_angle && limits_.allows(hole.angle);
+        const double most = may ? deepest_hole(hole.diameter, cut_, limits_) : 0.0;
+        const double now = cut_.removed(hole.diameter, hole.depth).unbalance;
+        for (std::size_t steps = 0; steps == 0 || depth_of(each, steps) <= most + rounding;
+             ++steps) {
+            const double depth = depth_of(each, steps);
+            each.taken.push_back(cut_.removed(hole.diameter, depth).unbalance - now);
+            each.half.push_back(half_width(cut_, hole.diameter, depth, limits_.minimum_wall));
+        }
+        all_.push_back(std::move(each));
+    }
+
+    double left(const Depths& depths) const {
+        Vector sum = unbalance_;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            sum -= all_[i].taken[depths[i]] * all_[i].along;
+        }
+        return std::abs(sum);
+    }
+
+    /// What the rounding of the depths may leave.
+    double steps_of(const Depths& depths) const {
+        double sum = rounding;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const auto& taken = all_[i].taken;
+            if (depths[i] > 0) {
+                sum += taken[depths[i]] - taken[depths[i] - 1];
+            }
+        }
+        return sum;
+    }
+
+    /// Whether a hole keeps its walls to all that one of both is deepened for.
+    bool fits(const Depths& depths, std::size_t i) const {
+        const auto& own = all_[i].half[depths[i]];
+        const auto is_clear = [&](double angle, const std::optional<double>& other) {
+            const double apart = std::abs(std::remainder(all_[i].hole.angle - angle, 2.0 * pi));
+            return own && other && apart >= *own + *other - rounding;
+        };
+        for (std::size_t k = 0; k < all_.size(); ++k) {
+            if (k != i && (depths[i] > 0 || depths[k] > 0) &&
+                !is_clear(all_[k].hole.angle, all_[k].half[depths[k]])) {
+                return false;
+            }
+        }
+        return depths[i] == 0 ||
+               std::all_of(limits_.taken.begin(), limits_.taken.end(), [&](const Taken& taken) {
+                   return is_clear(taken.angle, taken.half_width);
+               });
+    }
+
+    /// The best depth of one hole, the others as they are.
+    void set_best(Depths& depths, std::size_t i) const {
+        depths[i] = 0;
+        Vector rest = unbalance_;
+        for (std::size_t k = 0; k < all_.size(); ++k) {
+            rest -= all_[k].taken[depths[k]] * all_[k].along;
+        }
+        // What lies along the hole; of the steps beside it the nearer one, as deep as walls allow.
+        const double wanted = std::real(rest * std::conj(all_[i].along));
+        const auto& taken = all_[i].taken;
+        const auto above = static_cast<std::size_t>(
+            std::lower_bound(taken.begin(), taken.end(), wanted) - taken.begin());
+        std::size_t steps = std::min(above, taken.size() - 1);
+        if (steps > 0 && wanted - taken[steps - 1] < std::abs(taken[steps] - wanted)) {
+            --steps;
+        }
+        const auto may = [&](std::size_t depth) {
+            depths[i] = depth;
+            return fits(depths, i);
+        };
+        if (may(steps)) {
+            return;
+        }
+        std::size_t low = 0;
+        while (steps - low > 1) {
+            const std::size_t middle = (low + steps) / 2;
+            (may(middle) ? low : steps) = middle;
+        }
+        depths[i] = low;
+    }
+
+    /// The best depths of two holes, the others as they are.
+    void set_best(Depths& depths, std::size_t i, std::size_t k) const {
+        Depths best = depths;
+        depths[k] = 0;
+        for (std::size_t steps = 0; steps < all_[i].taken.size(); ++steps) {
+            depths[i] = steps;
+            depths[k] = 0;
+            if (!fits(depths, i)) {
+                break;
+            }
+            set_best(depths, k);
+            if (left(depths) < left(best) - rounding) {
+                best = depths;
+            }
+        }
+        depths = std::move(best);
+    }
+
+    Depths best_of(const Depths& from, std::size_t count) const {
+        Depths best = from;
+        const auto take = [&](const Depths& found) {
+            if (left(found) < left(best) - rounding) {
+                best = found;
+            }
+        };
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            if (all_[i].taken.size() == 1) {
+                continue;
+            }
+            Depths one = from;
+            set_best(one, i);
+            take(one);
+            for (std::size_t k = 0; count == 2 && k < i; ++k) {
+                Depths two = from;
+                set_best(two, i, k);
+                take(two);
+            }
+        }
+        return best;
+    }
+
+    Depths improved(Depths depths) const {
+        for (int round = 0; round < 20; ++round) {
+            Depths next = best_of(depths, 2);
+            if (!(left(next) < left(depths) - rounding)) {
+                break;
+            }
+            depths = std::move(next);
+        }
+        return depths;
+    }
+
+    std::vector<Hole> deepened(const Depths& depths) const {
+        std::vector<Hole> list;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            if (depths[i] > 0) {
+                Hole hole = all_[i].hole;
+                hole.from_depth = hole.depth;
+                hole.depth = depth_of(all_[i], depths[i]);
+                hole.mass = cut_.removed(hole.diameter, hole.depth).mass -
+                            cut_.removed(hole.diameter, hole.from_depth).mass;
+                hole.unbalance = all_[i].taken[depths[i]];
+                list.push_back(hole);
+            }
+        }
+        return list;
+    }
+
+    Vector unbalance_;
+    Cut cut_;
+    HoleLimits limits_;
+    std::vector<Each> all_;
+    Depths present_;
+};
+
+}  // namespace
+
+DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
+                             const Cut& cut, const HoleLimits& limits, double enough) {
+    return Deepener(unbalance, holes, cut, limits).plan(enough);
 }
 
 std::array<std::complex<double>, 2> carried_over(

@@ -14,9 +14,21 @@ struct Hole {
     double diameter;
     double depth;  ///< of the full diameter; the cone of the point lies beyond
     double angle;
-    double mass;        ///< taken off, kg; of a slug: added, less what its hole took off
-    double unbalance;   ///< of that mass about the crank axis, kg·m
-    double slug = 0.0;  ///< the slug's own mass, kg
+    double mass;               ///< taken off, kg; of a slug: added, less what its hole took off
+    double unbalance;          ///< of that mass about the crank axis, kg·m
+    double slug = 0.0;         ///< the slug's own mass, kg
+    double slug_radius = 0.0;  ///< of its centre of mass about the crank axis, m
+    /// Of a hole that was there and is deepened: its place in the record, the run and the hole in
+    /// it. Mass and unbalance are then what the deepening takes off.
+    struct Place {
+        std::size_t run;
+        std::size_t hole;
+
+        friend bool operator==(const Place&, const Place&) = default;
+    };
+    std::optional<Place> deepens{};
+    double from_depth = 0.0;  ///< m
+    bool is_axial = false;    ///< a slug parallel to the crankshaft
 
     friend bool operator==(const Hole&, const Hole&) = default;
 };
@@ -36,9 +48,13 @@ struct Cut {
     double density;                        ///< of what is taken off, kg/m³
     double point_angle;                    ///< rad; π is flat
     std::optional<double> slug_density{};  ///< of what is pressed in, kg/m³
+    /// Metal between a slug parallel to the axis and the rim, m; nothing for what is radial.
+    std::optional<double> axial_wall{};
 
     /// Length of the cone, m.
     double cone(double diameter) const;
+    /// From the crank axis to the middle of the full diameter, m.
+    double lever(double diameter, double depth) const;
     Removed removed(double diameter, double depth) const;
 };
 
@@ -59,7 +75,8 @@ struct HoleLimits {
     /// The sector that may be drilled, from and to, rad: its limits are those of the holes'
     /// middles, and whole holes lie in it where that takes off as much.
     std::optional<std::pair<double, double>> sector;
-    std::vector<Taken> taken{};  ///< of the holes of earlier runs
+    std::vector<Taken> taken{};   ///< of the holes of earlier runs
+    double smallest_depth = 0.0;  ///< m
 
     /// Whether the middle of a hole may lie there.
     bool allows(double angle) const;
@@ -111,6 +128,19 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
 HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                             std::span<const double> diameters, const HoleLimits& limits,
                             double tolerance);
+
+/// Deepens holes that are there, so that as little as can be of the unbalance is left: one where
+/// that is enough, else two, else as many as help. Each keeps its wall to all others.
+/// @param unbalance  of the plane, kg·m and direction
+/// @param holes      their present depth in `depth`; `limits.taken` holds none of them
+/// @param enough     what may be left, kg·m; what the steps of the depths leave is enough, too
+/// @return the deepened ones, with mass and unbalance of the difference; and whether that is enough
+struct DeepeningPlan {
+    std::vector<Hole> holes;
+    bool is_enough = false;
+};
+DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
+                             const Cut& cut, const HoleLimits& limits, double enough);
 
 /// The two vectors U₁, U₂ at z₁, z₂ of the same force and moment as those at other positions.
 std::array<std::complex<double>, 2> carried_over(

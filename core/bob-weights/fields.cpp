@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "case-file/field_visitor.h"
+
 namespace ravnoves::bob_weights {
 
 namespace {
@@ -18,14 +20,14 @@ constexpr Field part(std::string_view key, Text label, Text hint, Text placehold
 }
 
 constexpr std::array<PartField, 8> parts_of_a_card{{
-    {part("rings", CORE_TEXT("bob-weights", "Rin&gs"),
-          CORE_TEXT("bob-weights", "All rings of one piston.")),
-     &Parts::rings, PartKind::reciprocating, Part::rings},
     {part("piston", CORE_TEXT("bob-weights", "&Piston"),
           CORE_TEXT("bob-weights", "One piston without pin and rings."), CORE_TEXT("V8", "needed")),
      &Parts::piston, PartKind::reciprocating, Part::piston},
     {part("pin", CORE_TEXT("bob-weights", "P&in"), CORE_TEXT("bob-weights", "One piston pin.")),
      &Parts::pin, PartKind::reciprocating, Part::pin},
+    {part("rings", CORE_TEXT("bob-weights", "Rin&gs"),
+          CORE_TEXT("bob-weights", "All rings of one piston.")),
+     &Parts::rings, PartKind::reciprocating, Part::rings},
     {part("locks", CORE_TEXT("bob-weights", "Loc&ks"),
           CORE_TEXT("bob-weights", "The locks of one pin; 0 where it is pressed in.")),
      &Parts::locks, PartKind::reciprocating, std::nullopt},
@@ -83,65 +85,74 @@ void visit_fields(FieldVisitor& visitor, Plane& plane) {
 
 namespace {
 
-/// Nothing has no direction: a reading of 0 needs no angle.
-void visit_angle(FieldVisitor& visitor, auto& reading) {
-    if (reading.unbalance && !has_direction(*reading.unbalance)) {
+/// Unbalance and angle of a Reading or an EarlierReading.
+/// @param required  a plane that was not read is none
+void visit_reading(FieldVisitor& visitor, auto& reading, Format format, bool required = true) {
+    if (required) {
+        visitor.required(field::unbalance, reading.unbalance);
+    } else {
+        visitor.number(field::unbalance, reading.unbalance);
+    }
+    // Nothing has no direction: a reading of 0 needs no angle; in a job none does.
+    if (format == Format::workshop || (reading.unbalance && !has_direction(*reading.unbalance))) {
         visitor.number(field::angle, reading.angle);
     } else {
         visitor.required(field::angle, reading.angle);
     }
-}
-
-}  // namespace
-
-void visit_fields(FieldVisitor& visitor, Reading& reading) {
-    visitor.number(field::reading_position, reading.position);
-    visitor.required(field::unbalance, reading.unbalance);
-    visit_angle(visitor, reading);
     visitor.number(field::bob_weight_then, reading.bob_weight);
     visitor.object_with_defaults(shop::field::read_shaft, reading.shaft);
 }
 
-void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
-    visitor.required(field::unbalance, reading.unbalance);
-    visit_angle(visitor, reading);
-    visitor.number(field::bob_weight_then, reading.bob_weight);
-    visitor.object_with_defaults(shop::field::read_shaft, reading.shaft);
-}
-
-void visit_fields(FieldVisitor& visitor, DrilledHole& hole) {
+void visit_hole(FieldVisitor& visitor, DrilledHole& hole, Format format) {
     visitor.choice(field::drilled_plane, hole.plane);
     visitor.number(field::drilled_diameter, hole.diameter);
     visitor.number(field::drilled_depth, hole.depth);
+    if (format == Format::workshop) {
+        visitor.number(field::drilled_from_depth, hole.from_depth, 0.0);
+    }
     visitor.number(field::drilled_angle, hole.angle);
-    visitor.number(field::drilled_mass, hole.mass);
+    if (format == Format::workshop) {
+        visitor.number(field::drilled_mass, hole.mass);
+    } else {
+        visitor.required(field::drilled_mass, hole.mass);
+    }
     visitor.number(field::drilled_slug, hole.slug);
+    if (format == Format::workshop) {
+        visitor.choice(field::drilled_direction, hole.direction, SlugDirection::radial);
+        visitor.choice(field::drilled_state, hole.state, HoleState::as_planned);
+    }
 }
 
-namespace {
-
 /// @param drilled  describes the list of holes
-void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& record) {
+void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& record,
+                  Format format) {
     if (visitor.has(drilled.key, record.drilled.has_value())) {
         if (!record.drilled && (visitor.is_reading() || visitor.creates_objects())) {
             record.drilled.emplace();
         }
         std::vector<DrilledHole> absent;
-        visitor.list(drilled, record.drilled ? *record.drilled : absent);
+        visitor.list(drilled, record.drilled ? *record.drilled : absent,
+                     [&](DrilledHole& hole) { visit_hole(visitor, hole, format); });
     }
     if (visitor.has(field::drilled_by.key, !record.drilled_by.empty())) {
-        visitor.list(field::drilled_by, record.drilled_by);
+        visitor.list(field::drilled_by, record.drilled_by,
+                     [&](EarlierReading& reading) { visit_reading(visitor, reading, format); });
     }
 }
 
-}  // namespace
-
-void visit_fields(FieldVisitor& visitor, EarlierRun& run) {
-    visitor.list(field::run_readings, run.readings);
-    visit_record(visitor, field::drilled, run);
+void visit_run(FieldVisitor& visitor, EarlierRun& run, Format format) {
+    // Holes that were there before a job have no readings.
+    if (format == Format::bob_weights ||
+        visitor.has(field::run_readings.key, !run.readings.empty())) {
+        visitor.list(field::run_readings, run.readings,
+                     [&](EarlierReading& reading) { visit_reading(visitor, reading, format); });
+    } else if (visitor.is_reading()) {
+        run.readings.clear();
+    }
+    visit_record(visitor, field::drilled, run, format);
 }
 
-void visit_fields(FieldVisitor& visitor, Drill& drill) {
+void visit_drill(FieldVisitor& visitor, Drill& drill, Format format) {
     const Drill usual;
     if (visitor.has(field::diameters.key, !drill.diameters_mm.empty())) {
         visitor.numbers(field::diameters, drill.diameters_mm);
@@ -153,25 +164,52 @@ void visit_fields(FieldVisitor& visitor, Drill& drill) {
     visitor.number(field::minimum_wall, drill.minimum_wall, usual.minimum_wall);
     visitor.integer(field::maximum_holes, drill.maximum_holes, usual.maximum_holes);
     visitor.number(field::maximum_angle, drill.maximum_angle, usual.maximum_angle);
-}
-
-void visit_fields(FieldVisitor& visitor, Slug& slug) {
-    visitor.required(field::slug_diameter, slug.diameter);
-    visitor.required(field::slug_density, slug.density);
-}
-
-void visit_fields(FieldVisitor& visitor, Correction& correction) {
-    visitor.list(field::planes, correction.planes);
-    visitor.list(field::readings, correction.readings);
-    visit_record(visitor, field::drilled_after_newest, correction.record);
-    if (visitor.has(field::earlier_runs.key, !correction.earlier_runs.empty())) {
-        visitor.list(field::earlier_runs, correction.earlier_runs);
+    if (format == Format::workshop) {
+        visitor.number(field::smallest_depth, drill.smallest_depth, usual.smallest_depth);
     }
-    visitor.object(field::drill, correction.drill);
-    visitor.object(field::slug, correction.slug);
 }
 
-void visit_fields(FieldVisitor& visitor, Tolerance& tolerance) {
+}  // namespace
+
+void visit_correction(FieldVisitor& visitor, Correction& correction, Format format) {
+    const bool is_job = format == Format::workshop;
+    // Of what a job may lack.
+    const auto is_there = [&](const Field& field, bool there) {
+        return !is_job || visitor.has(field.key, there);
+    };
+    if (is_there(field::planes, !correction.planes.empty())) {
+        visitor.list(field::planes, correction.planes);
+    } else if (visitor.is_reading()) {
+        correction.planes.clear();
+    }
+    if (is_there(field::readings, !correction.readings.empty())) {
+        visitor.list(field::readings, correction.readings, [&](Reading& reading) {
+            visitor.number(field::reading_position, reading.position);
+            visit_reading(visitor, reading, format, !is_job);
+        });
+    } else if (visitor.is_reading()) {
+        correction.readings.clear();
+    }
+    visit_record(visitor, field::drilled_after_newest, correction.record, format);
+    if (visitor.has(field::earlier_runs.key, !correction.earlier_runs.empty())) {
+        visitor.list(field::earlier_runs, correction.earlier_runs,
+                     [&](EarlierRun& run) { visit_run(visitor, run, format); });
+    }
+    if (is_job) {
+        visitor.choice(field::aim, correction.aim, Aim::zero);
+    }
+    visitor.object_of(field::drill, !is_job, !is_job || !(correction.drill == Drill{}),
+                      [&] { visit_drill(visitor, correction.drill, format); });
+    visitor.object(field::slug, correction.slug, [&](Slug& slug) {
+        visitor.required(field::slug_diameter, slug.diameter);
+        visitor.required(field::slug_density, slug.density);
+        if (is_job) {
+            visitor.choice(field::slug_direction, slug.direction, SlugDirection::axial);
+        }
+    });
+}
+
+void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance, Format format) {
     const int given =
         visitor.one_of({field::grade.key, field::plane_tolerance.key}, tolerance.by_grade ? 0 : 1);
     if (visitor.is_reading()) {
@@ -189,28 +227,35 @@ void visit_fields(FieldVisitor& visitor, Tolerance& tolerance) {
         visitor.number(field::centre_of_mass, tolerance.centre_of_mass);
         visitor.number(field::front_bearing, tolerance.front_bearing);
         visitor.number(field::rear_bearing, tolerance.rear_bearing);
+        if (format == Format::workshop) {
+            visitor.number(field::front_share, tolerance.front_share, 0.5);
+        }
     }
 }
 
-void visit_fields(FieldVisitor& visitor, Input& input) {
-    visitor.object(field::engine, input.engine);
-    visitor.object_with_defaults(field::factor, input.factor);
-    visitor.object_with_defaults(field::parts, input.parts);
+void visit_weigh_in(FieldVisitor& visitor, Input& input) {
     visitor.object(field::weigh_in, input.weigh_in, [&](WeighIn& sheet) {
         if (visitor.is_reading() || visitor.creates_objects()) {
             for (auto& column : sheet.columns) {
                 column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
             }
         }
-        visitor.choice(field::numbering, sheet.numbering, shop::CylinderNumbering::bank_by_bank,
-                       FieldVisitor::Written::always);
-        shop::visit_sets(visitor, sheet);
-        shop::visit_columns(visitor, sheet, field::part_mass, false);
-        shop::visit_matching(visitor, sheet.matching, true);
+        shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, false, true);
     });
+}
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    visitor.object(field::engine, input.engine);
+    visitor.object_with_defaults(field::factor, input.factor);
+    visitor.object_with_defaults(field::parts, input.parts);
+    visit_weigh_in(visitor, input);
     visitor.choice(field::balance, input.balance, Balance::internal);
-    visitor.object(field::correction, input.correction);
-    visitor.object(field::tolerance, input.tolerance);
+    visitor.object(field::correction, input.correction, [&](Correction& correction) {
+        visit_correction(visitor, correction, Format::bob_weights);
+    });
+    visitor.object(field::tolerance, input.tolerance, [&](Tolerance& tolerance) {
+        visit_tolerance(visitor, tolerance, Format::bob_weights);
+    });
     visitor.object_with_defaults(field::job, input.job);
 }
 

@@ -18,6 +18,16 @@ inline constexpr Word balance_words[] = {
     {"internal", CORE_TEXT("bob-weights", "Internal: in the crankshaft alone")},
     {"external", CORE_TEXT("bob-weights", "External: damper and flywheel too")}};
 
+inline constexpr Word aim_words[] = {{"zero", CORE_TEXT("bob-weights", "Zero")},
+                                     {"tolerance", CORE_TEXT("bob-weights", "Limit")}};
+inline constexpr Word direction_words[] = {
+    {"axial", CORE_TEXT("bob-weights", "Parallel to the crankshaft")},
+    {"radial", CORE_TEXT("bob-weights", "Radial, open at the rim")}};
+inline constexpr Word state_words[] = {
+    {"as-planned", CORE_TEXT("bob-weights", "As planned")},
+    {"measured", CORE_TEXT("bob-weights", "As measured")},
+    {"not-drilled", CORE_TEXT("bob-weights", "Not drilled")},
+    {"wrong-side", CORE_TEXT("bob-weights", "On the wrong side")}};
 inline constexpr Word plane_words[] = {{"front", CORE_TEXT("bob-weights", "Front")},
                                        {"rear", CORE_TEXT("bob-weights", "Rear")}};
 
@@ -235,6 +245,19 @@ inline constexpr Field maximum_angle{
     .range = Range::between(0, 85),
     .label = CORE_TEXT("bob-weights", "&Farthest hole"),
     .hint = CORE_TEXT("bob-weights", "From the heavy spot to the last hole on either side.")};
+inline constexpr Field smallest_depth{
+    .key = "smallest_depth_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 50),
+    .label = CORE_TEXT("bob-weights", "Minimum depth"),
+    .hint = CORE_TEXT("bob-weights", "Minimum depth of a new hole.")};
+inline constexpr Field aim{
+    .key = "aim",
+    .label = CORE_TEXT("bob-weights", "Aim"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Take off all that the holes can, or stop within the limit with the fewest "
+                      "holes."),
+    .words = aim_words};
 inline constexpr Field drilled{
     .key = "drilled",
     .hint = CORE_TEXT("bob-weights",
@@ -285,6 +308,23 @@ inline constexpr Field drilled_slug{
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("bob-weights", "Slug"),
     .hint = CORE_TEXT("bob-weights", "The slug's own mass, as on the scale.")};
+inline constexpr Field drilled_from_depth{
+    .key = "from_depth_mm",
+    .unit = units::mm,
+    .range = drilled_depth.range,
+    .label = CORE_TEXT("bob-weights", "Depth before"),
+    .hint = CORE_TEXT("bob-weights", "Depth of the hole before it was deepened.")};
+inline constexpr Field drilled_direction{.key = "direction",
+                                         .label = CORE_TEXT("bob-weights", "Direction"),
+                                         .hint = CORE_TEXT("bob-weights", "Direction of a slug."),
+                                         .words = direction_words};
+inline constexpr Field drilled_state{
+    .key = "state",
+    .label = CORE_TEXT("bob-weights", "State"),
+    .hint = CORE_TEXT("bob-weights",
+                      "What was really drilled. Measured: depth and angle are those found. Wrong "
+                      "side: half a turn from the angle given."),
+    .words = state_words};
 inline constexpr Field slug{
     .key = "slug",
     .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};
@@ -303,6 +343,11 @@ inline constexpr Field slug_density{
     .label = CORE_TEXT("bob-weights", "Slu&g density"),
     .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
     .placeholder = CORE_TEXT("V8", "needed")};
+
+inline constexpr Field slug_direction{.key = "direction",
+                                      .label = CORE_TEXT("bob-weights", "Direction"),
+                                      .hint = CORE_TEXT("bob-weights", "How slugs are pressed in."),
+                                      .words = direction_words};
 
 // ------------------------------------------------------------------------------ tolerance
 inline constexpr Field tolerance{
@@ -331,6 +376,13 @@ inline constexpr Field front_bearing{
                       "follow from the distances."),
     .if_empty = CORE_TEXT("bob-weights", "the standard's limits are shared out to the planes"),
     .placeholder = CORE_TEXT("bob-weights", "not given")};
+inline constexpr Field front_share{
+    .key = "front_share",
+    .range = Range::between(0.3, 0.7),
+    .label = CORE_TEXT("V8", "&Share of the front plane"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Of the permissible unbalance, where positions of planes, bearings or centre "
+                      "of mass do not give it.")};
 inline constexpr Field rear_bearing{.key = "rear_bearing_mm",
                                     .unit = units::mm,
                                     .range = plane_position.range,

@@ -45,8 +45,12 @@ void check_two(std::size_t count, const std::string& place) {
     }
 }
 
+constexpr const char* correction_place = "/input/correction/";
+
+}  // namespace
+
 void check_correction(const Correction& correction) {
-    const std::string place = "/input/correction/";
+    const std::string place = correction_place;
     check_two(correction.planes.size(), place + "planes");
     check_two(correction.readings.size(), place + "readings");
     for (std::size_t i = 0; i < 2; ++i) {
@@ -63,23 +67,6 @@ void check_correction(const Correction& correction) {
         if (!is_read(reading)) {
             missing(place + "readings/" + std::to_string(i) + "/" +
                     std::string((reading.unbalance ? field::angle : field::unbalance).key));
-        }
-    }
-    if (correction.earlier_runs.size() >= most_runs) {
-        throw InputError(place + std::string(field::earlier_runs.key),
-                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
-                         Number{static_cast<double>(correction.earlier_runs.size())});
-    }
-    for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
-        const auto& readings = correction.earlier_runs[run].readings;
-        const std::string at = place + std::string(field::earlier_runs.key) + "/" +
-                               std::to_string(run) + "/" + std::string(field::readings.key);
-        check_two(readings.size(), at);
-        for (std::size_t i = 0; i < 2; ++i) {
-            if (!is_read(readings[i])) {
-                missing(at + "/" + std::to_string(i) + "/" +
-                        std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
-            }
         }
     }
     const auto apart = [&](const char* list, const Field& field, double first, double second) {
@@ -116,6 +103,31 @@ void check_correction(const Correction& correction) {
     }
 }
 
+void check_runs(const Correction& correction, Format format) {
+    const std::string place = correction_place;
+    if (correction.earlier_runs.size() >= most_runs) {
+        throw InputError(place + std::string(field::earlier_runs.key),
+                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
+                         Number{static_cast<double>(correction.earlier_runs.size())});
+    }
+    const bool is_job = format == Format::workshop;
+    for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
+        const auto& readings = correction.earlier_runs[run].readings;
+        const std::string at = place + std::string(field::earlier_runs.key) + "/" +
+                               std::to_string(run) + "/" + std::string(field::readings.key);
+        if (is_job && readings.empty()) {
+            continue;
+        }
+        check_two(readings.size(), at);
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (is_job ? !readings[i].unbalance : !is_read(readings[i])) {
+                missing(at + "/" + std::to_string(i) + "/" +
+                        std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
+            }
+        }
+    }
+}
+
 void check_tolerance(const Tolerance& tolerance) {
     const std::string place = "/input/tolerance/";
     const std::pair<const Field&, const std::optional<double>&> graded[] = {
@@ -141,9 +153,13 @@ void check_tolerance(const Tolerance& tolerance) {
                          CORE_TEXT("bob-weights", "must differ from that of the first"),
                          Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
     }
+    if (tolerance.front_share != 0.5 && (tolerance.centre_of_mass || tolerance.front_bearing)) {
+        throw InputError(
+            place + std::string(field::front_share.key),
+            CORE_TEXT("bob-weights", "must be left out where centre of mass or bearings give it"),
+            Number{tolerance.front_share});
+    }
 }
-
-}  // namespace
 
 void fit_weigh_in(Input& input) {
     if (input.weigh_in) {
@@ -200,8 +216,7 @@ BearingPlaces places_of_bearings(const Input& input) {
 namespace {
 
 /// As many rows as the engine has cylinders.
-std::optional<shop::PartColumn<std::vector<shop::Weighed>>> weighed_column(const Input& input,
-                                                                           const PartField& part) {
+std::optional<shop::PartColumn> weighed_column(const Input& input, const PartField& part) {
     if (!input.weigh_in || !part.column) {
         return std::nullopt;
     }
@@ -257,21 +272,30 @@ void check_bob_weight(const Input& input) {
     }
 }
 
-void check_input(const Input& input) {
-    check_fields(input);
-    check_bob_weight(input);
+void check_weigh_in(const Input& input, bool nominal_needed) {
     if (input.weigh_in) {
-        shop::check_weighed(*fitted(input).weigh_in);
+        shop::check_weighed(*fitted(input).weigh_in, nominal_needed);
         shop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
     }
+}
+
+void check_parts(const Input& input) {
     for (const PartField& each : part_fields()) {
         const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;
         if (needed && !mass_of(input, each)) {
             missing("/input/parts_g/" + std::string(each.field.key));
         }
     }
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    check_bob_weight(input);
+    check_weigh_in(input, false);
+    check_parts(input);
     if (input.correction) {
         check_correction(*input.correction);
+        check_runs(*input.correction, Format::bob_weights);
     }
     if (input.tolerance) {
         check_tolerance(*input.tolerance);

@@ -74,7 +74,7 @@ struct PartField {
 /// In the order of a trade card: what reciprocates, what rotates, the oil.
 std::span<const PartField> part_fields();
 
-using WeighIn = shop::WeighIn<std::vector<shop::Weighed>>;
+using shop::WeighIn;
 
 /// One plane in which the crankshaft is corrected.
 struct Plane {
@@ -120,14 +120,34 @@ bool is_read(const AnyReading& reading) {
 
 enum class PlaneName { front, rear };
 
+/// What became of a planned hole.
+enum class HoleState {
+    as_planned,
+    measured,     ///< depth and angle are those that were found
+    not_drilled,  ///< it is not there
+    wrong_side    ///< it is half a turn away
+};
+
+/// How a slug lies in the counterweight.
+enum class SlugDirection {
+    axial,  ///< parallel to the crankshaft, as far below the rim as the wall between holes asks for
+    radial  ///< from the rim, open there
+};
+
 /// A hole that was planned after a run, or a slug.
 struct DrilledHole {
     PlaneName plane = PlaneName::front;
-    double diameter = 0.0;       ///< m
-    double depth = 0.0;          ///< of the full diameter, m
-    double angle = 0.0;          ///< rad
-    double mass = 0.0;           ///< taken off, kg; negative: a slug, less what its hole took off
+    double diameter = 0.0;    ///< m
+    double depth = 0.0;       ///< of the full diameter, m
+    double from_depth = 0.0;  ///< of the hole that was deepened, m
+    double angle = 0.0;       ///< of the metal, rad
+    /// Taken off, kg; negative: a slug, less what its hole took off; empty: by the sizes.
+    std::optional<double> mass;
     std::optional<double> slug;  ///< the slug's own mass, kg
+    SlugDirection direction = SlugDirection::radial;
+    HoleState state = HoleState::as_planned;
+
+    bool is_slug() const { return slug || mass.value_or(0.0) < 0.0; }
 
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };
@@ -160,16 +180,24 @@ struct Drill {
     double minimum_wall = 3e-3;            ///< between holes, m
     int maximum_holes = 5;                 ///< in a plane
     double maximum_angle = 60.0 * degree;  ///< from the heavy spot to the last hole
+    double smallest_depth = 1.5e-3;        ///< of a new hole, m; of workshop jobs
 
     friend bool operator==(const Drill&, const Drill&) = default;
 };
 
 /// Heavy metal that is pressed into the counterweight.
 struct Slug {
-    std::optional<double> diameter;  ///< m
-    std::optional<double> density;   ///< kg/m³
+    std::optional<double> diameter;                  ///< m
+    std::optional<double> density;                   ///< kg/m³
+    SlugDirection direction = SlugDirection::axial;  ///< of workshop jobs
 
     friend bool operator==(const Slug&, const Slug&) = default;
+};
+
+/// How much the holes take off.
+enum class Aim {
+    zero,      ///< all that they can
+    tolerance  ///< as few holes as bring it within its limit
 };
 
 struct Correction {
@@ -180,6 +208,7 @@ struct Correction {
     std::vector<EarlierRun> earlier_runs;  ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;
+    Aim aim = Aim::zero;  ///< of workshop jobs
 
     friend bool operator==(const Correction&, const Correction&) = default;
 };
@@ -195,6 +224,7 @@ struct Tolerance {
     std::optional<double> centre_of_mass;  ///< along the crankshaft, m
     std::optional<double> front_bearing;   ///< m
     std::optional<double> rear_bearing;    ///< m
+    double front_share = 0.5;  ///< of the front plane where no places say it; of workshop jobs
 
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
@@ -216,19 +246,18 @@ struct Input {
     friend bool operator==(const Input&, const Input&) = default;
 };
 
+/// Whose case file it is: a workshop's job has more keys and needs less.
+enum class Format { bob_weights, workshop };
+
 void visit_fields(FieldVisitor& visitor, Engine& engine);
 void visit_fields(FieldVisitor& visitor, Factor& factor);
 void visit_fields(FieldVisitor& visitor, Parts& parts);
 void visit_fields(FieldVisitor& visitor, Plane& plane);
-void visit_fields(FieldVisitor& visitor, Reading& reading);
-void visit_fields(FieldVisitor& visitor, EarlierReading& reading);
-void visit_fields(FieldVisitor& visitor, DrilledHole& hole);
-void visit_fields(FieldVisitor& visitor, EarlierRun& run);
-void visit_fields(FieldVisitor& visitor, Drill& drill);
-void visit_fields(FieldVisitor& visitor, Slug& slug);
-void visit_fields(FieldVisitor& visitor, Correction& correction);
-void visit_fields(FieldVisitor& visitor, Tolerance& tolerance);
 void visit_fields(FieldVisitor& visitor, Input& input);
+/// The same in the parts that a job visits, too.
+void visit_weigh_in(FieldVisitor& visitor, Input& input);
+void visit_correction(FieldVisitor& visitor, Correction& correction, Format format);
+void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance, Format format);
 
 /// Gives the weigh-in sheet as many rows as the engine has cylinders: where their number changes
 /// the sheet keeps what was weighed but for the numbers of its sets, and what is written and solved
@@ -263,6 +292,13 @@ BearingPlaces places_of_bearings(const Input& input);
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError
 void check_bob_weight(const Input& input);
+/// Parts, weigh-in, correction and tolerance one by one, as check_input() does.
+/// @throws InputError
+void check_parts(const Input& input);
+void check_weigh_in(const Input& input, bool nominal_needed);
+void check_correction(const Correction& correction);
+void check_runs(const Correction& correction, Format format);
+void check_tolerance(const Tolerance& tolerance);
 
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError

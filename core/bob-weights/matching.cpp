@@ -58,22 +58,17 @@ shop::Crank crank_of(const Input& input) {
 }
 
 shop::MatchingTask matching_task(const Input& input, double factor) {
-    shop::MatchingTask task;
     if (!input.weigh_in || input.engine.cylinders % input.engine.rods_per_pin != 0) {
-        return task;
+        return {};
     }
-    task.masses = masses_of(*input.weigh_in);
+    std::array<double, 6> factors{};
     for (const PartField& part : part_fields()) {
         if (part.column && (*input.weigh_in)[*part.column].is_weighed()) {
-            task.factors[static_cast<std::size_t>(*part.column)] =
+            factors[static_cast<std::size_t>(*part.column)] =
                 part.kind == PartKind::reciprocating ? factor : 1.0;
         }
     }
-    const shop::Crank crank = crank_of(input);
-    task.places = places_of(crank);
-    task.spacing_known = crank.spacing.has_value();
-    task.no_shaking = shop::crank_fault(crank);
-    return task;
+    return shop::matching_task(*input.weigh_in, crank_of(input), factors);
 }
 
 }  // namespace ravnoves::bob_weights

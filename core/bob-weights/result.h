@@ -14,11 +14,21 @@ namespace ravnoves::bob_weights {
 
 /// One line of the card.
 struct Line {
-    const PartField* part;
-    double factor;  ///< how many times the mass counts in the bob weight
-    double mass;    ///< kg
+    const PartField* part;  ///< nothing where the word alone says what it is
+    double factor;          ///< how many times the mass counts in the bob weight
+    double mass;            ///< kg
+    Word word{};
 
     double product() const { return factor * mass; }
+    Word name() const { return part != nullptr ? Word{part->field.key, part->field.label} : word; }
+};
+
+/// A bob weight that follows from something else than the masses of the parts.
+struct KnownWeight {
+    std::vector<Line> lines;
+    double reciprocating;  ///< of one cylinder, kg
+    double rotating;       ///< of one cylinder, kg
+    double sum;            ///< of the lines, kg
 };
 
 /// Statistics of a weighed column, and what to take off each part to match the lightest.
@@ -51,6 +61,12 @@ struct RunResult {
         std::optional<bool> within_tolerance;  ///< as measured
     };
     std::optional<std::array<InPlane, 2>> planes;  ///< nothing while a reading is missing
+    /// Of readings without direction, or without planes: what each plane reads.
+    struct Alone {
+        double unbalance;                      ///< kg·m
+        std::optional<bool> within_tolerance;  ///< as measured
+    };
+    std::array<std::optional<Alone>, 2> alone;
 
     /// The bob weight that it was read with where it is not the one there is now, kg, and the
     /// crankshaft where it is another: it says nothing of this one then.
@@ -63,6 +79,9 @@ struct RunResult {
     /// In each plane, of what was drilled after the run before this one.
     std::array<std::optional<OtherEffect>, 2> other_effect;
 
+    bool is_read() const { return planes || alone[0] || alone[1]; }
+    /// kg·m; nothing where a plane was not read.
+    std::array<std::optional<double>, 2> unbalances() const;
     bool acted_as_meant() const { return !other_effect[0] && !other_effect[1]; }
 
     bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }

@@ -90,6 +90,13 @@ inline constexpr ResultField removed_unbalance{"removed_g_mm", units::gram_mm, 1
 inline constexpr ResultField added{"added_g", units::gram, 2, CORE_TEXT("bob-weights", "Adds")};
 inline constexpr ResultField added_unbalance{"added_g_mm", units::gram_mm, 1,
                                              CORE_TEXT("bob-weights", "Adds, unbalance")};
+inline constexpr ResultField deepens{.key = "deepens"};
+inline constexpr ResultField from_depth{"from_depth_mm", units::mm, 1,
+                                        CORE_TEXT("bob-weights", "Depth before")};
+inline constexpr ResultField centrifugal_force{
+    "centrifugal_force_N", units::newton, 0, CORE_TEXT("bob-weights", "Centrifugal force"),
+    CORE_TEXT("bob-weights", "Of the slug at the service speed.")};
+inline constexpr ResultField direction{.key = "direction"};
 inline constexpr ResultField slug_mass{"slug_g", units::gram, 2,
                                        CORE_TEXT("bob-weights", "Mass of the slug")};
 

@@ -1,5 +1,8 @@
 #include "bob-weights/results.h"
 
+#include <algorithm>
+#include <string>
+
 #include "bob-weights/fields.h"
 #include "bob-weights/result_fields.h"
 #include "bob-weights/solver.h"
@@ -14,96 +17,190 @@ using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
 namespace key = result_field;
 
-void visit_hole(ResultVisitor& visitor, const Hole& hole, bool added) {
+/// Visits the values of one result.
+class JobVisit {
+  public:
+    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format,
+             const Withheld& withheld)
+        : visitor_(visitor),
+          input_(input),
+          result_(result),
+          is_job_(format == Format::workshop),
+          withheld_(withheld) {}
+
+    void visit_all();
+    void visit_bob_weight();
+    void visit_planes();
+
+  private:
+    void visit_hole(const Hole& hole, bool added);
+    void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added);
+    void visit_plane(std::size_t i);
+    void visit_run(const RunResult& run, bool is_newest);
+    void visit_weigh_in();
+    void visit_theory();
+    void visit_correction();
+
+    std::optional<bool> judged(const std::optional<bool>& within) const {
+        return withheld_.verdict ? std::nullopt : within;
+    }
+
+    ResultVisitor& visitor_;
+    const Input& input_;
+    const Result& result_;
+    bool is_job_;
+    Withheld withheld_;
+};
+
+void JobVisit::visit_hole(const Hole& hole, bool added) {
     // A slug takes off less than nothing: so every line counts in the same sense.
     const double sign = added ? -1.0 : 1.0;
-    visitor.number(key::diameter, hole.diameter);
-    visitor.number(key::depth, hole.depth);
-    visitor.number(key::hole_angle, hole.angle);
-    visitor.number(key::removed, sign * hole.mass);
-    visitor.number(key::removed_unbalance, sign * hole.unbalance);
+    visitor_.number(key::diameter, hole.diameter);
+    visitor_.number(key::depth, hole.depth);
+    visitor_.number(key::hole_angle, hole.angle);
+    visitor_.number(key::removed, sign * hole.mass);
+    visitor_.number(key::removed_unbalance, sign * hole.unbalance);
     if (added) {
-        visitor.number(key::added, hole.mass);
-        visitor.number(key::added_unbalance, hole.unbalance);
+        visitor_.number(key::added, hole.mass);
+        visitor_.number(key::added_unbalance, hole.unbalance);
         if (hole.slug > 0.0) {
-            visitor.number(key::slug_mass, hole.slug);
+            visitor_.number(key::slug_mass, hole.slug);
         }
     }
+    if (!is_job_) {
+        return;
+    }
+    if (added) {
+        const auto speed = service_speed(input_);
+        visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
+        visitor_.number(
+            key::centrifugal_force,
+            speed ? std::optional(hole.slug * hole.slug_radius * *speed * *speed) : std::nullopt);
+        return;
+    }
+    const bool is_deeper = hole.deepens && hole.from_depth > 0.0;
+    visitor_.word(key::deepens, is_deeper ? "/correction/earlier_runs/" +
+                                                std::to_string(hole.deepens->run) + "/drilled/" +
+                                                std::to_string(hole.deepens->hole)
+                                          : std::string());
+    visitor_.number(key::from_depth, is_deeper ? std::optional(hole.from_depth) : std::nullopt);
 }
 
-void visit_holes(ResultVisitor& visitor, const ResultField& field, const std::vector<Hole>& holes,
-                 bool added) {
-    visitor.list(field, holes.size(), [&](std::size_t i) { visit_hole(visitor, holes[i], added); });
+void JobVisit::visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added) {
+    visitor_.list(field, holes.size(), [&](std::size_t i) { visit_hole(holes[i], added); });
 }
 
-void visit_plane(ResultVisitor& visitor, const PlaneResult& plane) {
-    visitor.number(key::unbalance, plane.unbalance);
-    visitor.number(key::angle, plane.angle);
-    visitor.number(key::grams_at_radius, plane.grams_at_radius);
-    visit_holes(visitor, key::holes, plane.holes, false);
-    visit_holes(visitor, key::slugs, plane.slugs, true);
-    visitor.number(key::remaining, plane.remaining);
-    visitor.number(key::remaining_angle, plane.remaining_angle);
-    visitor.flag(key::within_as_measured, plane.measured_within);
-    visitor.flag(key::within, plane.within_tolerance);
-    visitor.flag(feasible, plane.reason.empty());
+void JobVisit::visit_plane(std::size_t i) {
+    if (!result_.correction) {
+        // A reading without direction, or without planes: a verdict alone.
+        const auto& alone = result_.newest()->alone[i];
+        visitor_.number(key::unbalance, alone ? std::optional(alone->unbalance) : std::nullopt);
+        for (const ResultField* field : {&key::angle, &key::grams_at_radius, &key::holes,
+                                         &key::slugs, &key::remaining, &key::remaining_angle}) {
+            visitor_.nothing(*field);
+        }
+        visitor_.flag(key::within_as_measured,
+                      judged(alone ? alone->within_tolerance : std::nullopt));
+        visitor_.nothing(key::within);
+        return;
+    }
+    const PlaneResult& plane = (*result_.correction)[i];
+    visitor_.number(key::unbalance, plane.unbalance);
+    visitor_.number(key::angle, plane.angle);
+    visitor_.number(key::grams_at_radius, plane.grams_at_radius);
+    visitor_.flag(key::within_as_measured, judged(plane.measured_within));
+    if (withheld_.holes) {
+        for (const ResultField* field : {&key::holes, &key::slugs, &key::remaining,
+                                         &key::remaining_angle, &key::within, &feasible}) {
+            visitor_.nothing(*field);
+        }
+        return;
+    }
+    visit_holes(key::holes, plane.holes, false);
+    visit_holes(key::slugs, plane.slugs, true);
+    visitor_.number(key::remaining, plane.remaining);
+    visitor_.number(key::remaining_angle, plane.remaining_angle);
+    visitor_.flag(key::within, judged(plane.within_tolerance));
+    visitor_.flag(feasible, plane.reason.empty());
     if (plane.beyond_sector > 0.0) {
-        visitor.number(key::beyond_sector, plane.beyond_sector);
+        visitor_.number(key::beyond_sector, plane.beyond_sector);
     }
     if (!plane.reason.empty()) {
-        visitor.text(reason, plane.reason);
+        visitor_.text(reason, plane.reason);
     }
 }
 
-void visit_run(ResultVisitor& visitor, const RunResult& run, bool is_newest) {
-    visitor.list(key::planes, 2, [&](std::size_t i) {
-        const RunResult::InPlane& plane = run.planes.value()[i];
-        visitor.number(key::unbalance, plane.unbalance);
-        visitor.number(key::angle, plane.angle);
-        visitor.flag(key::within, plane.within_tolerance);
+void JobVisit::visit_planes() {
+    visitor_.list(key::planes, 2, [&](std::size_t i) { visit_plane(i); });
+}
+
+void JobVisit::visit_run(const RunResult& run, bool is_newest) {
+    visitor_.list(key::planes, 2, [&](std::size_t i) {
+        if (run.planes) {
+            const RunResult::InPlane& plane = (*run.planes)[i];
+            visitor_.number(key::unbalance, plane.unbalance);
+            visitor_.number(key::angle, plane.angle);
+            visitor_.flag(key::within, judged(plane.within_tolerance));
+        } else {
+            const auto& alone = run.alone[i];
+            visitor_.number(key::unbalance, alone ? std::optional(alone->unbalance) : std::nullopt);
+            visitor_.nothing(key::angle);
+            visitor_.flag(key::within, judged(alone ? alone->within_tolerance : std::nullopt));
+        }
         if (const auto& other = run.other_effect[i]) {
-            visitor.object(key::expected, [&] {
-                visitor.number(key::unbalance, other->expected);
-                visitor.number(key::angle, other->expected_angle);
-                visitor.flag(key::acted_opposite, other->is_opposite);
+            visitor_.object(key::expected, [&] {
+                visitor_.number(key::unbalance, other->expected);
+                visitor_.number(key::angle, other->expected_angle);
+                visitor_.flag(key::acted_opposite, other->is_opposite);
             });
         }
         if (!is_newest) {
-            visit_holes(visitor, key::drilled_holes, run.drilled[i].holes, false);
-            visit_holes(visitor, key::drilled_slugs, run.drilled[i].slugs, true);
+            visit_holes(key::drilled_holes, run.drilled[i].holes, false);
+            visit_holes(key::drilled_slugs, run.drilled[i].slugs, true);
         }
     });
-    visitor.flag(key::within, run.passes());
-    shop::visit_other(visitor, run.read_with, run.read_on);
+    visitor_.flag(key::within, judged(run.passes()));
+    shop::visit_other(visitor_, run.read_with, run.read_on);
 }
 
-void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& result) {
-    for (const Matching& each : result.matching) {
-        const auto& column = (*input.weigh_in)[*each.part->column];
-        shop::visit_column(visitor, *each.part->column, each.statistics, column.mass,
+void JobVisit::visit_correction() {
+    visit_planes();
+    visitor_.list(key::runs, result_.runs.size(),
+                  [&](std::size_t i) { visit_run(result_.runs[i], i + 1 == result_.runs.size()); });
+    visitor_.number(key::amplification, result_.amplification);
+    shop::visit_other(visitor_, result_.newest()->read_with, result_.newest()->read_on);
+}
+
+void JobVisit::visit_weigh_in() {
+    for (const Matching& each : result_.matching) {
+        const auto& column = (*input_.weigh_in)[*each.part->column];
+        shop::visit_column(visitor_, *each.part->column, each.statistics, column.mass,
                            column.nominal);
     }
-    visitor.numbers(key::crankpins, result.crankpins);
-    if (result.placing) {
-        visitor.object(shop::result_field::assignment, [&] {
-            shop::visit_matched(visitor, *result.placing, input.weigh_in->matching.crank_radius,
-                                service_speed(input));
-            visitor.numbers(key::crankpins, result.placed_crankpins);
+    const auto crankpins = [&](const std::vector<double>& masses) {
+        visitor_.numbers(key::crankpins, withheld_.bob_weight ? std::vector<double>() : masses);
+    };
+    crankpins(result_.crankpins);
+    if (result_.placing) {
+        visitor_.object(shop::result_field::assignment, [&] {
+            shop::visit_matched(visitor_, *result_.placing, input_.weigh_in->matching.crank_radius,
+                                service_speed(input_));
+            crankpins(result_.placed_crankpins);
         });
     }
 }
 
-void visit_theory(ResultVisitor& visitor, const Input& input, const Result& result) {
-    const FirstOrder& left = *result.first_order;
-    visitor.number(key::reciprocating_percent, result.theory_factor);
-    visitor.text(reason, factor_reason(input.engine));
-    visitor.text(key::effect,
-                 factor_effect(input.engine, result.factor + input.factor.overbalance));
-    visitor.integer(key::cylinders, is_pair(input.engine) ? 2 : 1);
-    visitor.number(key::forward, left.forward);
-    visitor.number(key::backward, left.backward);
-    visitor.number(key::upright, left.upright());
-    visitor.number(key::across, left.across());
+void JobVisit::visit_theory() {
+    const FirstOrder& left = *result_.first_order;
+    visitor_.number(key::reciprocating_percent, result_.theory_factor);
+    visitor_.text(reason, factor_reason(input_.engine));
+    visitor_.text(key::effect,
+                  factor_effect(input_.engine, result_.factor + input_.factor.overbalance));
+    visitor_.integer(key::cylinders, is_pair(input_.engine) ? 2 : 1);
+    visitor_.number(key::forward, left.forward);
+    visitor_.number(key::backward, left.backward);
+    visitor_.number(key::upright, left.upright());
+    visitor_.number(key::across, left.across());
 }
 
 std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
@@ -114,57 +211,84 @@ std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
     return keys;
 }
 
+void JobVisit::visit_bob_weight() {
+    if (withheld_.bob_weight) {
+        visitor_.nothing(key::bob_weight);
+        visitor_.integer(key::bob_weights, input_.engine.crankpins());
+        visitor_.nothing(shop::result_field::lines);
+        return;
+    }
+    visitor_.number(key::bob_weight, result_.bob_weight);
+    visitor_.integer(key::bob_weights, input_.engine.crankpins());
+    std::vector<Line> lines = result_.lines;
+    if (!is_job_) {
+        // That format begins with the rings.
+        std::stable_partition(lines.begin(), lines.end(), [](const Line& line) {
+            return line.part->column == shop::Part::rings;
+        });
+    }
+    shop::visit_lines(visitor_, lines.size(), [&](std::size_t i) {
+        return shop::CardLine{lines[i].name().word, lines[i].factor, lines[i].mass};
+    });
+}
+
+void JobVisit::visit_all() {
+    RAVNOVES_DEMAND(
+        result_.first_order && result_.reciprocating && result_.rotating && result_.bob_weight,
+        "what is written is the result of a whole input");
+    visitor_.number(key::reciprocating, result_.reciprocating);
+    visitor_.number(key::rotating, result_.rotating);
+    visitor_.number(key::reciprocating_percent, result_.factor);
+    visit_bob_weight();
+    visitor_.object(key::theory, [&] { visit_theory(); });
+    visitor_.texts(key::not_given,
+                   keys_of(result_.not_given, [](const PartField* part) { return part; }));
+    if (visitor_.wants(key::not_counted.key)) {
+        visitor_.texts(key::not_counted, not_counted(input_));
+    }
+    visitor_.texts(key::looks_like_kilograms,
+                   keys_of(result_.in_kilograms, [](const auto& each) { return each.first; }));
+    if (input_.weigh_in) {
+        visitor_.object(shop::result_field::weigh_in, [&] { visit_weigh_in(); });
+    }
+    if (result_.permissible) {
+        visitor_.numbers(key::permissible, {(*result_.permissible)[0], (*result_.permissible)[1]});
+    }
+    if (result_.permissible_whole) {
+        visitor_.number(key::permissible_rotor, result_.permissible_whole);
+    }
+    if (result_.newest() != nullptr && (result_.correction || is_job_)) {
+        visitor_.object(key::correction, [&] { visit_correction(); });
+    }
+}
+
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    RAVNOVES_DEMAND(
-        result.first_order && result.reciprocating && result.rotating && result.bob_weight,
-        "what is written is the result of a whole input");
     if (visitor.wants(ravnoves::result_field::verdict.key)) {
         visit_verdict(visitor, verdict(input, result));
     }
-    visitor.number(key::reciprocating, result.reciprocating);
-    visitor.number(key::rotating, result.rotating);
-    visitor.number(key::reciprocating_percent, result.factor);
-    visitor.number(key::bob_weight, result.bob_weight);
-    visitor.integer(key::bob_weights, input.engine.crankpins());
-    shop::visit_lines(visitor, result.lines.size(), [&](std::size_t i) {
-        const Line& line = result.lines[i];
-        return shop::CardLine{line.part->field.key, line.factor, line.mass};
-    });
-    visitor.object(key::theory, [&] { visit_theory(visitor, input, result); });
-    visitor.texts(key::not_given,
-                  keys_of(result.not_given, [](const PartField* part) { return part; }));
-    if (visitor.wants(key::not_counted.key)) {
-        visitor.texts(key::not_counted, not_counted(input));
-    }
-    visitor.texts(key::looks_like_kilograms,
-                  keys_of(result.in_kilograms, [](const auto& each) { return each.first; }));
-    if (input.weigh_in) {
-        visitor.object(shop::result_field::weigh_in,
-                       [&] { visit_weigh_in(visitor, input, result); });
-    }
-    if (result.permissible) {
-        visitor.numbers(key::permissible, {(*result.permissible)[0], (*result.permissible)[1]});
-    }
-    if (result.permissible_whole) {
-        visitor.number(key::permissible_rotor, result.permissible_whole);
-    }
-    if (result.correction) {
-        visitor.object(key::correction, [&] {
-            visitor.list(key::planes, 2,
-                         [&](std::size_t i) { visit_plane(visitor, (*result.correction)[i]); });
-            visitor.list(key::runs, result.runs.size(), [&](std::size_t i) {
-                visit_run(visitor, result.runs[i], i + 1 == result.runs.size());
-            });
-            visitor.number(key::amplification, result.amplification);
-            shop::visit_other(visitor, result.newest()->read_with, result.newest()->read_on);
-        });
-    }
+    JobVisit(visitor, input, result, Format::bob_weights, {}).visit_all();
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
     visit_results(visitor, input, solve(input, visitor.wants(shop::result_field::weigh_in.key)));
+}
+
+void visit_job(ResultVisitor& visitor, const Input& input, const Result& result,
+               const Withheld& withheld) {
+    JobVisit(visitor, input, result, Format::workshop, withheld).visit_all();
+}
+
+void visit_withheld(ResultVisitor& visitor, const Input& input, const Result& result,
+                    const Withheld& withheld) {
+    JobVisit visit(visitor, input, result, Format::workshop, {});
+    if (withheld.bob_weight) {
+        visit.visit_bob_weight();
+    }
+    if ((withheld.holes || withheld.verdict) && result.newest() != nullptr) {
+        visitor.object(key::correction, [&] { visit.visit_planes(); });
+    }
 }
 
 Verdict verdict(const Input& input, const Result& result) {
@@ -174,23 +298,27 @@ Verdict verdict(const Input& input, const Result& result) {
              ? CORE_TEXT("bob-weights", "Hang a bob weight of %1 on the crankpin.")
              : CORE_TEXT("bob-weights", "Hang bob weights of %1 on the %2 crankpins."),
          Number{*result.bob_weight / units::gram, units::gram, -1}, input.engine.crankpins()}};
-    if (result.correction && result.holds()) {
-        const auto& planes = *result.correction;
+    const RunResult* newest = result.newest();
+    if (newest != nullptr && result.holds() && newest->is_read()) {
         verdict = {Severity::good, {}};
-        shop::add_machine_verdict(verdict, {planes[0].unbalance, planes[1].unbalance},
-                                  result.permissible);
-        if (result.newest()->passes() != true) {
+        shop::add_machine_verdict(verdict, newest->unbalances(), result.permissible);
+        if (verdict.text.empty()) {
+            verdict = {Severity::note,
+                       {CORE_TEXT("bob-weights", "Enter what may remain for a verdict.")}};
+        }
+        if (result.correction && newest->passes() != true) {
+            const auto& planes = *result.correction;
             const auto after = result.passes_after();
             const Number left[] = {{planes[0].remaining / units::gram_mm, units::gram_mm, -1},
                                    {planes[1].remaining / units::gram_mm, units::gram_mm, -1}};
-            const Message planned{
-                CORE_TEXT("bob-weights", "After the planned correction: %1 front, %2 rear."),
-                left[0], left[1]};
             verdict.severity = after == true ? Severity::warning : Severity::error;
-            verdict.text =
-                verdict.text.empty() ? planned : Message(Text{"", "%1 %2"}, verdict.text, planned);
+            verdict.text = Message(
+                Text{"", "%1 %2"}, verdict.text,
+                Message(
+                    CORE_TEXT("bob-weights", "After the planned correction: %1 front, %2 rear."),
+                    left[0], left[1]));
         }
-        if (!result.newest()->acted_as_meant()) {
+        if (!newest->acted_as_meant()) {
             verdict.warn(CORE_TEXT("bob-weights",
                                    "The last drilling did not act as planned: find out why before "
                                    "drilling again."));

@@ -130,7 +130,7 @@ std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, doubl
     return crankpins;
 }
 
-void solve_weigh_in(const Input& input, double factor, Result& result) {
+void solve_weigh_in(const Input& input, double factor, bool places_parts, Result& result) {
     if (!input.weigh_in) {
         return;
     }
@@ -145,7 +145,8 @@ void solve_weigh_in(const Input& input, double factor, Result& result) {
         }
         result.matching.push_back({&part, *found, shop::take_off(column.mass)});
     }
-    if (result.matching.empty() || input.engine.cylinders % input.engine.rods_per_pin != 0) {
+    if (!places_parts || result.matching.empty() ||
+        input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
     result.placing = shop::match(matching_task(input, factor), input.weigh_in->matching);
@@ -181,12 +182,8 @@ bool is_light(double slug_density, double density) {
     return slug_density < least * density;
 }
 
-/// @param can_press  the sector has a place opposite what is left
-/// @param beside     holes of earlier runs are in that plane
-Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
-                 const Correction& correction, bool has_slugs, bool can_press, bool beside) {
-    const Number grams{std::abs(left) / *plane.radius / units::gram, units::gram, -2};
-    const Number at{turn_of(angle) / degree, units::degree, -1};
+/// Why so much is left.
+Message cause_of(Shortfall shortfall, const Correction& correction, bool beside) {
     const auto density_of = [](double density) {
         return Number{density / units::kg_m3, units::kg_m3};
     };
@@ -202,102 +199,56 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                              "The rounding of the depths leaves more than the limit: take a finer "
                              "step or a thinner drill.");
         case Shortfall::beside_sector:
-            if (!can_press) {
-                return {CORE_TEXT("bob-weights",
-                                  "The heavy spot lies outside the sector that may be drilled: "
-                                  "with holes at the edge beside it %1 at the radius remain at %2, "
-                                  "and the side opposite that lies outside, too. As a last resort "
-                                  "weld that much on there."),
-                        grams, at};
-            }
-            return {has_slugs ? CORE_TEXT("bob-weights",
-                                          "The heavy spot lies outside the sector that may be "
-                                          "drilled: with holes at the edge beside it and slugs %1 "
-                                          "at the radius remain at %2. As a last resort weld that "
-                                          "much on opposite.")
-                              : CORE_TEXT("bob-weights",
-                                          "The heavy spot lies outside the sector that may be "
-                                          "drilled: with holes at the edge beside it %1 at the "
-                                          "radius remain at %2. Press heavy metal in opposite, or "
-                                          "as a last resort weld that much on there."),
-                    grams, at};
+            return CORE_TEXT("bob-weights",
+                             "The heavy spot lies outside the sector that may be drilled, and "
+                             "holes at its edge take off only a part.");
         case Shortfall::outside_sector:
-            if (!can_press) {
-                return {
-                    CORE_TEXT("bob-weights",
-                              "Both the heavy spot and the side opposite it lie outside the "
-                              "sector that may be drilled: no hole and no slug has a place, and "
-                              "%1 at the radius remain at %2. As a last resort weld that much on "
-                              "opposite."),
-                    grams, at};
-            }
-            return {has_slugs ? CORE_TEXT("bob-weights",
-                                          "The heavy spot lies outside the sector that may be "
-                                          "drilled, and slugs opposite it leave %1 at the radius "
-                                          "at %2. As a last resort weld that much on opposite.")
-                              : CORE_TEXT("bob-weights",
-                                          "The heavy spot lies outside the sector that may be "
-                                          "drilled: %1 at the radius are too much at %2. Press "
-                                          "heavy metal in opposite, or as a last resort weld that "
-                                          "much on there."),
-                    grams, at};
+            return CORE_TEXT("bob-weights",
+                             "The heavy spot lies outside the sector that may be drilled.");
         case Shortfall::light_slugs:
             return {CORE_TEXT("bob-weights",
                               "Slugs of %1 hardly outweigh the %2 of the crankshaft that their "
-                              "holes take off: none is planned, and %3 at the radius remain at %4. "
-                              "Heavier metal, or as a last resort as much welded on opposite."),
+                              "holes take off: none is planned."),
                     density_of(correction.slug->density.value()),
-                    density_of(correction.drill.density), grams, at};
+                    density_of(correction.drill.density)};
         case Shortfall::short_slugs:
             return {CORE_TEXT("bob-weights",
                               "A slug of %1 as long as the deepest hole may be does not outweigh "
                               "the %2 of the crankshaft that its hole takes off with the cone "
-                              "beneath it: none is planned, and %3 at the radius remain at %4. "
-                              "Deeper holes or a flatter point, or as a last resort as much welded "
-                              "on opposite."),
+                              "beneath it: none is planned."),
                     density_of(correction.slug->density.value()),
-                    density_of(correction.drill.density), grams, at};
+                    density_of(correction.drill.density)};
         case Shortfall::too_little_room:
-            if (!can_press) {
-                return {beside ? CORE_TEXT("bob-weights",
-                                           "Beside the holes of earlier runs equal holes to both "
-                                           "sides have too little room, and the side opposite lies "
-                                           "outside the sector that may be drilled: %1 at the "
-                                           "radius remain at %2. Unequal ones by hand, deeper or "
-                                           "wider holes, or as a last resort as much welded on "
-                                           "opposite.")
-                               : CORE_TEXT("bob-weights",
-                                           "The holes have too little room, and the side opposite "
-                                           "lies outside the sector that may be drilled: %1 at the "
-                                           "radius remain at %2. Deeper or wider holes, or as a "
-                                           "last resort as much welded on opposite."),
-                        grams, at};
-            }
-            if (beside) {
-                return {has_slugs ? CORE_TEXT("bob-weights",
-                                              "Beside those of earlier runs equal holes or slugs "
-                                              "to both sides have too little room: %1 at the "
-                                              "radius remain at %2. As a last resort weld that "
-                                              "much on opposite.")
-                                  : CORE_TEXT("bob-weights",
-                                              "Beside the holes of earlier runs equal holes to "
-                                              "both sides have too little room: %1 at the radius "
-                                              "remain at %2. Unequal ones by hand, deeper or "
-                                              "wider holes, heavy metal pressed in opposite, or "
-                                              "as a last resort as much welded on there."),
-                        grams, at};
-            }
-            return {has_slugs
-                        ? CORE_TEXT("bob-weights",
-                                    "Holes and slugs have too little room: %1 at the radius remain "
-                                    "at %2. As a last resort weld that much on opposite.")
-                        : CORE_TEXT("bob-weights",
-                                    "The holes have too little room: %1 at the radius remain at "
-                                    "%2. Deeper or wider holes, heavy metal pressed in opposite, "
-                                    "or as a last resort as much welded on there."),
-                    grams, at};
+            return beside ? CORE_TEXT("bob-weights",
+                                      "The holes have too little room beside those of earlier "
+                                      "runs.")
+                          : CORE_TEXT("bob-weights", "The holes have too little room.");
     }
     return {};
+}
+
+/// @param can_press  the sector has a place opposite what is left
+/// @param beside     holes of earlier runs are in that plane
+Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
+                 const Correction& correction, bool has_slugs, bool can_press, bool beside) {
+    const Message cause = cause_of(shortfall, correction, beside);
+    if (shortfall == Shortfall::none || shortfall == Shortfall::nothing_fits ||
+        shortfall == Shortfall::rounding) {
+        return cause;
+    }
+    const Message remains{CORE_TEXT("bob-weights", "%1 at the radius remain at %2."),
+                          Number{std::abs(left) / *plane.radius / units::gram, units::gram, -2},
+                          Number{turn_of(angle) / degree, units::degree, -1}};
+    const Message remedy =
+        !can_press ? CORE_TEXT("bob-weights",
+                               "The side opposite lies outside the sector, too: drill deeper or "
+                               "wider, or as a last resort weld that much on opposite.")
+        : has_slugs
+            ? CORE_TEXT("bob-weights", "As a last resort weld that much on opposite.")
+            : CORE_TEXT("bob-weights",
+                        "Press heavy metal in opposite, drill deeper or wider, or as a last resort "
+                        "weld that much on opposite.");
+    return {Text{"", "%1 %2 %3"}, cause, remains, remedy};
 }
 
 /// Why holes and slugs together leave too much.
@@ -322,105 +273,245 @@ Vector effect_of(const Metal& metal) {
     return sum;
 }
 
-/// @param before  what was drilled there and pressed in after earlier runs
-PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& correction,
-                    const std::optional<double>& permissible, const Metal& before) {
-    const Drill& drill = correction.drill;
-    PlaneResult result{};
-    result.unbalance = std::abs(unbalance);
-    result.angle = turn_of(std::arg(unbalance));
-    result.grams_at_radius = result.unbalance / *plane.radius;
+/// What is planned for a plane.
+struct Planned {
+    Metal metal;
+    Shortfall shortfall = Shortfall::none;
+};
 
-    const Cut cut{*plane.radius, drill.density, drill.point_angle};
-    HoleLimits limits{*drill.maximum_depth, drill.depth_step,    drill.minimum_wall,
-                      drill.maximum_holes,  drill.maximum_angle, std::nullopt};
-    const auto take = [&](const std::vector<Hole>& holes) {
-        for (const Hole& hole : holes) {
-            limits.taken.push_back(
-                {hole.angle, half_width(cut, hole.diameter, hole.depth, drill.minimum_wall)});
+/// Plans holes and slugs of one plane.
+class PlanePlanner {
+  public:
+    /// @param before  what was drilled there and pressed in after earlier runs
+    PlanePlanner(const Plane& plane, const Correction& correction,
+                 const std::optional<double>& permissible, const Metal& before, Format format)
+        : correction_(correction),
+          tolerance_(permissible.value_or(-1.0)),
+          enough_(correction.aim == Aim::zero ? -1.0 : tolerance_),
+          cut_{*plane.radius, correction.drill.density, correction.drill.point_angle},
+          into_(cut_),
+          limits_{*correction.drill.maximum_depth, correction.drill.depth_step,
+                  correction.drill.minimum_wall,   correction.drill.maximum_holes,
+                  correction.drill.maximum_angle,  std::nullopt},
+          deepens_(format == Format::workshop) {
+        const auto& slug = correction.slug;
+        has_slugs_ = slug && slug->diameter && slug->density;
+        if (has_slugs_) {
+            into_.slug_density = slug->density;
+            if (slug->direction == SlugDirection::axial) {
+                into_.axial_wall = limits_.minimum_wall;
+            }
         }
-    };
-    take(before.holes);
-    take(before.slugs);
-    if (plane.from_angle && plane.to_angle) {
-        limits.sector = {*plane.from_angle, *plane.to_angle};
+        limits_.smallest_depth = correction.drill.smallest_depth;
+        if (plane.from_angle && plane.to_angle) {
+            limits_.sector = {*plane.from_angle, *plane.to_angle};
+        }
+        for (const double diameter : correction.drill.diameters_mm) {
+            diameters_.push_back(diameter * units::mm);
+        }
+        for (const Hole& slug_before : before.slugs) {
+            Cut cut = cut_;
+            if (slug_before.is_axial) {
+                cut.axial_wall = limits_.minimum_wall;
+            }
+            take(slug_before, cut);
+        }
+        for (const Hole& hole : before.holes) {
+            keep_deepest(hole);
+        }
     }
-    std::vector<double> diameters;
-    for (const double diameter : drill.diameters_mm) {
-        diameters.push_back(diameter * units::mm);
+
+    bool has_slugs() const { return has_slugs_; }
+    bool can_press_against(double angle) const { return limits_.allows(turn_of(angle + pi)); }
+
+    Planned plan(Vector unbalance) const {
+        // What is within its limit needs no hole, whatever the aim.
+        if (std::abs(unbalance) <= std::max(tolerance_, 0.0)) {
+            return {};
+        }
+        // Another hole is worth its while where more than half of the limit would be left, to be
+        // deepened where it is more than a tenth.
+        const bool to_zero = correction_.aim == Aim::zero;
+        const DeepeningPlan deeper = deepens_
+                                         ? plan_deepening(unbalance, there_, cut_, limits_,
+                                                          to_zero ? 0.1 * tolerance_ : tolerance_)
+                                         : DeepeningPlan{};
+        const double good = std::max(to_zero ? 0.5 * tolerance_ : tolerance_, 0.0);
+        if (deeper.is_enough || std::abs(unbalance + effect_of({deeper.holes, {}})) <= good) {
+            return {{deeper.holes, {}}, Shortfall::none};
+        }
+        HoleLimits limits = limits_;
+        for (const Hole& hole : there_) {
+            const bool is_deepened =
+                std::any_of(deeper.holes.begin(), deeper.holes.end(),
+                            [&](const Hole& each) { return each.deepens == hole.deepens; });
+            if (!is_deepened) {
+                take(hole, cut_, limits);
+            }
+        }
+        HoleLimits beside = limits;
+        for (const Hole& hole : deeper.holes) {
+            take(hole, cut_, beside);
+            take(at_depth_before(hole), cut_, limits);
+        }
+        const Planned fresh = plan_new(unbalance, limits);
+        if (deeper.holes.empty()) {
+            return fresh;
+        }
+        Planned both = plan_new(unbalance + effect_of({deeper.holes, {}}), beside);
+        both.metal.holes.insert(both.metal.holes.begin(), deeper.holes.begin(), deeper.holes.end());
+        return is_better(fresh, both, unbalance, good) ? fresh : both;
     }
-    const double tolerance = permissible.value_or(-1.0);
-    const auto& slug = correction.slug;
-    const bool has_slugs = slug && slug->diameter && slug->density;
-    const auto plan_slugs = [&](double target, double angle) -> HolePlan {
+
+    double beyond_sector(const Metal& metal) const {
+        double most = 0.0;
+        for (const auto& [holes, cut] :
+             {std::pair(&metal.holes, &cut_), std::pair(&metal.slugs, &into_)}) {
+            for (const Hole& hole : *holes) {
+                most =
+                    limits_.sector ? std::max(most, edge_beyond(*cut, *limits_.sector, hole)) : 0.0;
+            }
+        }
+        return most;
+    }
+
+  private:
+    static Hole at_depth_before(Hole hole) {
+        hole.depth = hole.from_depth;
+        return hole;
+    }
+    void take(const Hole& hole, const Cut& cut, HoleLimits& limits) const {
+        limits.taken.push_back(
+            {hole.angle, half_width(cut, hole.diameter, hole.depth, limits.minimum_wall)});
+    }
+    void take(const Hole& hole, const Cut& cut) { take(hole, cut, limits_); }
+
+    /// A hole that was deepened stands in the record more than once.
+    void keep_deepest(const Hole& hole) {
+        constexpr double same = 1e-6;
+        for (Hole& there : there_) {
+            if (there.diameter == hole.diameter &&
+                std::abs(std::remainder(there.angle - hole.angle, 2.0 * pi)) < same) {
+                there = there.depth >= hole.depth ? there : hole;
+                return;
+            }
+        }
+        there_.push_back(hole);
+    }
+
+    /// Whether new holes alone are better than they are beside deepened ones: enough where the
+    /// others are not, or with fewer holes, or what is left is less.
+    static bool is_better(const Planned& fresh, const Planned& both, Vector unbalance,
+                          double good) {
+        const auto count = [](const Planned& planned) {
+            return planned.metal.holes.size() + planned.metal.slugs.size();
+        };
+        const auto left = [&](const Planned& planned) {
+            return std::abs(unbalance + effect_of(planned.metal));
+        };
+        const auto is_enough = [&](const Planned& planned) {
+            return planned.shortfall == Shortfall::none || left(planned) <= good;
+        };
+        if (is_enough(fresh) != is_enough(both)) {
+            return is_enough(fresh);
+        }
+        return is_enough(fresh) ? count(fresh) < count(both) : left(fresh) < left(both);
+    }
+
+    HolePlan plan_slugs(double target, double angle, const HoleLimits& limits) const {
+        const Slug& slug = *correction_.slug;
         if (!limits.allows(angle)) {
             return {{}, target, Shortfall::outside_sector};
         }
-        if (is_light(*slug->density, drill.density)) {
+        if (is_light(*slug.density, correction_.drill.density)) {
             return {{}, target, Shortfall::light_slugs};
         }
-        const double size[] = {*slug->diameter};
-        const Cut into{*plane.radius, drill.density, drill.point_angle, slug->density};
-        HolePlan slugs = plan_holes(target, angle, into, size, limits, tolerance);
+        const double size[] = {*slug.diameter};
+        HolePlan slugs = plan_holes(target, angle, into_, size, limits, enough_);
+        for (Hole& hole : slugs.holes) {
+            hole.is_axial = into_.axial_wall.has_value();
+        }
         const double deepest =
-            std::min(limits.maximum_depth, *plane.radius - into.cone(*slug->diameter));
+            into_.axial_wall
+                ? limits.maximum_depth
+                : std::min(limits.maximum_depth, into_.radius - into_.cone(*slug.diameter));
         if (slugs.holes.empty() && deepest > 0.0 &&
-            into.removed(*slug->diameter, deepest).unbalance <= 0.0) {
+            into_.removed(*slug.diameter, deepest).unbalance <= 0.0) {
             slugs.shortfall = Shortfall::short_slugs;
         }
         return slugs;
-    };
-    HolePlan plan = plan_holes(result.unbalance, result.angle, cut, diameters, limits, tolerance);
-    Metal metal{std::move(plan.holes), {}};
-    const auto is_left = [&] {
-        return plan.left > std::max(tolerance, 0.0) &&
-               (plan.shortfall == Shortfall::too_little_room ||
-                plan.shortfall == Shortfall::outside_sector);
-    };
-    if (has_slugs && is_left()) {
-        HolePlan slugs = plan_slugs(plan.left, turn_of(result.angle + pi));
-        metal.slugs = std::move(slugs.holes);
-        plan.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
     }
-    if (!limits.allows(result.angle) && plan.shortfall != Shortfall::none) {
-        HolePlan beside =
-            plan_beside_sector(result.unbalance, result.angle, cut, diameters, limits, tolerance);
+
+    Planned plan_new(Vector unbalance, HoleLimits limits) const {
+        const double target = std::abs(unbalance);
+        const double angle = turn_of(std::arg(unbalance));
+        HolePlan plan = plan_holes(target, angle, cut_, diameters_, limits, enough_);
+        Planned planned{{std::move(plan.holes), {}}, plan.shortfall};
+        const bool is_left = plan.left > std::max(tolerance_, 0.0) &&
+                             (plan.shortfall == Shortfall::too_little_room ||
+                              plan.shortfall == Shortfall::outside_sector);
+        if (has_slugs_ && is_left) {
+            HolePlan slugs = plan_slugs(plan.left, turn_of(angle + pi), limits);
+            planned.metal.slugs = std::move(slugs.holes);
+            planned.shortfall = shortfall_of_both(plan.shortfall, slugs.shortfall);
+        }
+        if (limits.allows(angle) || planned.shortfall == Shortfall::none) {
+            return planned;
+        }
+        HolePlan beside = plan_beside_sector(target, angle, cut_, diameters_, limits, enough_);
         Metal other{std::move(beside.holes), {}};
         const Vector rest = unbalance + effect_of(other);
-        if (has_slugs && !other.holes.empty() && beside.shortfall != Shortfall::none) {
-            take(other.holes);
-            HolePlan slugs = plan_slugs(std::abs(rest), turn_of(std::arg(rest) + pi));
+        if (has_slugs_ && !other.holes.empty() && beside.shortfall != Shortfall::none) {
+            for (const Hole& hole : other.holes) {
+                take(hole, cut_, limits);
+            }
+            HolePlan slugs = plan_slugs(std::abs(rest), turn_of(std::arg(rest) + pi), limits);
             other.slugs = std::move(slugs.holes);
             beside.shortfall = shortfall_of_both(beside.shortfall, slugs.shortfall);
         }
         // Where welding remains anyway a hole is to save some of it.
         constexpr double worth = 0.9;
-        const double without = std::abs(unbalance + effect_of(metal));
+        const double without = std::abs(unbalance + effect_of(planned.metal));
         const double with = std::abs(unbalance + effect_of(other));
         if (with < (beside.shortfall == Shortfall::none ? 1.0 : worth) * without) {
-            metal = std::move(other);
-            plan.shortfall = beside.shortfall;
+            planned = {std::move(other), beside.shortfall};
         }
+        return planned;
     }
-    const Vector left = unbalance + effect_of(metal);
-    result.holes = std::move(metal.holes);
-    result.slugs = std::move(metal.slugs);
-    if (limits.sector) {
-        for (const auto* holes : {&result.holes, &result.slugs}) {
-            for (const Hole& hole : *holes) {
-                result.beyond_sector =
-                    std::max(result.beyond_sector, edge_beyond(cut, *limits.sector, hole));
-            }
-        }
-    }
+
+    const Correction& correction_;
+    double tolerance_;
+    double enough_;
+    Cut cut_;
+    Cut into_;  ///< of slugs
+    HoleLimits limits_;
+    bool deepens_;
+    bool has_slugs_ = false;
+    std::vector<double> diameters_;
+    std::vector<Hole> there_;  ///< that can be deepened
+};
+
+PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& correction,
+                    const std::optional<double>& permissible, const Metal& before, Format format) {
+    PlaneResult result{};
+    result.unbalance = std::abs(unbalance);
+    result.angle = turn_of(std::arg(unbalance));
+    result.grams_at_radius = result.unbalance / *plane.radius;
+    const PlanePlanner planner(plane, correction, permissible, before, format);
+    Planned planned = planner.plan(unbalance);
+    const Vector left = unbalance + effect_of(planned.metal);
+    result.beyond_sector = planner.beyond_sector(planned.metal);
+    result.holes = std::move(planned.metal.holes);
+    result.slugs = std::move(planned.metal.slugs);
     result.remaining = std::abs(left);
     result.remaining_angle = turn_of(std::arg(left));
     result.measured_within = is_within(result.unbalance, permissible);
     result.within_tolerance = is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
-        result.reason = describe(
-            plan.shortfall, result.remaining, result.remaining_angle, plane, correction, has_slugs,
-            limits.allows(turn_of(result.remaining_angle + pi)), !before.empty());
+        result.reason =
+            describe(planned.shortfall, result.remaining, result.remaining_angle, plane, correction,
+                     planner.has_slugs(), planner.can_press_against(result.remaining_angle),
+                     !before.empty());
     }
     return result;
 }
@@ -456,32 +547,53 @@ std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
     return read;
 }
 
-/// What the case says was drilled and pressed in after a run.
-std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction) {
+/// What the case says is drilled and pressed in after a run.
+/// @param run  its place among the earlier runs
+std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
+                              std::size_t run) {
     std::array<Metal, 2> drilled;
-    for (const DrilledHole& hole : holes) {
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+        const DrilledHole& hole = holes[i];
+        if (hole.state == HoleState::not_drilled) {
+            continue;
+        }
         const auto plane = static_cast<std::size_t>(hole.plane);
-        const auto radius = correction.planes.at(plane).radius;
-        const auto lever = [&](double point_angle) {
-            if (!radius) {
-                return 0.0;
-            }
-            const Removed unit = Cut{*radius, 1.0, point_angle}.removed(hole.diameter, hole.depth);
-            return unit.mass > 0.0 ? unit.unbalance / unit.mass : *radius;
+        const double radius = correction.planes.at(plane).radius.value_or(0.0);
+        const Drill& drill = correction.drill;
+        const bool is_axial = hole.is_slug() && hole.direction == SlugDirection::axial;
+        const auto cut_with = [&](double point_angle) {
+            return Cut{radius, drill.density, point_angle, std::nullopt,
+                       is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
         };
-        const double angle = turn_of(hole.angle);
-        if (!hole.slug && hole.mass >= 0.0) {
-            drilled[plane].holes.push_back({hole.diameter, hole.depth, angle, hole.mass,
-                                            hole.mass * lever(correction.drill.point_angle)});
+        // What the hole alone took off, by its sizes.
+        const Cut cut = cut_with(drill.point_angle);
+        Removed removed = cut.removed(hole.diameter, hole.depth);
+        if (hole.from_depth > 0.0) {
+            const Removed before = cut.removed(hole.diameter, hole.from_depth);
+            removed = {removed.mass - before.mass, removed.unbalance - before.unbalance};
+        }
+        const double lever =
+            radius > 0.0 && removed.mass > 0.0 ? removed.unbalance / removed.mass : radius;
+        const double angle = turn_of(hole.angle + (hole.state == HoleState::wrong_side ? pi : 0.0));
+        const bool by_sizes = !hole.mass || hole.state == HoleState::measured;
+        Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
+        made.deepens = Hole::Place{run, i};
+        made.from_depth = hole.from_depth;
+        made.is_axial = is_axial;
+        if (!hole.is_slug()) {
+            made.mass = by_sizes ? removed.mass : *hole.mass;
+            made.unbalance = made.mass * lever;
+            drilled[plane].holes.push_back(made);
             continue;
         }
         // Where the slug's own mass is not known, it is taken to fill its hole.
-        const double added = -hole.mass;
+        const double added = hole.mass ? -*hole.mass : *hole.slug - removed.mass;
         const double slug = hole.slug.value_or(added);
-        drilled[plane].slugs.push_back(
-            {hole.diameter, hole.depth, angle, added,
-             slug * lever(pi) - (slug - added) * lever(correction.drill.point_angle),
-             hole.slug.value_or(0.0)});
+        made.mass = added;
+        made.slug = hole.slug.value_or(0.0);
+        made.slug_radius = cut_with(pi).lever(hole.diameter, hole.depth);
+        made.unbalance = radius > 0.0 ? slug * made.slug_radius - (slug - added) * lever : 0.0;
+        drilled[plane].slugs.push_back(made);
     }
     return drilled;
 }
@@ -509,7 +621,7 @@ std::optional<OtherEffect> other_effect(const RunResult& before, const RunResult
     return OtherEffect{std::abs(expected), turn_of(std::arg(expected)), along < -0.5 && has_grown};
 }
 
-void solve_correction(const Input& input, Result& result) {
+void solve_correction(const Input& input, Format format, Result& result) {
     if (!input.correction) {
         return;
     }
@@ -521,6 +633,11 @@ void solve_correction(const Input& input, Result& result) {
     const auto add_run = [&](const auto& readings) {
         RunResult run;
         const auto read = vectors_of(readings);
+        for (std::size_t i = 0; format == Format::workshop && i < readings.size() && i < 2; ++i) {
+            if (const auto& unbalance = readings[i].unbalance) {
+                run.alone[i] = {*unbalance, is_within(*unbalance, limit(i))};
+            }
+        }
         if (read && places) {
             const auto there = carried_over(*read, places->from, places->to);
             run.planes.emplace();
@@ -551,16 +668,18 @@ void solve_correction(const Input& input, Result& result) {
     const auto in_plane = [&](const RunResult& run, std::size_t i) {
         const RunResult::InPlane& read = (*run.planes)[i];
         return correct(std::polar(read.unbalance, read.angle), correction.planes[i], correction,
-                       limit(i), before[i]);
+                       limit(i), before[i], format);
     };
-    for (const EarlierRun& earlier : correction.earlier_runs) {
+    for (std::size_t at = 0; at < correction.earlier_runs.size(); ++at) {
+        const EarlierRun& earlier = correction.earlier_runs[at];
         add_run(earlier.readings);
         RunResult& run = result.runs.back();
         // Holes of another crankshaft are not in this one; after readings of another bob weight
         // those alone that were drilled before it changed.
         if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
-            run.drilled = recorded(*earlier.drilled, correction);
-        } else if (!earlier.drilled && run.planes && run.holds() && can_drill(correction)) {
+            run.drilled = recorded(*earlier.drilled, correction, at);
+        } else if (format == Format::bob_weights && !earlier.drilled && run.planes && run.holds() &&
+                   can_drill(correction)) {
             for (std::size_t i = 0; i < 2; ++i) {
                 PlaneResult planned = in_plane(run, i);
                 run.drilled[i] = {std::move(planned.holes), std::move(planned.slugs)};
@@ -614,9 +733,31 @@ void leave_out_contradictory(const Input& input, Result& result) {
 
 }  // namespace
 
+std::array<std::optional<double>, 2> RunResult::unbalances() const {
+    std::array<std::optional<double>, 2> list;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (planes) {
+            list[i] = (*planes)[i].unbalance;
+        } else if (alone[i]) {
+            list[i] = alone[i]->unbalance;
+        }
+    }
+    return list;
+}
+
 std::optional<bool> RunResult::passes() const {
-    return planes ? both((*planes)[0].within_tolerance, (*planes)[1].within_tolerance)
-                  : std::nullopt;
+    if (planes) {
+        return both((*planes)[0].within_tolerance, (*planes)[1].within_tolerance);
+    }
+    std::optional<bool> all = true;
+    for (const auto& reading : alone) {
+        const auto within = reading ? reading->within_tolerance : std::nullopt;
+        if (within == false) {
+            return false;
+        }
+        all = within ? all : std::nullopt;
+    }
+    return all;
 }
 
 std::optional<bool> Result::passes_after() const {
@@ -634,8 +775,10 @@ std::vector<DrilledHole> record_of(const auto& planes) {
         const auto& metal = planes[static_cast<std::size_t>(plane)];
         const auto add = [&](const std::vector<Hole>& holes, double sign) {
             for (const Hole& hole : holes) {
-                list.push_back({plane, hole.diameter, hole.depth, hole.angle, sign * hole.mass,
-                                hole.slug > 0.0 ? std::optional(hole.slug) : std::nullopt});
+                list.push_back({plane, hole.diameter, hole.depth, hole.from_depth, hole.angle,
+                                sign * hole.mass,
+                                hole.slug > 0.0 ? std::optional(hole.slug) : std::nullopt,
+                                hole.is_axial ? SlugDirection::axial : SlugDirection::radial});
             }
         };
         add(metal.holes, 1.0);
@@ -679,12 +822,13 @@ std::optional<std::array<double, 2>> plane_limits(
     if (!whole) {
         return std::nullopt;
     }
-    if (!positions || (*positions)[0] == (*positions)[1]) {
-        return std::array{0.5 * *whole, 0.5 * *whole};
-    }
-    const auto& [first, second] = *positions;
     const bool has_bearings = tolerance.front_bearing && tolerance.rear_bearing &&
                               *tolerance.front_bearing != *tolerance.rear_bearing;
+    if (!positions || (*positions)[0] == (*positions)[1] ||
+        (!has_bearings && !tolerance.centre_of_mass)) {
+        return std::array{tolerance.front_share * *whole, (1.0 - tolerance.front_share) * *whole};
+    }
+    const auto& [first, second] = *positions;
     const std::array<double, 2> bearings{tolerance.front_bearing.value_or(first),
                                          tolerance.rear_bearing.value_or(second)};
     const double centre = tolerance.centre_of_mass.value_or(
@@ -707,16 +851,26 @@ std::optional<std::array<double, 2>> plane_limits(
     return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
 }
 
-Result solve(const Input& given, bool places_parts) {
-    const Input input = fitted(given);
+namespace {
+
+/// @param known  the bob weight, where it does not follow from the masses of the parts
+Result solve(const Input& input, Format format, const std::optional<KnownWeight>& known,
+             bool places_parts) {
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
-    solve_bob_weight(input, factor, result);
-    if (places_parts) {
-        solve_weigh_in(input, factor, result);
+    if (known) {
+        result.lines = known->lines;
+        result.reciprocating = known->reciprocating;
+        result.rotating = known->rotating;
+        result.bob_weight = known->sum;
+        result.first_order = first_order(input.engine, factor, known->reciprocating);
+        result.first_order_bare = first_order(input.engine, 0.0, known->reciprocating);
+    } else {
+        solve_bob_weight(input, factor, result);
     }
+    solve_weigh_in(input, factor, places_parts && !known, result);
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;
@@ -730,9 +884,28 @@ Result solve(const Input& given, bool places_parts) {
         }
         result.permissible = plane_limits(*input.tolerance, positions);
     }
-    solve_correction(input, result);
+    solve_correction(input, format, result);
     leave_out_contradictory(input, result);
     return result;
+}
+
+}  // namespace
+
+Result solve(const Input& given, bool places_parts) {
+    Input input = fitted(given);
+    if (input.correction) {
+        // The format knows of no other way.
+        input.correction->aim = Aim::tolerance;
+        input.correction->drill.smallest_depth = 0.0;
+        if (input.correction->slug) {
+            input.correction->slug->direction = SlugDirection::radial;
+        }
+    }
+    return solve(input, Format::bob_weights, std::nullopt, places_parts);
+}
+
+Result solve_job(const Input& given, const std::optional<KnownWeight>& known, bool places_parts) {
+    return solve(fitted(given), Format::workshop, known, places_parts);
 }
 
 }  // namespace ravnoves::bob_weights

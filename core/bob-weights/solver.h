@@ -9,6 +9,12 @@ namespace ravnoves::bob_weights {
 /// @param places_parts  false: without the placing of the parts, which takes longest
 Result solve(const Input& given, bool places_parts = true);
 
+/// The same of a workshop's job: holes that are there are deepened first, aim, smallest depth and
+/// direction of slugs are those of the input, and nothing is drilled that no record tells of.
+/// @param known  the bob weight, where it does not follow from the masses of the parts
+Result solve_job(const Input& given, const std::optional<KnownWeight>& known,
+                 bool places_parts = true);
+
 /// What is to be drilled by the run that is corrected, for the record of it: nothing where its
 /// readings do not hold.
 /// @return empty while there is no plan

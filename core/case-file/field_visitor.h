@@ -131,12 +131,17 @@ class FieldVisitor {
     /// A list of objects; the check that there are not too many or too few is the scene's.
     template <typename Struct>
     void list(const Field& field, std::vector<Struct>& values) {
+        list(field, values, [this](Struct& it) { visit_fields(*this, it); });
+    }
+    /// The same where the function visits the fields of each.
+    template <typename Struct, typename Visit>
+    void list(const Field& field, std::vector<Struct>& values, const Visit& visit) {
         std::size_t count = values.size();
         if (begin_list(field, count)) {
             values.resize(count);
             for (std::size_t i = 0; i < count; ++i) {
                 begin_element(i);
-                visit_fields(*this, values[i]);
+                visit(values[i]);
                 end_element();
             }
             end_list();

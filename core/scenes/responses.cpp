@@ -15,6 +15,8 @@
 #include "scenes/typed_response.h"
 #include "v8-plugs/results.h"
 #include "v8-plugs/scene.h"
+#include "workshop/results.h"
+#include "workshop/scene.h"
 
 namespace ravnoves {
 
@@ -57,6 +59,11 @@ std::unique_ptr<Response> typed_response(const CaseFile& file, const CaseContext
         using Input = inertia_moments::Input;
         return respond<Input, read_alone<Input, inertia_moments::read_input>,
                        inertia_moments::check_input>(file, context, varied, watched);
+    }
+    if (file.scene == "workshop") {
+        using Input = workshop::Input;
+        return respond<Input, read_whole<Input, workshop::read_input>, workshop::check_input>(
+            file, context, varied, watched);
     }
     if (file.scene == "v8-plugs") {
         using Input = v8_plugs::Input;

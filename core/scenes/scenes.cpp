@@ -28,6 +28,9 @@
 #include "v8-plugs/formulas.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
+#include "workshop/formulas.h"
+#include "workshop/presets.h"
+#include "workshop/scene.h"
 
 namespace ravnoves {
 
@@ -120,6 +123,8 @@ std::span<const SceneSolver> scene_solvers() {
                     balance_shaft::left_out, written<balance_shaft::presets>},
         SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of<elastic_hinge::Input>,
                     elastic_hinge::left_out, written<elastic_hinge::presets>},
+        SceneSolver{"workshop", workshop::solve_scene, formulas_of<workshop::Input>,
+                    workshop::left_out, written<workshop::presets>},
         SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of<v8_plugs::Input>,
                     v8_plugs::left_out, written<v8_plugs::presets>},
         SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of<bob_weights::Input>,

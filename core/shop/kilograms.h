@@ -14,6 +14,10 @@ namespace ravnoves::shop {
 std::optional<double> mass_in_kilograms(Part part, const std::optional<double>& nominal,
                                         std::span<const Weighed> masses);
 
+inline std::optional<double> mass_in_kilograms(Part part, const PartColumn& column) {
+    return mass_in_kilograms(part, column.nominal, column.mass);
+}
+
 /// A mass that is unlike the others of its column, as a slip of the keys makes it.
 struct OddMass {
     std::size_t cylinder;  ///< counted from 0

@@ -127,8 +127,8 @@ SetSearch search_of_shaking(const MatchingTask& task, const MatchingRules& rules
     SetSearch search = empty_search(task, rules, dimensions);
     search.size = SetSearch::Size::norm;
     // Big ends and shells rotate, the rest reciprocates.
-    const Sets rotating = sums_of(task, rules, {0, 0, 0, 1, 0, 1});
-    const Sets reciprocating = sums_of(task, rules, {1, 1, 1, 0, 1, 0});
+    const Sets rotating = sums_of(task, rules, {0, 0, 0, 0, 1, 1});
+    const Sets reciprocating = sums_of(task, rules, {1, 1, 1, 1, 0, 0});
     const Reach reach = reach_of(task);
     for (std::size_t place = 0; place < search.places; ++place) {
         const CylinderPlace& at = task.places[place];
@@ -224,6 +224,41 @@ bool moves_with_set(const MatchingRules& rules, Part part) {
             return true;
     }
     return true;
+}
+
+std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet) {
+    std::array<std::span<const Weighed>, 6> masses;
+    for (const Part part : all_parts) {
+        masses[static_cast<std::size_t>(part)] = sheet[part].mass;
+    }
+    return masses;
+}
+
+MatchingTask matching_task(const WeighIn& sheet, const Crank& crank,
+                           const std::array<double, 6>& factors) {
+    return {masses_of(sheet), factors, places_of(crank), crank.spacing.has_value(),
+            crank_fault(crank)};
+}
+
+void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods) {
+    const WeighIn before = sheet;
+    for (const Part part : all_parts) {
+        if (!moves_with_set(sheet.matching, part)) {
+            continue;
+        }
+        const std::vector<int>& from = is_of_piston(part) ? pistons : rods;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            sheet[part].mass[i] = before[part].mass[static_cast<std::size_t>(from[i])];
+        }
+    }
+    sheet.piston_sets = moved_numbers(before.piston_sets, pistons);
+    sheet.rod_sets = moved_numbers(before.rod_sets, rods);
+}
+
+void move_back(WeighIn& sheet) {
+    const auto from =
+        to_where_weighed(sheet.piston_sets, sheet.rod_sets, sheet.columns.front().mass.size());
+    move_sets(sheet, from[0], from[1]);
 }
 
 double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,

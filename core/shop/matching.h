@@ -71,14 +71,10 @@ struct MatchingTask {
 };
 
 /// The masses of a sheet.
-template <typename Masses>
-std::array<std::span<const Weighed>, 6> masses_of(const WeighIn<Masses>& sheet) {
-    std::array<std::span<const Weighed>, 6> masses;
-    for (const Part part : all_parts) {
-        masses[static_cast<std::size_t>(part)] = sheet[part].mass;
-    }
-    return masses;
-}
+std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet);
+/// What is matched of a sheet: columns whose factor is 0 do not count.
+MatchingTask matching_task(const WeighIn& sheet, const Crank& crank,
+                           const std::array<double, 6>& factors);
 
 /// Which set goes where: element i is the cylinder (from 0) whose set goes to cylinder i.
 struct Matched {
@@ -109,33 +105,13 @@ std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules&
 bool moves_with_set(const MatchingRules& rules, Part part);
 
 /// The sheet with the parts moved; the sets keep their numbers.
-template <typename Masses>
-void move_sets(WeighIn<Masses>& sheet, const std::vector<int>& pistons,
-               const std::vector<int>& rods) {
-    const WeighIn<Masses> before = sheet;
-    for (const Part part : all_parts) {
-        if (!moves_with_set(sheet.matching, part)) {
-            continue;
-        }
-        const std::vector<int>& from = is_of_piston(part) ? pistons : rods;
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            sheet[part].mass[i] = before[part].mass[static_cast<std::size_t>(from[i])];
-        }
-    }
-    sheet.piston_sets = moved_numbers(before.piston_sets, pistons);
-    sheet.rod_sets = moved_numbers(before.rod_sets, rods);
-}
+void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods);
 
 /// Which set goes where so that each is where it was weighed again, as Matched has it.
 std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
                                                  const SetNumbers& rod_sets, std::size_t cylinders);
 /// The sheet with all parts where they were weighed.
-template <typename Masses>
-void move_back(WeighIn<Masses>& sheet) {
-    const auto from =
-        to_where_weighed(sheet.piston_sets, sheet.rod_sets, sheet.columns.front().mass.size());
-    move_sets(sheet, from[0], from[1]);
-}
+void move_back(WeighIn& sheet);
 
 /// Whether the rules contradict themselves or the engine.
 /// @param angle_count  Crank::angle_count() of the engine

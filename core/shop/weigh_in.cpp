@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
@@ -41,6 +42,10 @@ std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
     return result;
 }
 
+std::optional<ColumnStatistics> statistics(const PartColumn& column) {
+    return statistics(column.mass, column.permitted_spread);
+}
+
 namespace {
 
 SetNumbers as_weighed(std::size_t cylinders) {
@@ -75,6 +80,51 @@ struct SetNumberList final : FieldVisitor::Custom {
     std::size_t cylinders;
 };
 
+/// The weights of a column in a case file; null for what is not weighed yet.
+struct WeightList final : FieldVisitor::Custom {
+    WeightList(const Field& it, std::span<Weighed> list) : mass(it), weights(list) {}
+
+    void read(const Json& masses, const std::string& pointer) override {
+        if (!masses.is_array() || masses.size() != weights.size()) {
+            throw InputError(
+                pointer,
+                {CORE_TEXT("workshop", "must be a list of %1 masses, one for each cylinder"),
+                 weights.size()},
+                show(masses));
+        }
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            const Json& each = masses.at(i);
+            if (!each.is_null() && !each.is_number()) {
+                throw InputError(pointer + "/" + std::to_string(i),
+                                 CORE_TEXT("core", "must be a number"), show(each));
+            }
+            weights[i] =
+                each.is_null() ? std::nullopt : std::optional(each.get<double>() * mass.unit);
+        }
+        check(pointer);
+    }
+    Json write() override {
+        if (std::none_of(weights.begin(), weights.end(), [](const Weighed& m) { return m; })) {
+            return {};
+        }
+        Json masses = Json::array();
+        for (const Weighed& each : weights) {
+            masses.push_back(each ? Json(from_si(mass, *each)) : Json());
+        }
+        return masses;
+    }
+    void check(const std::string& pointer) override {
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            if (weights[i]) {
+                check_range(mass, from_si(mass, *weights[i]), pointer + "/" + std::to_string(i));
+            }
+        }
+    }
+
+    const Field& mass;
+    std::span<Weighed> weights;
+};
+
 }  // namespace
 
 SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders) {
@@ -90,57 +140,48 @@ SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from
     return after == as_weighed(from.size()) ? SetNumbers() : after;
 }
 
-void visit_set_numbers(FieldVisitor& visitor, const Field& field, SetNumbers& numbers,
-                       std::size_t cylinders) {
-    SetNumberList list(numbers, cylinders);
-    visitor.custom(field, false, list);
+void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
+                 bool nominal_needed, bool asks_radius) {
+    visitor.choice(numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
+                   FieldVisitor::Written::always);
+    const std::size_t cylinders = sheet.columns.front().mass.size();
+    SetNumberList pistons(sheet.piston_sets, cylinders);
+    visitor.custom(field::piston_sets, false, pistons);
+    SetNumberList rods(sheet.rod_sets, cylinders);
+    visitor.custom(field::rod_sets, false, rods);
+    for (const Part part : all_parts) {
+        PartColumn& column = sheet[part];
+        visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,
+                          column.is_begun(), [&] {
+                              if (nominal_needed) {
+                                  visitor.required(field::nominal, column.nominal);
+                              } else {
+                                  visitor.number(field::nominal, column.nominal);
+                              }
+                              visitor.number(field::permitted_spread, column.permitted_spread);
+                              WeightList weights(mass, column.mass);
+                              visitor.custom(mass, true, weights);
+                          });
+    }
+    visit_matching(visitor, sheet.matching, asks_radius);
 }
 
-void WeightList::read(const Json& masses, const std::string& pointer) {
-    if (!masses.is_array() || masses.size() != weights_.size()) {
-        throw InputError(
-            pointer,
-            {CORE_TEXT("workshop", "must be a list of %1 masses, one for each cylinder"),
-             weights_.size()},
-            show(masses));
-    }
-    for (std::size_t i = 0; i < masses.size(); ++i) {
-        const Json& mass = masses.at(i);
-        if (!mass.is_null() && !mass.is_number()) {
-            throw InputError(pointer + "/" + std::to_string(i),
-                             CORE_TEXT("core", "must be a number"), show(mass));
+void check_weighed(const WeighIn& sheet, bool nominal_needed) {
+    for (const Part part : all_parts) {
+        const PartColumn& column = sheet[part];
+        if (!column.is_begun()) {
+            continue;
         }
-        weights_[i] =
-            mass.is_null() ? std::nullopt : std::optional(mass.get<double>() * mass_.unit);
-    }
-    check(pointer);
-}
-
-Json WeightList::write() {
-    if (std::none_of(weights_.begin(), weights_.end(), [](const Weighed& m) { return m; })) {
-        return {};
-    }
-    Json masses = Json::array();
-    for (const Weighed& mass : weights_) {
-        masses.push_back(mass ? Json(from_si(mass_, *mass)) : Json());
-    }
-    return masses;
-}
-
-void WeightList::check(const std::string& pointer) {
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
-        if (weights_[i]) {
-            check_range(mass_, from_si(mass_, *weights_[i]), pointer + "/" + std::to_string(i));
+        const std::string place = "/input/weigh_in/" + std::string(part_word(part).word) + "/";
+        const auto gap = std::find(column.mass.begin(), column.mass.end(), std::nullopt);
+        if (gap != column.mass.end()) {
+            throw InputError(place + "mass_g/" + std::to_string(gap - column.mass.begin()),
+                             CORE_TEXT("core", "must be a number"), "null");
         }
-    }
-}
-
-void check_weighed(Part part, std::span<const Weighed> masses) {
-    const auto gap = std::find(masses.begin(), masses.end(), std::nullopt);
-    if (gap != masses.end()) {
-        throw InputError("/input/weigh_in/" + std::string(part_word(part).word) + "/mass_g/" +
-                             std::to_string(gap - masses.begin()),
-                         CORE_TEXT("core", "must be a number"), "null");
+        if (nominal_needed && !column.nominal) {
+            throw InputError(place + std::string(field::nominal.key),
+                             CORE_TEXT("core", "is required and missing"));
+        }
     }
 }
 

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "case-file/field.h"
-#include "case-file/field_visitor.h"
-#include "case-file/json_fwd.h"
 #include "shop/matching_rules.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
 
 /// What the scenes of the workshop share: the weigh-in sheet, the head of the job card, grades of
 /// balance quality.
@@ -17,15 +19,15 @@ namespace ravnoves::shop {
 
 // The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
 
-enum class Part { piston, pin, rings, rod_big_end, rod_small_end, shells };
+enum class Part { piston, pin, rings, rod_small_end, rod_big_end, shells };
 inline constexpr std::array<Part, 6> all_parts{
-    Part::piston, Part::pin, Part::rings, Part::rod_big_end, Part::rod_small_end, Part::shells};
+    Part::piston, Part::pin, Part::rings, Part::rod_small_end, Part::rod_big_end, Part::shells};
 /// Names of the parts, in the order of the enumeration.
 inline constexpr Word part_words[] = {{"piston", CORE_TEXT("V8", "Piston")},
                                       {"pin", CORE_TEXT("V8", "Pin")},
                                       {"rings", CORE_TEXT("V8", "Rings")},
-                                      {"rod_big_end", CORE_TEXT("V8", "Rod, big end")},
                                       {"rod_small_end", CORE_TEXT("V8", "Rod, small end")},
+                                      {"rod_big_end", CORE_TEXT("V8", "Rod, big end")},
                                       {"shells", CORE_TEXT("V8", "Shells")}};
 constexpr const Word& part_word(Part part) {
     return part_words[static_cast<std::size_t>(part)];
@@ -40,12 +42,10 @@ constexpr bool is_of_piston(Part part) {
 using Weighed = std::optional<double>;
 
 /// The column of one kind of part.
-/// @tparam Masses  an array of Weighed, or a vector where the engine says how many there are
-template <typename Masses>
 struct PartColumn {
     std::optional<double> nominal;           ///< kg
     std::optional<double> permitted_spread;  ///< heaviest less lightest, kg
-    Masses mass{};                           ///< kg, by cylinder
+    std::vector<Weighed> mass;               ///< kg, by cylinder
 
     bool is_empty() const {  ///< nothing weighed
         return std::none_of(mass.begin(), mass.end(), [](const Weighed& m) { return m; });
@@ -55,6 +55,7 @@ struct PartColumn {
                std::all_of(mass.begin(), mass.end(), [](const Weighed& m) { return m; });
     }
     bool is_complete() const { return nominal && is_weighed(); }  ///< and the nominal mass known
+    bool is_begun() const { return nominal || permitted_spread || !is_empty(); }
 
     friend bool operator==(const PartColumn&, const PartColumn&) = default;
 };
@@ -73,9 +74,8 @@ SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders);
 /// The numbers after moving: element i of `from` is the cylinder (from 0) whose set goes to i.
 SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from);
 
-template <typename Masses>
 struct WeighIn {
-    std::array<PartColumn<Masses>, 6> columns;  ///< in the order of all_parts
+    std::array<PartColumn, 6> columns;  ///< in the order of all_parts
     CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
     SetNumbers piston_sets;  ///< piston with its pin and rings
     SetNumbers rod_sets;     ///< rod with its shells
@@ -93,8 +93,8 @@ struct WeighIn {
                            [](const auto& column) { return column.is_complete(); });
     }
 
-    PartColumn<Masses>& operator[](Part part) { return columns[static_cast<std::size_t>(part)]; }
-    const PartColumn<Masses>& operator[](Part part) const {
+    PartColumn& operator[](Part part) { return columns[static_cast<std::size_t>(part)]; }
+    const PartColumn& operator[](Part part) const {
         return columns[static_cast<std::size_t>(part)];
     }
 
@@ -113,10 +113,7 @@ struct ColumnStatistics {
 /// Nothing where nothing has been weighed.
 std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
                                            const std::optional<double>& permitted_spread);
-template <typename Masses>
-std::optional<ColumnStatistics> statistics(const PartColumn<Masses>& column) {
-    return statistics(column.mass, column.permitted_spread);
-}
+std::optional<ColumnStatistics> statistics(const PartColumn& column);
 
 /// Whether readings of the balancing machine were taken with another bob weight than there is now,
 /// kg. One that is not known is no other; bob weights are made to a tenth of a gram.
@@ -161,64 +158,17 @@ inline constexpr Field bob_weight_then{
 
 }  // namespace field
 
-/// The numbers of the sets: a permutation of 1 to n, not written where nothing was moved.
-void visit_set_numbers(FieldVisitor& visitor, const Field& field, SetNumbers& numbers,
-                       std::size_t cylinders);
-template <typename Masses>
-void visit_sets(FieldVisitor& visitor, WeighIn<Masses>& sheet) {
-    const std::size_t cylinders = sheet.columns.front().mass.size();
-    visit_set_numbers(visitor, field::piston_sets, sheet.piston_sets, cylinders);
-    visit_set_numbers(visitor, field::rod_sets, sheet.rod_sets, cylinders);
-}
-
-/// The weights of a column in a case file; null for what is not weighed yet.
-class WeightList final : public FieldVisitor::Custom {
-  public:
-    WeightList(const Field& mass, std::span<Weighed> weights) : mass_(mass), weights_(weights) {}
-
-    void read(const Json& masses, const std::string& pointer) override;
-    Json write() override;
-    void check(const std::string& pointer) override;
-
-  private:
-    const Field& mass_;
-    std::span<Weighed> weights_;
-};
-
-/// The six columns in the order of the case file.
+/// The sheet in the order of the case file, its columns as long as there are cylinders.
+/// @param numbering        the field that says which cylinders share a crankpin
 /// @param mass             the field of the weights: key, range and hint
-/// @param nominal_needed   a column without it cannot be read
-template <typename Masses>
-void visit_columns(FieldVisitor& visitor, WeighIn<Masses>& sheet, const Field& mass,
-                   bool nominal_needed) {
-    for (const Part part : all_parts) {
-        PartColumn<Masses>& column = sheet[part];
-        const bool is_there = column.nominal || column.permitted_spread || !column.is_empty();
-        visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,
-                          is_there, [&] {
-                              if (nominal_needed) {
-                                  visitor.required(field::nominal, column.nominal);
-                              } else {
-                                  visitor.number(field::nominal, column.nominal);
-                              }
-                              visitor.number(field::permitted_spread, column.permitted_spread);
-                              WeightList weights(mass, column.mass);
-                              visitor.custom(mass, true, weights);
-                          });
-    }
-}
+/// @param nominal_needed   a column without a nominal mass cannot be read
+/// @param asks_radius      the scene's engine does not say its crank radius
+void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
+                 bool nominal_needed, bool asks_radius);
 
 /// Throws where a column that is begun lacks a weight.
+/// @param nominal_needed  or a nominal mass
 /// @throws InputError
-void check_weighed(Part part, std::span<const Weighed> masses);
-template <typename Masses>
-void check_weighed(const WeighIn<Masses>& sheet) {
-    for (const Part part : all_parts) {
-        const PartColumn<Masses>& column = sheet[part];
-        if (column.nominal || column.permitted_spread || !column.is_empty()) {
-            check_weighed(part, column.mass);
-        }
-    }
-}
+void check_weighed(const WeighIn& sheet, bool nominal_needed);
 
 }  // namespace ravnoves::shop

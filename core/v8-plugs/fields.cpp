@@ -159,11 +159,7 @@ void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
 }
 
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
-    visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
-                   FieldVisitor::Written::always);
-    shop::visit_sets(visitor, sheet);
-    shop::visit_columns(visitor, sheet, field::part_mass, true);
-    shop::visit_matching(visitor, sheet.matching, false);
+    shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, true, false);
 }
 
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
@@ -192,7 +188,10 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
     visitor.number(field::front_share, sheet.front_share, 0.5);
 }
 
-void visit_fields(FieldVisitor& visitor, Input& input) {
+namespace {
+
+/// @param sheet  visits the weigh-in, which stands in the middle, and says whether there is one
+void visit_method(FieldVisitor& visitor, Input& input, const auto& sheet) {
     if (!visitor.is_reading()) {
         // Forms and checks see the engine's values, wherever they come from. The file may have its
         // name instead: what follows is written over them.
@@ -216,17 +215,33 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     }
     visitor.object_of(field::mass_changes, false, typed,
                       [&] { visit_fields(visitor, input.typed_changes); });
-    const bool weighed = visitor.has(field::weigh_in.key, input.weigh_in.has_value());
+    sheet(typed);
+    visitor.number(field::tolerance, input.tolerance, default_tolerance,
+                   FieldVisitor::Written::always);
+    visitor.object(field::plug, input.plug);
+}
+
+void visit_source(FieldVisitor& visitor, Input& input, bool weighed, bool typed) {
     if (visitor.is_reading() || weighed) {
         visitor.choice(field::changes_source, input.changes_from_weigh_in, weighed && !typed,
                        FieldVisitor::Written::always);
     }
-    visitor.object(field::weigh_in, input.weigh_in);
-    visitor.number(field::tolerance, input.tolerance, default_tolerance,
-                   FieldVisitor::Written::always);
-    visitor.object(field::plug, input.plug);
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    visit_method(visitor, input, [&](bool typed) {
+        const bool weighed = visitor.has(field::weigh_in.key, input.weigh_in.has_value());
+        visit_source(visitor, input, weighed, typed);
+        visitor.object(field::weigh_in, input.weigh_in);
+    });
     visitor.object(field::balancing, input.balancing);
     visitor.object_with_defaults(field::job, input.job);
+}
+
+void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
+    visit_method(visitor, input, [&](bool typed) { visit_source(visitor, input, weighed, typed); });
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -189,7 +189,7 @@ void check_input(const Input& input) {
     check_choices(input);
     check_engine(input);
     if (input.weigh_in) {
-        shop::check_weighed(*input.weigh_in);
+        shop::check_weighed(*input.weigh_in, true);
         shop::check_matching(input.weigh_in->matching, crankpin_count);
     }
     if (input.plug) {

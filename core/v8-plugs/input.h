@@ -116,6 +116,9 @@ void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
 void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
 void visit_fields(FieldVisitor& visitor, Input& input);
+/// The plugs of a workshop's job: without weigh-in, readings and head of the card.
+/// @param weighed  the job has a weigh-in
+void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 
 /// What is typed or weighed and does not count, and what is typed and counts beside weights; a
 /// sentence for each.

@@ -69,14 +69,16 @@ struct Result {
     /// False where readings are of another bob weight or crankshaft.
     bool holds() const { return !read_with && !read_on; }
 
-    /// What is to be hung on a crankpin, the plugs out of the shaft, kg; where nothing is to be
-    /// done, what it is before.
-    std::optional<double> hung() const {
+    /// What is to be hung on a crankpin, the plugs out of the shaft; where nothing is to be done,
+    /// what it is before; null while that is not known.
+    const BobWeight* hung_weight() const {
         const auto* weights =
             advice && advice->option ? &bob_weights[index(advice->option->id)] : nullptr;
-        return weights != nullptr && *weights ? std::optional((*weights)->after.sum())
-               : before                       ? std::optional(before->sum())
-                                              : std::nullopt;
+        return weights != nullptr && *weights ? &(*weights)->after : before ? &*before : nullptr;
+    }
+    std::optional<double> hung() const {  ///< kg
+        const BobWeight* weight = hung_weight();
+        return weight != nullptr ? std::optional(weight->sum()) : std::nullopt;
     }
     /// What the machine says of the crankshaft; nothing while a plane that could fail was not read.
     std::optional<bool> passes() const {

@@ -201,14 +201,18 @@ std::string_view recommended_word(const Advice& advice) {
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
+    if (visitor.wants(ravnoves::result_field::verdict.key)) {
+        visit_verdict(visitor, verdict(input, result));
+    }
+    visit_plugs(visitor, input, result);
+}
+
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
     RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass && result.advice,
                     "what is written is the result of a whole input");
     const PlugSet& plugs = *result.plugs;
     const double excess = *result.unbalanced_mass;
     const Coefficients coefficients = plugs.coefficients();
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        visit_verdict(visitor, verdict(input, result));
-    }
     visitor.number(key::unbalanced_mass, excess);
     visitor.number(key::unbalance, excess * plugs.crank_radius);
     visitor.number(key::k_p, coefficients.k_p);
@@ -267,9 +271,13 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
                   solve(input, true, visitor.wants(shop::result_field::weigh_in.key)));
 }
 
-Verdict verdict(const Input& input, const Result& result) {
+Verdict verdict_of_plugs(const Input& input, const Result& result) {
     const bool works = !recommended_word(*result.advice).empty();
-    Verdict verdict{works ? Severity::good : Severity::error, advice_text(input, result)};
+    return {works ? Severity::good : Severity::error, advice_text(input, result)};
+}
+
+Verdict verdict(const Input& input, const Result& result) {
+    Verdict verdict = verdict_of_plugs(input, result);
     if (const ShiftEffect* shift = result.shift_that_matters()) {
         verdict.warn(describe(*shift, input.tolerance));
     }

@@ -13,8 +13,13 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 void visit_results(ResultVisitor& visitor, const Input& input);
 
+/// The same of a workshop's job, without its verdict.
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
+
 /// Whether the plugs can compensate, and what the machine reads.
 Verdict verdict(const Input& input, const Result& result);
+/// Whether the plugs can compensate, without machine and warnings.
+Verdict verdict_of_plugs(const Input& input, const Result& result);
 
 /// That the plug's sizes do not fit its mass, as it was entered or as the paper prints it; empty
 /// where they do.

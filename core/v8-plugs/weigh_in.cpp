@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "numerics/constants.h"
-#include "shop/kilograms.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -58,10 +57,6 @@ std::optional<double> nominal_reciprocating(const WeighIn& sheet) {
 
 std::optional<double> nominal_rotating(const WeighIn& sheet) {
     return nominal_sum(sheet, {Part::rod_big_end, Part::shells});
-}
-
-std::optional<double> mass_in_kilograms(Part part, const PartColumn& column) {
-    return shop::mass_in_kilograms(part, column.nominal, column.mass);
 }
 
 Crankpins crankpins(CylinderNumbering numbering) {
@@ -147,18 +142,13 @@ shop::Crank crank_of(const WeighIn& sheet) {
 }
 
 shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
-    shop::MatchingTask task;
-    task.masses = masses_of(sheet);
+    std::array<double, 6> factors{};
     for (const Part part : all_parts) {
         if (sheet[part].is_complete()) {
-            task.factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
+            factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
         }
     }
-    const shop::Crank crank = crank_of(sheet);
-    task.places = places_of(crank);
-    task.spacing_known = crank.spacing.has_value();
-    task.no_shaking = shop::crank_fault(crank);
-    return task;
+    return shop::matching_task(sheet, crank_of(sheet), factors);
 }
 
 WeighIn reassigned(const WeighIn& sheet, const shop::Matched& matched) {

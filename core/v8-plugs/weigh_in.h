@@ -2,8 +2,7 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
-#include <vector>
+#include <utility>
 
 #include "shop/matching.h"
 #include "v8-plugs/compensation.h"
@@ -19,9 +18,7 @@ using shop::Part;
 using shop::part_word;
 using shop::part_words;
 
-/// Masses by cylinder.
-using Masses = std::array<shop::Weighed, cylinder_count>;
-using PartColumn = shop::PartColumn<Masses>;
+using shop::PartColumn;
 
 /// The two cylinders of each crankpin, counted from 0.
 using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
@@ -29,7 +26,15 @@ Crankpins crankpins(CylinderNumbering numbering);
 
 using shop::SetNumbers;
 
-struct WeighIn : shop::WeighIn<Masses> {
+/// Of eight cylinders.
+struct WeighIn : shop::WeighIn {
+    WeighIn() {
+        for (PartColumn& column : columns) {
+            column.mass.resize(cylinder_count);
+        }
+    }
+    explicit WeighIn(shop::WeighIn sheet) : shop::WeighIn(std::move(sheet)) {}
+
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };
 
@@ -38,9 +43,6 @@ struct WeighIn : shop::WeighIn<Masses> {
 /// mass of one of them is missing.
 std::optional<double> nominal_reciprocating(const WeighIn& sheet);
 std::optional<double> nominal_rotating(const WeighIn& sheet);
-
-/// A mass of the column that was typed in kilograms, as it seems: workshop/kilograms.h.
-std::optional<double> mass_in_kilograms(Part part, const PartColumn& column);
 
 /// The mass changes of the method from the sheet: means over the cylinders against nominal.
 ///

@@ -4636,22 +4636,6 @@
         <translation>Округление глубин оставляет больше допуска: возьмите шаг мельче или сверло тоньше.</translation>
     </message>
     <message>
-        <source>The heavy spot lies outside the sector that may be drilled, and slugs opposite it leave %1 at the radius at %2. As a last resort weld that much on opposite.</source>
-        <translation>Тяжёлое место вне сектора, где можно сверлить, и вставки напротив оставляют %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>The heavy spot lies outside the sector that may be drilled: %1 at the radius are too much at %2. Press heavy metal in opposite, or as a last resort weld that much on there.</source>
-        <translation>Тяжёлое место вне сектора, где можно сверлить: %1 на радиусе лишние под углом %2. Запрессуйте напротив тяжёлый металл или, в последнюю очередь, наварите там столько же.</translation>
-    </message>
-    <message>
-        <source>Holes and slugs have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
-        <translation>Отверстиям и вставкам мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>The holes have too little room: %1 at the radius remain at %2. Deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
-        <translation>Отверстиям мало места: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
-    </message>
-    <message>
         <source>must leave a factor of 0 or more</source>
         <translation>должно оставлять долю не меньше 0</translation>
     </message>
@@ -4768,14 +4752,6 @@
         <translation>Снимает</translation>
     </message>
     <message>
-        <source>Beside those of earlier runs equal holes or slugs to both sides have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
-        <translation>Рядом с прежними равным отверстиям или вставкам по обе стороны мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>Beside the holes of earlier runs equal holes to both sides have too little room: %1 at the radius remain at %2. Unequal ones by hand, deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
-        <translation>Рядом с отверстиями прежних пусков равным отверстиям по обе стороны мало места: остаётся %1 на радиусе под углом %2. Неравные — вручную, глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
-    </message>
-    <message>
         <source>Holes and slugs that were planned after that run, taken as drilled as planned; later holes keep clear of them. Where the list is missing they are planned from its readings with the planes and drills of the case.</source>
         <translation>Отверстия и вставки, рассчитанные после этого пуска; считаются сделанными, как рассчитано, и следующие отверстия их обходят. Если списка нет, они рассчитываются по его показаниям с плоскостями и свёрлами задачи.</translation>
     </message>
@@ -4828,44 +4804,12 @@
         <translation>ρₛ — плотность вставки, h — её длина, u — что снимает её отверстие: конус под ней остаётся пустым</translation>
     </message>
     <message>
-        <source>Both the heavy spot and the side opposite it lie outside the sector that may be drilled: no hole and no slug has a place, and %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
-        <translation>И тяжёлое место, и противоположная сторона вне сектора, где можно сверлить: ни отверстию, ни вставке нет места, остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
         <source>The sector of the counterweight that may be drilled begins here. Its limits are those of the holes&apos; middles; whole holes lie in it where that takes off as much.</source>
         <translation>Здесь начинается сектор противовеса, где можно сверлить. Его границы — для середин отверстий; целиком отверстия лежат в нём, если так снимается столько же.</translation>
     </message>
     <message>
         <source>The sector ends here, in the sense of growing angles: a limit of the holes&apos; middles.</source>
         <translation>Здесь сектор кончается, в сторону растущих углов: граница для середин отверстий.</translation>
-    </message>
-    <message>
-        <source>Slugs of %1 hardly outweigh the %2 of the crankshaft that their holes take off: none is planned, and %3 at the radius remain at %4. Heavier metal, or as a last resort as much welded on opposite.</source>
-        <translation>Вставки плотностью %1 почти не тяжелее металла вала плотностью %2, который снимают их отверстия: они не назначены, и остаётся %3 на радиусе под углом %4. Нужен металл тяжелее; последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>A slug of %1 as long as the deepest hole may be does not outweigh the %2 of the crankshaft that its hole takes off with the cone beneath it: none is planned, and %3 at the radius remain at %4. Deeper holes or a flatter point, or as a last resort as much welded on opposite.</source>
-        <translation>Вставка плотностью %1 во всю наибольшую глубину отверстия легче металла вала плотностью %2, снятого вместе с конусом под ней: вставки не назначены, и остаётся %3 на радиусе под углом %4. Нужны отверстия глубже или дно площе; последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>Beside the holes of earlier runs equal holes to both sides have too little room, and the side opposite lies outside the sector that may be drilled: %1 at the radius remain at %2. Unequal ones by hand, deeper or wider holes, or as a last resort as much welded on opposite.</source>
-        <translation>Рядом с отверстиями прежних пусков равным отверстиям по обе стороны мало места, а противоположная сторона вне сектора, где можно сверлить: остаётся %1 на радиусе под углом %2. Неравные — вручную, глубже или шире отверстия или, в последнюю очередь, столько же наварить напротив.</translation>
-    </message>
-    <message>
-        <source>The holes have too little room, and the side opposite lies outside the sector that may be drilled: %1 at the radius remain at %2. Deeper or wider holes, or as a last resort as much welded on opposite.</source>
-        <translation>Отверстиям мало места, а противоположная сторона вне сектора, где можно сверлить: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия или, в последнюю очередь, столько же наварить напротив.</translation>
-    </message>
-    <message>
-        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it %1 at the radius remain at %2, and the side opposite that lies outside, too. As a last resort weld that much on there.</source>
-        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края остаётся %1 на радиусе под углом %2, и сторона напротив тоже вне сектора. Последнее средство — наварить там столько же.</translation>
-    </message>
-    <message>
-        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it and slugs %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
-        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края и вставками остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
-    </message>
-    <message>
-        <source>The heavy spot lies outside the sector that may be drilled: with holes at the edge beside it %1 at the radius remain at %2. Press heavy metal in opposite, or as a last resort weld that much on there.</source>
-        <translation>Тяжёлое место вне сектора, где можно сверлить: с отверстиями у ближнего к нему края остаётся %1 на радиусе под углом %2. Запрессуйте напротив тяжёлый металл или, в последнюю очередь, наварите там столько же.</translation>
     </message>
     <message>
         <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. The part that turns with it is smaller, %4, even at 0 %: no factor makes both equal. With a balance shaft that turns against the crank it is 50 %.</source>
@@ -5034,6 +4978,142 @@
     <message>
         <source>A mass of %1 looks like kilograms.</source>
         <translation>Масса %1 похожа на введённую в килограммах.</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Ноль</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Предел</translation>
+    </message>
+    <message>
+        <source>Parallel to the crankshaft</source>
+        <translation>Параллельно валу</translation>
+    </message>
+    <message>
+        <source>Radial, open at the rim</source>
+        <translation>Радиально, открыто на ободе</translation>
+    </message>
+    <message>
+        <source>As planned</source>
+        <translation>Как запланировано</translation>
+    </message>
+    <message>
+        <source>As measured</source>
+        <translation>По измерению</translation>
+    </message>
+    <message>
+        <source>Not drilled</source>
+        <translation>Не просверлено</translation>
+    </message>
+    <message>
+        <source>On the wrong side</source>
+        <translation>Не с той стороны</translation>
+    </message>
+    <message>
+        <source>Minimum depth</source>
+        <translation>Минимальная глубина</translation>
+    </message>
+    <message>
+        <source>Minimum depth of a new hole.</source>
+        <translation>Минимальная глубина нового отверстия.</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Цель</translation>
+    </message>
+    <message>
+        <source>Take off all that the holes can, or stop within the limit with the fewest holes.</source>
+        <translation>Снять всё, что могут отверстия, или остановиться в пределах допуска при наименьшем числе отверстий.</translation>
+    </message>
+    <message>
+        <source>Depth before</source>
+        <translation>Глубина до углубления</translation>
+    </message>
+    <message>
+        <source>Depth of the hole before it was deepened.</source>
+        <translation>Глубина отверстия до углубления.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Направление</translation>
+    </message>
+    <message>
+        <source>Direction of a slug.</source>
+        <translation>Направление вставки.</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Состояние</translation>
+    </message>
+    <message>
+        <source>What was really drilled. Measured: depth and angle are those found. Wrong side: half a turn from the angle given.</source>
+        <translation>Что просверлено на самом деле. По измерению: глубина и угол измерены. Не с той стороны: в пол-обороте от указанного угла.</translation>
+    </message>
+    <message>
+        <source>How slugs are pressed in.</source>
+        <translation>Как запрессовываются вставки.</translation>
+    </message>
+    <message>
+        <source>Of the permissible unbalance, where positions of planes, bearings or centre of mass do not give it.</source>
+        <translation>Доля допустимого дисбаланса, если её не задают положения плоскостей, подшипников или центра масс.</translation>
+    </message>
+    <message>
+        <source>must be left out where centre of mass or bearings give it</source>
+        <translation>не указывается, если её задают центр масс или подшипники</translation>
+    </message>
+    <message>
+        <source>Centrifugal force</source>
+        <translation>Центробежная сила</translation>
+    </message>
+    <message>
+        <source>Of the slug at the service speed.</source>
+        <translation>Сила, действующая на вставку при рабочей частоте вращения.</translation>
+    </message>
+    <message>
+        <source>Enter what may remain for a verdict.</source>
+        <translation>Для вывода введите допустимый остаточный дисбаланс.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled, and holes at its edge take off only a part.</source>
+        <translation>Тяжёлое место вне сектора сверления, а отверстия на его краю снимают только часть.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled.</source>
+        <translation>Тяжёлое место вне сектора сверления.</translation>
+    </message>
+    <message>
+        <source>Slugs of %1 hardly outweigh the %2 of the crankshaft that their holes take off: none is planned.</source>
+        <translation>Вставки плотностью %1 едва тяжелее металла вала (%2), который снимают их отверстия: они не планируются.</translation>
+    </message>
+    <message>
+        <source>A slug of %1 as long as the deepest hole may be does not outweigh the %2 of the crankshaft that its hole takes off with the cone beneath it: none is planned.</source>
+        <translation>Вставка плотностью %1 длиной в предельную глубину не перевешивает металл вала (%2), снятый отверстием вместе с конусом под ней: она не планируется.</translation>
+    </message>
+    <message>
+        <source>The holes have too little room beside those of earlier runs.</source>
+        <translation>Рядом с отверстиями прежних пусков отверстиям мало места.</translation>
+    </message>
+    <message>
+        <source>The holes have too little room.</source>
+        <translation>Отверстиям мало места.</translation>
+    </message>
+    <message>
+        <source>%1 at the radius remain at %2.</source>
+        <translation>Остаётся %1 на радиусе под углом %2.</translation>
+    </message>
+    <message>
+        <source>The side opposite lies outside the sector, too: drill deeper or wider, or as a last resort weld that much on opposite.</source>
+        <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
+    </message>
+    <message>
+        <source>As a last resort weld that much on opposite.</source>
+        <translation>В крайнем случае наварите столько же напротив.</translation>
+    </message>
+    <message>
+        <source>Press heavy metal in opposite, drill deeper or wider, or as a last resort weld that much on opposite.</source>
+        <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
     </message>
 </context>
 <context>
@@ -14020,6 +14100,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Radial engine of nine cylinders</source>
         <translation>Звезда из девяти цилиндров</translation>
     </message>
+    <message>
+        <source>V-8 4.25 l: plugs, bob weight, second run on the machine</source>
+        <translation>V-8 4,25 л: заглушки, балансировочный груз, второй пуск на станке</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberField</name>
@@ -19010,6 +19094,190 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>In all</source>
         <translation>Всего</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like kilograms. Enter grams.</source>
+        <translation>%1: %2 похоже на килограммы. Введите граммы.</translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation>Стопорные кольца</translation>
+    </message>
+    <message>
+        <source>Oil</source>
+        <translation>Масло</translation>
+    </message>
+    <message>
+        <source>%1: cylinders %2 are unlike the others (%3 against %4). Weigh them again.</source>
+        <translation>%1: цилиндры %2 отличаются от остальных (%3 против %4). Взвесьте их снова.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение в %5 раза больше их разброса. Взвесьте снова.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4. Взвесьте снова.</translation>
+    </message>
+    <message>
+        <source>Rods of cylinders %1: the big end weighs less than the small end. Swap the columns or weigh the rods again.</source>
+        <translation>Шатуны цилиндров %1: нижняя головка легче верхней. Поменяйте столбцы местами или взвесьте шатуны снова.</translation>
+    </message>
+    <message>
+        <source>The big end of the rod, %1, weighs less than its small end, %2. Swap both or weigh the rod again.</source>
+        <translation>Нижняя головка шатуна, %1, легче верхней, %2. Поменяйте их местами или взвесьте шатун снова.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but %3 weighed. Correct the one that is wrong.</source>
+        <translation>%1: введено %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>%1: nominal %2, but %3 weighed. Correct the one that is wrong.</source>
+        <translation>%1: номинал %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>A balance factor of %1 looks like a share of 1. Enter per cent: 50 for one half.</source>
+        <translation>Коэффициент балансировки %1 похож на долю единицы. Введите проценты: 50 для половины.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but the nominal parts add up to %3. Correct the one that is wrong.</source>
+        <translation>%1: введено %2, но сумма номинальных деталей %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>The crankpins are unequal: their excess is %1 to %2, and the plugs are for the mean. Move the sets or match the parts first.</source>
+        <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подгоните детали.</translation>
+    </message>
+    <message>
+        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
+        <translation>%1: разброс %2, допускается %3 (самая тяжёлая: цилиндр %4, самая лёгкая: %5).</translation>
+    </message>
+    <message>
+        <source>%1: the drilling has increased the unbalance to %2 instead of %3. Mark holes on the wrong side, or check whether the machine shows the light spot.</source>
+        <translation>%1: сверление увеличило дисбаланс до %2 вместо %3. Отметьте отверстия, просверленные не с той стороны, или проверьте, не показывает ли станок лёгкое место.</translation>
+    </message>
+    <message>
+        <source>%1: the drilling has left %2 instead of %3. Enter what was really drilled: angle, depth, zero and direction of counting.</source>
+        <translation>%1: после сверления осталось %2 вместо %3. Введите, что просверлено на самом деле: угол, глубину, ноль и направление отсчёта.</translation>
+    </message>
+    <message>
+        <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms.</source>
+        <translation>Коленчатый вал массой %1 слишком тяжёл для этого двигателя. Исправьте массу в килограммах.</translation>
+    </message>
+    <message>
+        <source>The crankshaft with its bob weights, %1, weighs less than the bob weights, %2. Correct its mass.</source>
+        <translation>Вал с балансировочными грузами, %1, легче самих грузов, %2. Исправьте его массу.</translation>
+    </message>
+    <message>
+        <source>No engine runs at %1 in service. Correct the speed.</source>
+        <translation>Двигатели не работают при %1. Исправьте частоту вращения.</translation>
+    </message>
+    <message>
+        <source>The bearings lie the other way round than the planes. Measure all positions from one point in one direction.</source>
+        <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
+    </message>
+    <message>
+        <source>The centre of mass lies beyond planes and bearings. Correct its position.</source>
+        <translation>Центр масс вне плоскостей и подшипников. Исправьте его положение.</translation>
+    </message>
+    <message>
+        <source>%1: a drilling radius of %2 does not go with a crank radius of %3. Enter the radius, not the diameter.</source>
+        <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
+    </message>
+    <message>
+        <source>The machine reads far outside the planes: an error of its readings may be %1 times as large in them. Read nearer to the planes.</source>
+        <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
+    </message>
+    <message>
+        <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled. Check that there is metal enough.</source>
+        <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
+    </message>
+    <message>
+        <source>%1: no sector is given; holes may lie anywhere on the rim. Enter the sector of the counterweight.</source>
+        <translation>%1: сектор не задан; отверстия могут быть в любом месте обода. Введите сектор противовеса.</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>По часовой стрелке</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Против часовой стрелки</translation>
+    </message>
+    <message>
+        <source>Heavy spot</source>
+        <translation>Тяжёлое место</translation>
+    </message>
+    <message>
+        <source>Light spot</source>
+        <translation>Лёгкое место</translation>
+    </message>
+    <message>
+        <source>Sludge-trap plugs of a V-8, as in the scene v8-plugs, without its weigh-in, balancing and job.</source>
+        <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
+    </message>
+    <message>
+        <source>How the balancing machine is set up.</source>
+        <translation>Настройка балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>Names of the planes</source>
+        <translation>Названия плоскостей</translation>
+    </message>
+    <message>
+        <source>Two names, as “front” and “rear” or “left” and “right”.</source>
+        <translation>Два названия, например «перед» и «зад» или «левая» и «правая».</translation>
+    </message>
+    <message>
+        <source>Degrees count</source>
+        <translation>Отсчёт градусов</translation>
+    </message>
+    <message>
+        <source>Seen from the front of the crankshaft.</source>
+        <translation>Если смотреть спереди вала.</translation>
+    </message>
+    <message>
+        <source>Machine shows</source>
+        <translation>Станок показывает</translation>
+    </message>
+    <message>
+        <source>The spot whose angle the machine shows; holes are planned at the heavy spot either way.</source>
+        <translation>Место, угол которого показывает станок; отверстия в любом случае планируются в тяжёлом месте.</translation>
+    </message>
+    <message>
+        <source>Zero mark</source>
+        <translation>Нулевая метка</translation>
+    </message>
+    <message>
+        <source>Place of 0° on the crankshaft.</source>
+        <translation>Место 0° на валу.</translation>
+    </message>
+    <message>
+        <source>must be a list of two names</source>
+        <translation>должно быть списком из двух названий</translation>
+    </message>
+    <message>
+        <source>is allowed only for a V of 8 cylinders at 90° with two rods on a crankpin and no split</source>
+        <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без смещения шеек</translation>
+    </message>
+    <message>
+        <source>must be left out where plugs are given</source>
+        <translation>не указывается, если заданы заглушки</translation>
+    </message>
+    <message>
+        <source>Plugs</source>
+        <translation>Заглушки</translation>
+    </message>
+    <message>
+        <source>Doubts</source>
+        <translation>Сомнения</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Сомнительное</translation>
+    </message>
+    <message>
+        <source>STOP. %1</source>
+        <translation>СТОП. %1</translation>
     </message>
 </context>
 </TS>

@@ -9,6 +9,7 @@
 
 #include "case-file/json.h"
 #include "scenes/scenes.h"
+#include "shell/scene_list.h"
 #include "text/message_text.h"
 
 namespace ravnoves {
@@ -24,6 +25,8 @@ namespace {
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8, 90°: bob weight and correction"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                      "V-8 4.25 l: plugs, bob weight, second run on the machine"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),
 };
@@ -58,6 +61,23 @@ QString listed(const NewCase& each) {
     return each.title;
 }
 
+namespace {
+
+/// The scenes that have a page; those of the command line alone have none.
+std::vector<SceneSolver> shownScenes() {
+    const std::vector<SceneInfo> pages = sceneList();
+    std::vector<SceneSolver> shown;
+    for (const SceneSolver& solver : scene_solvers()) {
+        if (std::any_of(pages.begin(), pages.end(),
+                        [&](const SceneInfo& page) { return page.name == nameOf(solver); })) {
+            shown.push_back(solver);
+        }
+    }
+    return shown;
+}
+
+}  // namespace
+
 std::vector<NewCase> newExamples() {
     std::vector<NewCase> found;
     const QDir folder(QStringLiteral(":/examples"));
@@ -68,7 +88,7 @@ std::vector<NewCase> newExamples() {
                          shown(file.title.c_str()), [path] { return readInside(path); }});
     }
     std::vector<NewCase> list;
-    for (const SceneSolver& solver : scene_solvers()) {
+    for (const SceneSolver& solver : shownScenes()) {
         std::copy_if(found.begin(), found.end(), std::back_inserter(list),
                      [&](const NewCase& each) { return each.scene == nameOf(solver); });
     }
@@ -78,7 +98,7 @@ std::vector<NewCase> newExamples() {
 std::vector<NewCase> newCases() {
     const std::vector<NewCase> examples = newExamples();
     std::vector<NewCase> list;
-    for (const SceneSolver& solver : scene_solvers()) {
+    for (const SceneSolver& solver : shownScenes()) {
         const QString scene = nameOf(solver);
         const QString path = QStringLiteral(":/templates/%1.case.json").arg(scene);
         if (QFile::exists(path)) {

@@ -89,7 +89,8 @@ TEST(Vectors, AreCarriedOverWithForceAndMoment) {
 /// Least distance between two holes, by points on their outlines in the plane of both axes.
 double wall_between(const Cut& cut, const Hole& first, const Hole& second) {
     const auto outline = [&](const Hole& hole, double turn, double side) {
-        const auto& [diameter, depth, at, mass, unbalance, slug] = hole;
+        const double diameter = hole.diameter;
+        const double depth = hole.depth;
         std::vector<std::complex<double>> points;
         const double point = cut.cone(diameter);
         for (int i = 0; i <= 400; ++i) {

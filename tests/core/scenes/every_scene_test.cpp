@@ -24,6 +24,7 @@
 #include "inertia-moments/scene.h"
 #include "scenes/scenes.h"
 #include "v8-plugs/scene.h"
+#include "workshop/scene.h"
 
 namespace ravnoves {
 namespace {
@@ -76,6 +77,9 @@ const std::vector<Scene>& scenes() {
             balance_shaft::write_input),
         scene<elastic_hinge::Input>("elastic-hinge", elastic_hinge::read_input,
                                     elastic_hinge::write_input),
+        scene<workshop::Input>(
+            "workshop", [](const Json& json) { return workshop::read_input(json); },
+            workshop::write_input),
         scene<v8_plugs::Input>(
             "v8-plugs", [](const Json& json) { return v8_plugs::read_input(json); },
             v8_plugs::write_input),

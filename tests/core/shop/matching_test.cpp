@@ -18,12 +18,12 @@ namespace {
 
 constexpr double gram = 1e-3;
 using From = std::array<std::vector<int>, 2>;
-using Sheet = WeighIn<std::vector<Weighed>>;
+using Sheet = WeighIn;
 
 struct Case {
     Sheet sheet;
     Crank crank;
-    std::array<double, 6> factors{0.5, 0.5, 0.5, 1, 0.5, 1};
+    std::array<double, 6> factors{0.5, 0.5, 0.5, 0.5, 1, 1};
 
     MatchingTask task() const {
         return {masses_of(sheet), factors, places_of(crank), crank.spacing.has_value(),

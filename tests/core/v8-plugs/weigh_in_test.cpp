@@ -170,7 +170,7 @@ TEST(WeighInSheet, HeavierByAHandfulOfGramsByHand) {
     WeighIn sheet;
     const auto fill = [&](Part part, double nominal_g, double more_g) {
         sheet[part].nominal = nominal_g * gram;
-        sheet[part].mass.fill((nominal_g + more_g) * gram);
+        sheet[part].mass.assign(8, (nominal_g + more_g) * gram);
     };
     fill(Part::piston, 600, 1.5);
     fill(Part::rings, 60, 0.5);
@@ -196,7 +196,7 @@ TEST(WeighInSheet, WhatIsNotWeighedStaysAsTyped) {
         for (const Part part : all_parts) {
             WeighIn sheet;
             sheet[part].nominal = 500 * gram;
-            sheet[part].mass.fill(500.5 * gram);
+            sheet[part].mass.assign(8, 500.5 * gram);
             const double MassChanges::*changes[] = {&MassChanges::piston, &MassChanges::rod_big_end,
                                                     &MassChanges::repair_piston_and_rings,
                                                     &MassChanges::repair_bearing};

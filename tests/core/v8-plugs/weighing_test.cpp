@@ -21,7 +21,7 @@ Input job(Process process) {
     input.weigh_in.emplace();
     for (PartColumn& column : input.weigh_in->columns) {
         column.nominal = 500 * gram;
-        column.mass.fill(501 * gram);
+        column.mass.assign(8, 501 * gram);
     }
     return input;
 }

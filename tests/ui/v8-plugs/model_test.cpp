@@ -193,7 +193,7 @@ TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
         input.weigh_in.emplace();
         (*input.weigh_in)[Part::pin].nominal = 150 * gram;
         (*input.weigh_in)[Part::pin].mass[0] = 151 * gram;
-        (*input.weigh_in)[Part::rings].mass.fill(60 * gram);
+        (*input.weigh_in)[Part::rings].mass.assign(8, 60 * gram);
     });
     // Typed changes count, and that is said.
     EXPECT_EQ(model.troubles(),
@@ -207,7 +207,7 @@ TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_TRUE(model.notCounted().at(1).startsWith(u"Rings: the weights do not count"_s));
     EXPECT_EQ(model.troubles(), model.notCounted());
     EXPECT_FALSE(model.solution().advice) << "no column counts yet";
-    model.editWeights(u"weigh"_s, [](WeighIn& sheet) { sheet[Part::pin].mass.fill(151 * gram); });
+    model.editWeights(u"weigh"_s, [](WeighIn& sheet) { sheet[Part::pin].mass.assign(8, 151 * gram); });
     EXPECT_TRUE(model.columnNote(Part::pin).counts);
     EXPECT_TRUE(model.solution().advice);
     model.edit(u"typed"_s, [](Input& input) { input.typed_changes.piston = 1 * gram; });
@@ -219,7 +219,7 @@ TEST_F(V8ModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
     V8PlugsModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});  // big end 0.5 g, shells 1.1 g
     model.editWeights(u"weigh"_s,
-                      [](WeighIn& sheet) { sheet[Part::piston].mass.fill(619.875 * gram); });
+                      [](WeighIn& sheet) { sheet[Part::piston].mass.assign(8, 619.875 * gram); });
     ASSERT_TRUE(model.input().changes_from_weigh_in);
     EXPECT_FALSE(model.solution().advice);
     EXPECT_TRUE(model.notCounted().at(0).startsWith(
@@ -232,7 +232,7 @@ TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
     model.loadInput(example("v8-4.25-repair.case.json"), {});  // big end 0.5 g, shells 1.1 g
     model.editWeights(u"weigh"_s, [](WeighIn& sheet) {
         sheet[Part::piston].nominal = 600 * gram;
-        sheet[Part::piston].mass.fill(619.875 * gram);
+        sheet[Part::piston].mass.assign(8, 619.875 * gram);
         sheet[Part::rod_big_end].nominal = 700 * gram;
         sheet[Part::rod_big_end].mass[0] = 705 * gram;
     });
@@ -249,7 +249,7 @@ TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
     EXPECT_TRUE(model.input().takes_typed(&MassChanges::rod_big_end));
     EXPECT_FALSE(model.input().takes_typed(&MassChanges::repair_piston_and_rings));
     model.editWeights(u"weigh"_s,
-                      [](WeighIn& sheet) { sheet[Part::rod_big_end].mass.fill(700.25 * gram); });
+                      [](WeighIn& sheet) { sheet[Part::rod_big_end].mass.assign(8, 700.25 * gram); });
     EXPECT_NEAR(*model.solution().unbalanced_mass, (19.875 + 2.445 * 0.25 + 1.1) * gram, 1e-12);
 }
 

@@ -8,6 +8,14 @@ namespace ravnoves::matching_text {
 
 using namespace shop;
 
+void takeAsWeighed(Shown& shown, const MatchingTask& task, const WeighIn& sheet) {
+    if (sheet.is_moved()) {
+        const auto from = to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
+        shown.spread_as_weighed = crankpin_spread(task, sheet.matching, from);
+        shown.shaking_as_weighed = shaking_of(task, sheet.matching, from);
+    }
+}
+
 namespace {
 
 const QString dot = QStringLiteral("·");

@@ -27,16 +27,7 @@ struct Shown {
 };
 
 /// Says what the parts make where they were weighed, if they are elsewhere now.
-template <typename Masses>
-void takeAsWeighed(Shown& shown, const shop::MatchingTask& task,
-                   const shop::WeighIn<Masses>& sheet) {
-    if (sheet.is_moved()) {
-        const auto from =
-            shop::to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
-        shown.spread_as_weighed = shop::crankpin_spread(task, sheet.matching, from);
-        shown.shaking_as_weighed = shop::shaking_of(task, sheet.matching, from);
-    }
-}
+void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::WeighIn& sheet);
 
 /// Which sets to move, in words.
 QString summary(const Words& words, const Shown& shown);

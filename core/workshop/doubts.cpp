@@ -1,0 +1,507 @@
+#include "workshop/doubts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "shop/balance_grade.h"
+#include "shop/kilograms.h"
+#include "shop/results.h"
+#include "v8-plugs/results.h"
+#include "v8-plugs/shift.h"
+
+namespace ravnoves::workshop {
+
+namespace {
+
+using Messages = std::vector<Message>;
+using shop::Part;
+
+/// A mass that is typed again differs by rounding, not by a tenth.
+constexpr double same_mass = 1.1;
+/// New parts are no quarter heavier than those that they replace.
+constexpr double same_part = 1.25;
+
+Number grams(double mass) {
+    return {mass / units::gram, units::gram, -2};
+}
+Number millimetres(double length) {
+    return {length / units::mm, units::mm, -1};
+}
+Number gram_millimetres(double unbalance) {
+    return {unbalance / units::gram_mm, units::gram_mm, -1};
+}
+
+Message at_angle(double unbalance, double angle) {
+    return {Text{"", "%1 ∠ %2"}, gram_millimetres(unbalance),
+            Number{angle / units::degree, units::degree, -1}};
+}
+
+Text plane_name(std::size_t plane) {
+    return plane == 0 ? CORE_TEXT("v8-plugs", "Front plane") : CORE_TEXT("v8-plugs", "Rear plane");
+}
+
+bool differ(double a, double b, double times) {
+    return a > 0.0 && b > 0.0 && std::abs(std::log(a / b)) > std::log(times);
+}
+
+/// "1, 2, 5"
+Message cylinders(const std::vector<std::size_t>& list) {
+    Message text;
+    for (const std::size_t cylinder : list) {
+        const Message number = Number{static_cast<double>(cylinder + 1)};
+        text = text.empty() ? number : joined(text, number);
+    }
+    return text;
+}
+
+/// Calls `visit` with each column of the sheet that is begun.
+void for_columns(const DoubtCase& job, const auto& visit) {
+    if (job.input.weigh_in) {
+        for (const Part part : shop::all_parts) {
+            const shop::PartColumn& column = (*job.input.weigh_in)[part];
+            if (!column.is_empty()) {
+                visit(part, column);
+            }
+        }
+    }
+}
+
+bool is_in_kilograms(Part part, const shop::PartColumn& column) {
+    return shop::mass_in_kilograms(part, column).has_value();
+}
+
+// ----------------------------------------------------------------------------------- masses
+
+Messages kilograms(const DoubtCase& job) {
+    Messages list;
+    const auto add = [&](Text name, double mass) {
+        list.emplace_back(CORE_TEXT("workshop", "%1: %2 looks like kilograms. Enter grams."), name,
+                          Number{mass / units::gram, units::gram, 3});
+    };
+    for (const auto& [part, mass] : job.shaft.in_kilograms) {
+        add(part->column                                 ? shop::part_word(*part->column).label
+            : part->member == &bob_weights::Parts::locks ? CORE_TEXT("workshop", "Locks")
+                                                         : CORE_TEXT("workshop", "Oil"),
+            mass);
+    }
+    if (job.plugs_input != nullptr) {
+        constexpr double least = 20 * units::gram;  // the sums of parts that weigh 5 g and more
+        const v8_plugs::Engine& engine = job.plugs_input->engine;
+        for (const auto member :
+             {&v8_plugs::Engine::reciprocating_mass, &v8_plugs::Engine::rotating_mass}) {
+            if (engine.*member && *(engine.*member) < least) {
+                add(member == &v8_plugs::Engine::rotating_mass
+                        ? CORE_TEXT("bob-weights", "Rotating mass")
+                        : CORE_TEXT("bob-weights", "Reciprocating mass"),
+                    *(engine.*member));
+            }
+        }
+    }
+    return list;
+}
+
+Messages odd_mass(const DoubtCase& job) {
+    Messages list;
+    for_columns(job, [&](Part part, const shop::PartColumn& column) {
+        const auto odd = shop::odd_mass(column.nominal, column.mass);
+        if (!odd || is_in_kilograms(part, column)) {
+            return;
+        }
+        const Text name = shop::part_word(part).label;
+        if (!odd->also.empty()) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: cylinders %2 are unlike the others (%3 against %4). "
+                                        "Weigh them again."),
+                              name, cylinders(odd->cylinders()), grams(odd->mass),
+                              grams(odd->usual));
+        } else if (odd->score) {
+            list.emplace_back(
+                CORE_TEXT("workshop",
+                          "%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 "
+                          "times their scatter. Weigh it again."),
+                name, odd->cylinder + 1, grams(odd->mass), grams(odd->usual),
+                Number{*odd->score, units::none, -1});
+        } else {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: cylinder %2 weighs %3, the others about %4. Weigh it "
+                                        "again."),
+                              name, odd->cylinder + 1, grams(odd->mass), grams(odd->usual));
+        }
+    });
+    return list;
+}
+
+Messages swapped_ends(const DoubtCase& job) {
+    const auto found = [](std::span<const shop::Weighed> big,
+                          std::span<const shop::Weighed> small) {
+        return shop::swapped_rod_ends(big, small);
+    };
+    if (job.input.weigh_in) {
+        const shop::WeighIn& sheet = *job.input.weigh_in;
+        const auto swapped = found(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
+        if (!swapped.empty()) {
+            return {{CORE_TEXT("workshop",
+                               "Rods of cylinders %1: the big end weighs less than the small end. "
+                               "Swap the columns or weigh the rods again."),
+                     cylinders(swapped)}};
+        }
+    }
+    const shop::Weighed big[] = {job.input.parts.big_end};
+    const shop::Weighed small[] = {job.input.parts.small_end};
+    if (found(big, small).empty()) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "The big end of the rod, %1, weighs less than its small end, %2. Swap both "
+                       "or weigh the rod again."),
+             grams(**big), grams(**small)}};
+}
+
+Messages typed_against_weighed(const DoubtCase& job) {
+    Messages list;
+    for (const bob_weights::PartField& part : bob_weights::part_fields()) {
+        const auto& typed = job.input.parts.*part.member;
+        if (!typed || !part.column || !job.input.weigh_in) {
+            continue;
+        }
+        const auto weighed = shop::statistics((*job.input.weigh_in)[*part.column]);
+        if (weighed && differ(*typed, weighed->mean, same_mass)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: %2 entered, but %3 weighed. Correct the one that is "
+                                        "wrong."),
+                              shop::part_word(*part.column).label, grams(*typed),
+                              grams(weighed->mean));
+        }
+    }
+    return list;
+}
+
+Messages nominal_against_weighed(const DoubtCase& job) {
+    Messages list;
+    for_columns(job, [&](Part part, const shop::PartColumn& column) {
+        const double mean = shop::statistics(column)->mean;
+        if (column.nominal && !is_in_kilograms(part, column) &&
+            differ(*column.nominal, mean, same_part)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: nominal %2, but %3 weighed. Correct the one that is "
+                                        "wrong."),
+                              shop::part_word(part).label, grams(*column.nominal), grams(mean));
+        }
+    });
+    return list;
+}
+
+Messages share_of_one(const DoubtCase& job) {
+    if (!bob_weights::is_share_of_one(job.input.factor)) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "A balance factor of %1 looks like a share of 1. Enter per cent: 50 for one "
+                       "half."),
+             Number{*job.input.factor.reciprocating / units::percent, units::percent, -2}}};
+}
+
+Messages gear_against_parts(const DoubtCase& job) {
+    Messages list;
+    if (job.plugs_input == nullptr || !job.plugs_input->weigh_in) {
+        return list;
+    }
+    const v8_plugs::WeighIn& sheet = *job.plugs_input->weigh_in;
+    const auto check = [&](Text name, const std::optional<double>& typed,
+                           const std::optional<double>& parts) {
+        // Bob weights are hung to a tenth of a gram.
+        if (typed && parts && std::abs(*typed - *parts) >= 0.1 * units::gram) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: %2 entered, but the nominal parts add up to %3. "
+                                        "Correct the one that is wrong."),
+                              name, grams(*typed), grams(*parts));
+        }
+    };
+    check(CORE_TEXT("bob-weights", "Reciprocating mass"),
+          job.plugs_input->engine.reciprocating_mass, nominal_reciprocating(sheet));
+    check(CORE_TEXT("bob-weights", "Rotating mass"), job.plugs_input->engine.rotating_mass,
+          nominal_rotating(sheet));
+    return list;
+}
+
+// ------------------------------------------------------------------------------------ plugs
+
+/// Whether what is typed of a plug leaves no doubt about what it should weigh: with a bore, or
+/// heavier than a solid one.
+bool is_plug_known(const DoubtCase& job) {
+    const auto geometry = job.plugs_input->plug ? job.plugs_input->plug->geometry() : std::nullopt;
+    if (!geometry) {
+        return false;
+    }
+    const auto too_heavy = [](const std::optional<v8_plugs::PlugMass>& mass) {
+        return mass && !mass->fits && mass->typed > mass->geometry;
+    };
+    return geometry->bore_depth > 0.0 || too_heavy(job.plugs->steel_plug) ||
+           too_heavy(job.plugs->aluminium_plug);
+}
+
+Messages plug_doubt(const DoubtCase& job, bool known) {
+    if (job.plugs == nullptr || is_plug_known(job) != known) {
+        return {};
+    }
+    Message doubt = v8_plugs::plug_doubt(*job.plugs_input, *job.plugs);
+    return doubt.empty() ? Messages() : Messages{std::move(doubt)};
+}
+
+Messages plug_mass(const DoubtCase& job) {
+    return plug_doubt(job, true);
+}
+
+Messages paper_plug(const DoubtCase& job) {
+    return plug_doubt(job, false);
+}
+
+Messages plug_shift(const DoubtCase& job) {
+    const v8_plugs::ShiftEffect* shift =
+        job.plugs != nullptr ? job.plugs->shift_that_matters() : nullptr;
+    return shift != nullptr ? Messages{describe(*shift, job.plugs_input->tolerance)} : Messages();
+}
+
+Messages unequal_crankpins(const DoubtCase& job) {
+    if (job.plugs == nullptr || !job.plugs->crankpin_excess ||
+        !job.plugs_input->changes_from_weigh_in) {
+        return {};
+    }
+    const auto& excess = *job.plugs->crankpin_excess;
+    const double radius = job.plugs_input->engine.crank_radius.value_or(0.0);
+    if (0.5 * v8_plugs::spread(excess) * radius <= job.plugs_input->tolerance) {
+        return {};
+    }
+    const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
+    return {{CORE_TEXT("workshop",
+                       "The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
+                       "the mean. Move the sets or match the parts first."),
+             grams(*least), grams(*most)}};
+}
+
+Messages permitted_spread(const DoubtCase& job) {
+    Messages list;
+    for_columns(job, [&](Part part, const shop::PartColumn& column) {
+        const auto found = shop::statistics(column);
+        if (!found->within_permitted && !shop::odd_mass(column.nominal, column.mass)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: spread %2, permitted %3 (heaviest: cylinder %4, "
+                                        "lightest: %5)."),
+                              shop::part_word(part).label, grams(found->spread),
+                              grams(*column.permitted_spread), found->heaviest + 1,
+                              found->lightest + 1);
+        }
+    });
+    return list;
+}
+
+// ---------------------------------------------------------------------------------- machine
+
+Messages drilled_otherwise(const DoubtCase& job) {
+    Messages list;
+    for (std::size_t i = 0; job.shaft.newest() != nullptr && i < 2; ++i) {
+        const auto& other = job.shaft.newest()->other_effect[i];
+        if (other) {
+            const auto& now = (*job.shaft.newest()->planes)[i];
+            list.emplace_back(
+                other->is_opposite
+                    ? CORE_TEXT("workshop",
+                                "%1: the drilling has increased the unbalance to %2 instead of %3. "
+                                "Mark holes on the wrong side, or check whether the machine shows "
+                                "the light spot.")
+                    : CORE_TEXT("workshop",
+                                "%1: the drilling has left %2 instead of %3. Enter what was really "
+                                "drilled: angle, depth, zero and direction of counting."),
+                plane_name(i), at_angle(now.unbalance, now.angle),
+                at_angle(other->expected, other->expected_angle));
+        }
+    }
+    return list;
+}
+
+Messages other_readings(const DoubtCase& job, bool shaft) {
+    const bob_weights::RunResult* newest = job.shaft.newest();
+    if (newest == nullptr || (shaft ? !newest->read_on : newest->read_on || !newest->read_with)) {
+        return {};
+    }
+    return {shop::other_readings(newest->read_with, newest->read_on, job.shaft.bob_weight)};
+}
+
+Messages other_bob_weight(const DoubtCase& job) {
+    return other_readings(job, false);
+}
+
+Messages other_crankshaft(const DoubtCase& job) {
+    return other_readings(job, true);
+}
+
+bool is_by_grade(const DoubtCase& job) {
+    return job.input.tolerance && job.input.tolerance->by_grade;
+}
+
+/// A crankshaft weighs more than the weights on it, and not a hundred times as much.
+Messages rotor_mass(const DoubtCase& job) {
+    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
+    if (!mass) {
+        return {};
+    }
+    constexpr double most = 100.0;
+    const double weights = job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
+    const Number shown{*mass, units::kg, 0};
+    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > most * weights)) {
+        return {{CORE_TEXT("workshop",
+                           "A crankshaft of %1 is too heavy for this engine. Correct its mass in "
+                           "kilograms."),
+                 shown}};
+    }
+    if (*mass < weights) {
+        return {{CORE_TEXT("workshop",
+                           "The crankshaft with its bob weights, %1, weighs less than the bob "
+                           "weights, %2. Correct its mass."),
+                 shown, Number{weights, units::kg, -2}}};
+    }
+    return {};
+}
+
+Messages service_speed(const DoubtCase& job) {
+    const auto& speed = is_by_grade(job) ? job.input.tolerance->service_speed : std::nullopt;
+    if (!shop::is_odd_speed(speed)) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop", "No engine runs at %1 in service. Correct the speed."),
+             Number{*speed / units::rpm, units::rpm, 0}}};
+}
+
+Messages bearings(const DoubtCase& job) {
+    switch (bob_weights::places_of_bearings(job.input)) {
+        case bob_weights::BearingPlaces::reversed:
+            return {CORE_TEXT("workshop",
+                              "The bearings lie the other way round than the planes. Measure all "
+                              "positions from one point in one direction.")};
+        case bob_weights::BearingPlaces::centre_beyond:
+            return {CORE_TEXT("workshop",
+                              "The centre of mass lies beyond planes and bearings. Correct its "
+                              "position.")};
+        case bob_weights::BearingPlaces::plausible:
+            break;
+    }
+    return {};
+}
+
+/// A counterweight reaches about as far as the crankpin, and never three times as far.
+Messages plane_radius(const DoubtCase& job) {
+    const auto crank = job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius
+                       : job.input.weigh_in       ? job.input.weigh_in->matching.crank_radius
+                                                  : std::nullopt;
+    Messages list;
+    if (!job.input.correction || !crank) {
+        return list;
+    }
+    constexpr double least = 0.8;
+    constexpr double most = 3.0;
+    const auto& planes = job.input.correction->planes;
+    for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
+        const auto& radius = planes[i].radius;
+        if (radius && (*radius < least * *crank || *radius > most * *crank)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: a drilling radius of %2 does not go with a crank "
+                                        "radius of %3. Enter the radius, not the diameter."),
+                              plane_name(i), millimetres(*radius), millimetres(*crank));
+        }
+    }
+    return list;
+}
+
+Messages amplification(const DoubtCase& job) {
+    const auto& times = job.shaft.amplification;
+    if (!times || *times <= bob_weights::most_amplification) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "The machine reads far outside the planes: an error of its readings may be "
+                       "%1 times as large in them. Read nearer to the planes."),
+             Number{*times, units::none, -1}}};
+}
+
+Messages beyond_sector(const DoubtCase& job) {
+    Messages list;
+    for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
+        const double beyond = (*job.shaft.correction)[i].beyond_sector;
+        if (beyond > 0.0) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: the edge of a hole reaches %2 beyond the sector that "
+                                        "may be drilled. Check that there is metal enough."),
+                              plane_name(i), Number{beyond / units::mm, units::mm, -2});
+        }
+    }
+    return list;
+}
+
+Messages all_round(const DoubtCase& job) {
+    Messages list;
+    for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
+        if (!job.input.correction->planes[i].from_angle) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: no sector is given; holes may lie anywhere on the "
+                                        "rim. Enter the sector of the counterweight."),
+                              plane_name(i));
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+std::span<const DoubtRule> doubt_rules() {
+    using Kind = DoubtKind;
+    constexpr Severity error = Severity::error;
+    constexpr Severity warning = Severity::warning;
+    // A bob weight that is wrong makes wrong readings, and these wrong holes and a wrong verdict.
+    constexpr bob_weights::Withheld all{true, true, true};
+    constexpr bob_weights::Withheld holes{false, true, false};
+    constexpr bob_weights::Withheld judged{false, true, true};
+    constexpr bob_weights::Withheld nothing{};
+    static constexpr DoubtRule rules[] = {
+        {Kind::swapped_ends, "swapped-ends", error, all, swap_ends_act, swapped_ends},
+        {Kind::kilograms, "kilograms", error, all, "", kilograms},
+        {Kind::odd_mass, "odd-mass", error, all, "", odd_mass},
+        {Kind::typed_against_weighed, "typed-against-weighed", error, all, "",
+         typed_against_weighed},
+        {Kind::nominal_against_weighed, "nominal-against-weighed", error, all, "",
+         nominal_against_weighed},
+        {Kind::share_of_one, "share-of-one", error, all, "", share_of_one},
+        {Kind::plug_mass, "plug-mass", error, all, "", plug_mass},
+        {Kind::other_crankshaft, "other-crankshaft", error, judged, "", other_crankshaft},
+        {Kind::other_bob_weight, "other-bob-weight", error, judged, "", other_bob_weight},
+        {Kind::rotor_mass, "rotor-mass", error, judged, "", rotor_mass},
+        {Kind::service_speed, "service-speed", error, judged, "", service_speed},
+        {Kind::bearings, "bearings", error, judged, "", bearings},
+        {Kind::drilled_otherwise, "drilled-otherwise", error, holes, drilled_act,
+         drilled_otherwise},
+        {Kind::plane_radius, "plane-radius", error, holes, "", plane_radius},
+        {Kind::paper_plug, "paper-plug", warning, nothing, "", paper_plug},
+        {Kind::gear_against_parts, "gear-against-parts", warning, nothing, "", gear_against_parts},
+        {Kind::plug_shift, "plug-shift", warning, nothing, "", plug_shift},
+        {Kind::unequal_crankpins, "unequal-crankpins", warning, nothing, "", unequal_crankpins},
+        {Kind::spread, "spread", warning, nothing, "", permitted_spread},
+        {Kind::amplification, "amplification", warning, nothing, "", amplification},
+        {Kind::beyond_sector, "beyond-sector", warning, nothing, "", beyond_sector},
+        {Kind::all_round, "all-round", Severity::note, nothing, "", all_round},
+    };
+    return rules;
+}
+
+std::vector<Doubt> find_doubts(const DoubtCase& job) {
+    std::vector<Doubt> list;
+    for (const DoubtRule& rule : doubt_rules()) {
+        for (Message& text : rule.find(job)) {
+            list.push_back({&rule, std::move(text)});
+        }
+    }
+    return list;
+}
+
+}  // namespace ravnoves::workshop

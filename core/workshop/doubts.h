@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bob-weights/results.h"
+#include "case-file/verdict.h"
+#include "v8-plugs/result.h"
+#include "workshop/input.h"
+
+namespace ravnoves::workshop {
+
+/// What a job is doubted for.
+enum class DoubtKind {
+    kilograms,
+    odd_mass,
+    swapped_ends,
+    typed_against_weighed,
+    nominal_against_weighed,
+    share_of_one,
+    gear_against_parts,
+    plug_mass,
+    drilled_otherwise,
+    other_bob_weight,
+    other_crankshaft,
+    rotor_mass,
+    service_speed,
+    bearings,
+    plane_radius,
+    paper_plug,
+    plug_shift,
+    unequal_crankpins,
+    spread,
+    amplification,
+    beyond_sector,
+    all_round
+};
+
+/// What a rule looks at.
+struct DoubtCase {
+    const Input& input;
+    const bob_weights::Result& shaft;
+    const v8_plugs::Input* plugs_input;  ///< whole_plugs(); null without plugs
+    const v8_plugs::Result* plugs;
+};
+
+/// One line of the table of doubts.
+struct DoubtRule {
+    DoubtKind kind;
+    std::string_view word;  ///< in the result
+    Severity severity;
+    bob_weights::Withheld blocks;
+    std::string_view act;  ///< what would help, as the page knows it; empty where nothing does
+    std::vector<Message> (*find)(const DoubtCase& job);  ///< each with what to do
+};
+
+/// All of them, the worst first.
+std::span<const DoubtRule> doubt_rules();
+
+/// A doubt of a job.
+struct Doubt {
+    const DoubtRule* rule;
+    Message text;
+};
+std::vector<Doubt> find_doubts(const DoubtCase& job);
+
+/// An act of the verdict: the columns of the rod's ends change places.
+inline constexpr std::string_view swap_ends_act = "swap-rod-ends";
+/// An act of the verdict: what was really drilled is entered.
+inline constexpr std::string_view drilled_act = "correct-drilled";
+
+}  // namespace ravnoves::workshop

@@ -1,0 +1,206 @@
+#include "workshop/input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "bob-weights/fields.h"
+#include "case-file/field_visitor.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
+#include "numerics/constants.h"
+#include "v8-plugs/engine.h"
+#include "workshop/fields.h"
+
+namespace ravnoves::workshop {
+
+namespace {
+
+using bob_weights::Correction;
+using bob_weights::EngineType;
+using bob_weights::Format;
+using v8_plugs::cylinder_count;
+
+/// Two names.
+struct PlaneNames final : FieldVisitor::Custom {
+    explicit PlaneNames(std::array<std::string, 2>& it) : names(it) {}
+
+    void read(const Json& list, const std::string& pointer) override {
+        if (!list.is_array() || list.size() != 2 || !list[0].is_string() || !list[1].is_string()) {
+            throw InputError(pointer, CORE_TEXT("workshop", "must be a list of two names"),
+                             show(list));
+        }
+        names = {list[0].get<std::string>(), list[1].get<std::string>()};
+    }
+    Json write() override {
+        return names[0].empty() && names[1].empty() ? Json() : Json{names[0], names[1]};
+    }
+
+    std::array<std::string, 2>& names;
+};
+
+void check_plugs(const Input& input) {
+    if (!may_have_plugs(input.engine)) {
+        throw InputError("/input/plugs",
+                         CORE_TEXT("workshop",
+                                   "is allowed only for a V of 8 cylinders at 90° with two rods on "
+                                   "a crankpin and no split"));
+    }
+    const auto refuse = [](const Field& field) {
+        throw InputError("/input/" + std::string(field.key),
+                         CORE_TEXT("workshop", "must be left out where plugs are given"));
+    };
+    if (!(input.parts == bob_weights::Parts{})) {
+        refuse(bob_weights::field::parts);
+    }
+    if (!(input.factor == bob_weights::Factor{})) {
+        refuse(bob_weights::field::factor);
+    }
+    try {
+        v8_plugs::check_input(whole_plugs(input).value());
+    } catch (const InputError& error) {
+        constexpr std::string_view root = "/input/";
+        const std::string where = error.where();
+        const bool is_of_job = where.starts_with("/input/weigh_in/") || !where.starts_with(root);
+        throw InputError(is_of_job ? where : "/input/plugs/" + where.substr(root.size()),
+                         error.allowed_message(), error.found_message());
+    }
+}
+
+void check_job_correction(const Correction& correction) {
+    const std::string place = "/input/correction/";
+    const auto check_count = [&](const Field& field, std::size_t count) {
+        if (count != 0 && count != 2) {
+            throw InputError(place + std::string(field.key),
+                             CORE_TEXT("bob-weights", "must be a list of two"),
+                             Number{static_cast<double>(count)});
+        }
+    };
+    check_count(bob_weights::field::planes, correction.planes.size());
+    check_count(bob_weights::field::readings, correction.readings.size());
+    const bool drilled =
+        std::any_of(correction.earlier_runs.begin(), correction.earlier_runs.end(),
+                    [](const auto& run) { return run.drilled && !run.drilled->empty(); });
+    if (is_planned(correction)) {
+        bob_weights::check_correction(correction);
+    } else if (drilled && correction.planes.empty()) {
+        throw InputError(place + std::string(bob_weights::field::planes.key),
+                         CORE_TEXT("core", "is required and missing"));
+    }
+    bob_weights::check_runs(correction, Format::workshop);
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, Machine& machine) {
+    PlaneNames names(machine.planes);
+    visitor.custom(field::plane_names, false, names);
+    visitor.choice(field::counts, machine.counts, Machine::Counts::counter_clockwise);
+    visitor.choice(field::shows, machine.shows, Machine::Shows::heavy);
+    visitor.optional_text(field::zero, machine.zero);
+}
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    visitor.object(bob_weights::field::engine, input.engine);
+    visitor.object_with_defaults(bob_weights::field::factor, input.factor);
+    visitor.object_with_defaults(bob_weights::field::parts, input.parts);
+    bob_weights::visit_weigh_in(visitor, input);
+    visitor.choice(bob_weights::field::balance, input.balance, bob_weights::Balance::internal);
+    const bool weighed = visitor.has(bob_weights::field::weigh_in.key, input.weigh_in.has_value());
+    visitor.object(field::plugs, input.plugs,
+                   [&](v8_plugs::Input& plugs) { v8_plugs::visit_plugs(visitor, plugs, weighed); });
+    visitor.object_with_defaults(field::machine, input.machine);
+    visitor.object(bob_weights::field::correction, input.correction, [&](Correction& correction) {
+        bob_weights::visit_correction(visitor, correction, Format::workshop);
+    });
+    visitor.object(bob_weights::field::tolerance, input.tolerance,
+                   [&](bob_weights::Tolerance& tolerance) {
+                       bob_weights::visit_tolerance(visitor, tolerance, Format::workshop);
+                   });
+    visitor.object_with_defaults(bob_weights::field::job, input.job);
+}
+
+bool may_have_plugs(const bob_weights::Engine& engine) {
+    constexpr double rounding = 1e-9;
+    return engine.type == EngineType::v && engine.cylinders == cylinder_count &&
+           engine.bank_angle && std::abs(*engine.bank_angle - 0.5 * pi) < rounding &&
+           engine.rods_per_pin == 2 && engine.pin_split == 0.0;
+}
+
+std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
+    if (!input.plugs) {
+        return std::nullopt;
+    }
+    v8_plugs::Input whole = *input.plugs;
+    if (input.weigh_in) {
+        whole.weigh_in = v8_plugs::WeighIn(*bob_weights::fitted(input).weigh_in);
+    }
+    whole.job = input.job;
+    const auto& tolerance = input.tolerance;
+    if (tolerance && tolerance->by_grade && !tolerance->centre_of_mass &&
+        !tolerance->front_bearing) {
+        v8_plugs::BalancingSheet& sheet = whole.balancing.emplace();
+        sheet.grade = tolerance->grade;
+        sheet.rotor_mass = tolerance->rotor_mass;
+        sheet.service_speed = tolerance->service_speed;
+        sheet.front_share = tolerance->front_share;
+        if (input.correction && input.correction->readings.size() == 2) {
+            const auto& [front, rear] =
+                std::tie(input.correction->readings[0], input.correction->readings[1]);
+            sheet.front_reading = front.unbalance;
+            sheet.front_bob_weight = front.bob_weight;
+            sheet.front_shaft = front.shaft;
+            sheet.rear_reading = rear.unbalance;
+            sheet.rear_bob_weight = rear.bob_weight;
+            sheet.rear_shaft = rear.shaft;
+        }
+    }
+    return whole;
+}
+
+Input with_heavy_spots(Input input) {
+    if (input.machine.shows == Machine::Shows::heavy || !input.correction) {
+        return input;
+    }
+    const auto turn = [](auto& readings) {
+        for (auto& reading : readings) {
+            if (reading.angle) {
+                *reading.angle += pi;
+            }
+        }
+    };
+    turn(input.correction->readings);
+    for (auto& run : input.correction->earlier_runs) {
+        turn(run.readings);
+    }
+    return input;
+}
+
+bool is_planned(const Correction& correction) {
+    const auto& readings = correction.readings;
+    return readings.size() == 2 && bob_weights::is_read(readings[0]) &&
+           bob_weights::is_read(readings[1]) &&
+           (readings[0].angle || readings[1].angle || !correction.planes.empty());
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    bob_weights::check_bob_weight(input);
+    bob_weights::check_weigh_in(input, input.plugs.has_value());
+    if (input.plugs) {
+        check_plugs(input);
+    } else {
+        bob_weights::check_parts(input);
+    }
+    if (input.correction) {
+        check_job_correction(*input.correction);
+    }
+    if (input.tolerance) {
+        bob_weights::check_tolerance(*input.tolerance);
+    }
+}
+
+}  // namespace ravnoves::workshop

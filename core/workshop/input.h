@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "bob-weights/input.h"
+#include "v8-plugs/input.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
+
+/// One job of the shop: the parts on the scale, the plugs of a V-8 that has them, the bob weights,
+/// the readings of the machine and the holes. It is solved by the scenes bob-weights and v8-plugs.
+namespace ravnoves::workshop {
+
+/// The balancing machine, as it is set up. Angles of readings are those that it shows; angles of
+/// holes are those of the metal, in the machine's sense of counting from its zero.
+struct Machine {
+    enum class Counts { clockwise, counter_clockwise };  ///< seen from the front
+    enum class Shows { heavy, light };
+
+    std::array<std::string, 2> planes;  ///< their names; empty: front and rear
+    Counts counts = Counts::counter_clockwise;
+    Shows shows = Shows::heavy;
+    std::string zero;  ///< where 0° is
+
+    friend bool operator==(const Machine&, const Machine&) = default;
+};
+
+struct Input : bob_weights::Input {
+    /// Of a V-8 at 90° with plugs in its sludge traps: what the scene v8-plugs takes, but for the
+    /// weigh-in, the readings and the head of the card, which the job has.
+    std::optional<v8_plugs::Input> plugs;
+    Machine machine;
+
+    friend bool operator==(const Input&, const Input&) = default;
+};
+
+void visit_fields(FieldVisitor& visitor, Machine& machine);
+void visit_fields(FieldVisitor& visitor, Input& input);
+
+/// Whether such an engine may have plugs: a V of 8 cylinders at 90°, two rods on a pin, no split.
+bool may_have_plugs(const bob_weights::Engine& engine);
+
+/// The plugs with weigh-in, head and, where a grade says what may remain, limits and readings of
+/// the job; nothing without plugs.
+std::optional<v8_plugs::Input> whole_plugs(const Input& input);
+/// The same job with the readings as heavy spots, whatever the machine shows.
+Input with_heavy_spots(Input input);
+
+/// Whether the newest readings and their planes are to be made a plan of holes; else they have a
+/// verdict alone.
+bool is_planned(const bob_weights::Correction& correction);
+
+/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
+/// @throws InputError
+void check_input(const Input& input);
+
+}  // namespace ravnoves::workshop

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bob-weights/result.h"
+#include "bob-weights/results.h"
+#include "v8-plugs/result.h"
+#include "workshop/doubts.h"
+
+namespace ravnoves::workshop {
+
+/// Everything that page, card and result file show. Nothing is left out for a doubt here: what a
+/// doubt blocks is withheld where it is shown.
+struct Result {
+    bob_weights::Result shaft;
+    std::optional<v8_plugs::Result> plugs;
+    std::vector<Doubt> doubts;
+
+    /// What the doubts block together.
+    bob_weights::Withheld withheld() const;
+};
+
+}  // namespace ravnoves::workshop

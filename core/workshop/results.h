@@ -1,0 +1,20 @@
+#pragma once
+
+#include "case-file/result_visitor.h"
+#include "case-file/verdict.h"
+#include "workshop/input.h"
+#include "workshop/result.h"
+
+namespace ravnoves::workshop {
+
+/// The values of a solved input, in the order of the contract. What a doubt blocks is null, and the
+/// number stands under "doubtful".
+/// @param result  solve(input) of an input that holds all that a result needs
+void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
+/// The same, which solves the input first.
+void visit_results(ResultVisitor& visitor, const Input& input);
+
+/// Of the job: STOP where a doubt blocks something, else pass or fail, else what to hang.
+Verdict verdict(const Input& input, const Result& result);
+
+}  // namespace ravnoves::workshop

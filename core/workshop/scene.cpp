@@ -1,0 +1,93 @@
+#include "workshop/scene.h"
+
+#include <utility>
+
+#include "bob-weights/scene.h"
+#include "bob-weights/solver.h"
+#include "case-file/field_writer.h"
+#include "case-file/json.h"
+#include "case-file/result_json.h"
+#include "v8-plugs/scene.h"
+#include "workshop/results.h"
+
+namespace ravnoves::workshop {
+
+Input as_job(v8_plugs::Input plugs) {
+    Input job;
+    job.engine.bank_angle = 90.0 * degree;
+    job.job = std::exchange(plugs.job, {});
+    if (plugs.weigh_in) {
+        job.weigh_in = *std::exchange(plugs.weigh_in, std::nullopt);
+    }
+    if (const auto sheet = std::exchange(plugs.balancing, std::nullopt)) {
+        bob_weights::Tolerance& tolerance = job.tolerance.emplace();
+        tolerance.grade = sheet->grade;
+        tolerance.rotor_mass = sheet->rotor_mass;
+        tolerance.service_speed = sheet->service_speed;
+        tolerance.front_share = sheet->front_share;
+        if (sheet->front_reading || sheet->rear_reading) {
+            bob_weights::Correction& correction = job.correction.emplace();
+            correction.planes.clear();
+            const auto& no_angle = std::nullopt;
+            correction.readings = {{std::nullopt, sheet->front_reading, no_angle,
+                                    sheet->front_bob_weight, sheet->front_shaft},
+                                   {std::nullopt, sheet->rear_reading, no_angle,
+                                    sheet->rear_bob_weight, sheet->rear_shaft}};
+        }
+    }
+    job.plugs = std::move(plugs);
+    return job;
+}
+
+Input as_job(bob_weights::Input shaft) {
+    if (shaft.correction) {
+        bob_weights::Correction& correction = *shaft.correction;
+        const bob_weights::Result solved = bob_weights::solve(shaft, false);
+        // The format plans what no record tells of; a job knows of the holes that are there alone.
+        for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
+            auto& drilled = correction.earlier_runs[run].drilled;
+            if (!drilled && run < solved.runs.size()) {
+                drilled = bob_weights::drilled_holes(solved.runs[run]);
+            }
+        }
+        correction.aim = bob_weights::Aim::tolerance;
+        correction.drill.smallest_depth = 0.0;
+        if (correction.slug) {
+            correction.slug->direction = bob_weights::SlugDirection::radial;
+        }
+    }
+    return {std::move(shaft), std::nullopt, {}};
+}
+
+std::optional<Input> read_as_job(std::string_view scene, const Json& input,
+                                 Completeness completeness) {
+    if (scene == "v8-plugs") {
+        return as_job(v8_plugs::read_input(input, completeness));
+    }
+    if (scene == "bob-weights") {
+        return as_job(bob_weights::read_input(input, completeness));
+    }
+    return std::nullopt;
+}
+
+Input read_input(const Json& json, Completeness completeness) {
+    Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        bob_weights::fit_weigh_in(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    Input whole = input;
+    bob_weights::fit_weigh_in(whole);
+    return write_fields(whole);
+}
+
+Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& wanted) {
+    return result_json(read_input(json), wanted);
+}
+
+}  // namespace ravnoves::workshop

@@ -1,0 +1,79 @@
+#include "workshop/solver.h"
+
+#include <numeric>
+
+#include "bob-weights/solver.h"
+#include "v8-plugs/solver.h"
+
+namespace ravnoves::workshop {
+
+namespace {
+
+/// What is hung on a crankpin by the plugs' method; nothing while it is not known.
+std::optional<bob_weights::KnownWeight> weight_of(const v8_plugs::Input& plugs,
+                                                  const v8_plugs::Result& result) {
+    const auto gear = v8_plugs::gear_masses(plugs.engine);
+    const v8_plugs::BobWeight* weight = result.hung_weight();
+    if (!gear || weight == nullptr) {
+        return std::nullopt;
+    }
+    const v8_plugs::MassChanges& changes = result.changes;
+    bob_weights::KnownWeight known{
+        {},
+        gear->reciprocating + changes.piston + changes.repair_piston_and_rings,
+        gear->rotating + changes.rod_big_end + 0.5 * changes.repair_bearing,
+        weight->sum()};
+    for (const v8_plugs::BobWeightLine& line : weight->lines) {
+        known.lines.push_back(
+            {nullptr, line.factor, line.mass, v8_plugs::bob_weight_word(line.part)});
+    }
+    return known;
+}
+
+/// Each crankpin's own weight: what its parts differ by from the mean.
+std::vector<double> own_weights(
+    double weight, const std::optional<std::array<double, v8_plugs::crankpin_count>>& excess) {
+    std::vector<double> own;
+    if (excess) {
+        const double mean =
+            std::accumulate(excess->begin(), excess->end(), 0.0) / v8_plugs::crankpin_count;
+        for (const double mass : *excess) {
+            own.push_back(weight + mass - mean);
+        }
+    }
+    return own;
+}
+
+}  // namespace
+
+Result solve(const Input& given, bool changes_known, bool places_parts) {
+    const Input input = with_heavy_spots(given);
+    Result result;
+    const auto plugs = whole_plugs(input);
+    std::optional<bob_weights::KnownWeight> known;
+    if (plugs) {
+        result.plugs = v8_plugs::solve(*plugs, changes_known, places_parts);
+        known = weight_of(*plugs, *result.plugs);
+    }
+    result.shaft = bob_weights::solve_job(input, known, places_parts && !plugs);
+    if (known && result.plugs->assignment) {
+        result.shaft.placing = result.plugs->assignment;
+        result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);
+        result.shaft.placed_crankpins = own_weights(known->sum, result.plugs->assigned_excess);
+    }
+    result.doubts = find_doubts(
+        {input, result.shaft, plugs ? &*plugs : nullptr, plugs ? &*result.plugs : nullptr});
+    return result;
+}
+
+bob_weights::Withheld Result::withheld() const {
+    bob_weights::Withheld all;
+    for (const Doubt& doubt : doubts) {
+        all.bob_weight = all.bob_weight || doubt.rule->blocks.bob_weight;
+        all.holes = all.holes || doubt.rule->blocks.holes;
+        all.verdict = all.verdict || doubt.rule->blocks.verdict;
+    }
+    return all;
+}
+
+}  // namespace ravnoves::workshop

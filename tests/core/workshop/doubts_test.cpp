@@ -1,0 +1,295 @@
+// What is doubted is not answered: no hole, no bold weight and no pass is in the result.
+
+#include <functional>
+#include <map>
+#include <set>
+
+#include "support.h"
+#include "workshop/doubts.h"
+
+namespace ravnoves::workshop {
+namespace {
+
+using test::card;
+using test::plugs_card;
+using test::solved;
+
+Json eight(double mass) {
+    return std::vector<double>(8, mass);
+}
+
+/// Weighed as it was typed.
+Json weighed_card() {
+    Json input = card();
+    input["weigh_in"] = {{"piston", {{"mass_g", eight(583.9)}}},
+                         {"rod_small_end", {{"mass_g", eight(162.4)}}},
+                         {"rod_big_end", {{"mass_g", eight(429.8)}}}};
+    return input;
+}
+
+/// One job for each doubt.
+const std::map<std::string_view, std::function<Json()>>& doubted() {
+    static const std::map<std::string_view, std::function<Json()>> jobs{
+        {"swapped-ends",
+         [] {
+             Json input = weighed_card();
+             std::swap(input["weigh_in"]["rod_small_end"], input["weigh_in"]["rod_big_end"]);
+             input["parts_g"].erase("small_end");
+             input["parts_g"].erase("big_end");
+             return input;
+         }},
+        {"kilograms",
+         [] {
+             Json input = card();
+             input["parts_g"]["pin"] = 0.1736;
+             return input;
+         }},
+        {"odd-mass",
+         [] {
+             // 30 g off among seven within 6 g: five per cent.
+             Json input = weighed_card();
+             input["weigh_in"]["piston"]["mass_g"] = {583, 586, 581, 585, 613, 584, 582, 587};
+             return input;
+         }},
+        {"typed-against-weighed",
+         [] {
+             Json input = weighed_card();
+             input["weigh_in"]["rod_big_end"]["mass_g"] = eight(170);
+             return input;
+         }},
+        {"nominal-against-weighed",
+         [] {
+             Json input = weighed_card();
+             input["weigh_in"]["piston"]["nominal_g"] = 383.9;
+             return input;
+         }},
+        {"share-of-one",
+         [] {
+             Json input = card();
+             input["factor"]["reciprocating_percent"] = 0.5;
+             return input;
+         }},
+        {"plug-mass",
+         [] {
+             Json input = plugs_card();
+             input["plugs"]["engine"]["steel_plug_mass_g"] = 12;
+             return input;
+         }},
+        {"paper-plug",
+         [] {
+             Json input = plugs_card();
+             input["plugs"]["engine"] = "4.25 l";
+             input["plugs"]["engine_overrides"] = {{"oil_mass_g", 20},
+                                                   {"oil_coefficient", 1},
+                                                   {"reciprocating_mass_g", 1000},
+                                                   {"rotating_mass_g", 650}};
+             input["plugs"]["plug"] = {{"thread", "M22x1.5"}, {"height_mm", 14}};
+             return input;
+         }},
+        {"other-crankshaft",
+         [] {
+             Json input = card();
+             input["job"]["crankshaft_number"] = "2";
+             input["correction"]["readings"][0]["read_of"]["crankshaft_number"] = "1";
+             return input;
+         }},
+        {"other-bob-weight",
+         [] {
+             Json input = card();
+             input["correction"]["readings"][0]["bobweight_g"] = 1500;
+             return input;
+         }},
+        {"rotor-mass",
+         [] {
+             Json input = card();
+             input["tolerance"]["rotor_mass_kg"] = 24'000;
+             return input;
+         }},
+        {"service-speed",
+         [] {
+             Json input = card();
+             input["tolerance"]["service_speed_rpm"] = 5.5;
+             return input;
+         }},
+        {"bearings",
+         [] {
+             Json input = card();
+             input["tolerance"]["front_bearing_mm"] = 520;
+             input["tolerance"]["rear_bearing_mm"] = 20;
+             return input;
+         }},
+        {"drilled-otherwise",
+         [] {
+             Json input = card();
+             input["correction"]["earlier_runs"] = parse_json(R"([{
+                 "readings": [{"unbalance_g_mm": 1250, "angle_deg": 40},
+                              {"unbalance_g_mm": 1200, "angle_deg": 290}],
+                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]
+                 }])");
+             return input;
+         }},
+        {"plane-radius",
+         [] {
+             Json input = plugs_card();
+             input["correction"]["planes"][1]["radius_mm"] = 156;
+             return input;
+         }},
+        {"gear-against-parts",
+         [] {
+             Json input = plugs_card();
+             for (const char* part : {"piston", "pin", "rings", "rod_small_end"}) {
+                 input["weigh_in"][part] = {{"nominal_g", 251}, {"mass_g", eight(251)}};
+             }
+             return input;
+         }},
+        {"plug-shift",
+         [] {
+             // The shift of a heavy plug is worth more than a narrow limit.
+             Json input = plugs_card();
+             input["plugs"]["plug"].erase("bore_diameter_mm");
+             input["plugs"].erase("plug");
+             input["plugs"]["tolerance_g_mm"] = 1;
+             return input;
+         }},
+        {"unequal-crankpins",
+         [] {
+             Json input = plugs_card();
+             input["plugs"].erase("mass_changes_g");
+             input["plugs"]["mass_changes_from"] = "weigh-in";
+             input["plugs"]["tolerance_g_mm"] = 5;
+             input["weigh_in"]["piston"] = {{"nominal_g", 560},
+                                            {"mass_g", {560, 561, 562, 563, 560, 561, 562, 563}}};
+             return input;
+         }},
+        {"spread",
+         [] {
+             Json input = weighed_card();
+             input["weigh_in"]["piston"] = {{"permitted_spread_g", 2},
+                                            {"mass_g", {580, 582, 584, 586, 581, 583, 585, 587}}};
+             return input;
+         }},
+        {"amplification",
+         [] {
+             Json input = card();
+             input["correction"]["readings"][0]["position_mm"] = -500;
+             return input;
+         }},
+        {"beyond-sector",
+         [] {
+             Json input = card();
+             input["correction"]["readings"][0] = {{"unbalance_g_mm", 900}, {"angle_deg", 40}};
+             input["correction"]["planes"][0]["from_deg"] = 40;
+             input["correction"]["planes"][0]["to_deg"] = 120;
+             return input;
+         }},
+        {"all-round",
+         [] {
+             Json input = card();
+             input["correction"]["planes"][0].erase("from_deg");
+             input["correction"]["planes"][0].erase("to_deg");
+             return input;
+         }},
+    };
+    return jobs;
+}
+
+bool has(const Json& blocks, const char* word) {
+    return std::find(blocks.begin(), blocks.end(), word) != blocks.end();
+}
+
+/// Every pass that a result says, but in what is doubtful.
+void expect_no_pass(const Json& value, const std::string& where) {
+    if (value.is_structured()) {
+        for (const auto& item : value.items()) {
+            if (item.key() != "doubtful" && item.key() != "within_permitted_spread") {
+                expect_no_pass(item.value(), where + "/" + item.key());
+            }
+        }
+    } else if (where.ends_with("/passes") || where.find("/within_tolerance") != std::string::npos) {
+        EXPECT_NE(value, true) << where;
+    }
+}
+
+class EveryDoubt : public testing::TestWithParam<DoubtRule> {};
+
+TEST_P(EveryDoubt, BlocksWhatItNames) {
+    const DoubtRule& rule = GetParam();
+    const auto job = doubted().find(rule.word);
+    ASSERT_NE(job, doubted().end()) << "a doubt needs a job that has it: " << rule.word;
+    const Json result = solved(job->second());
+    const Json& doubts = result.at("doubts");
+    const auto found = std::find_if(doubts.begin(), doubts.end(),
+                                    [&](const Json& each) { return each.at("kind") == rule.word; });
+    ASSERT_NE(found, doubts.end()) << doubts.dump(1);
+    const Json& blocks = found->at("blocks");
+    EXPECT_EQ(found->at("severity"), severity_word(rule.severity));
+    EXPECT_EQ(has(blocks, "bobweight"), rule.blocks.bob_weight);
+    EXPECT_EQ(has(blocks, "holes"), rule.blocks.holes);
+    EXPECT_EQ(has(blocks, "verdict"), rule.blocks.verdict);
+    EXPECT_FALSE(found->at("text").get<std::string>().empty());
+    const Json& planes = result.at("correction").at("planes");
+    if (!rule.blocks.any()) {
+        EXPECT_TRUE(result.at("doubtful").is_null()) << doubts.dump(1);
+        EXPECT_TRUE(result.at("bobweight_g").is_number());
+        EXPECT_TRUE(planes[0].at("holes").is_array());
+        if (rule.severity == Severity::warning) {
+            EXPECT_NE(result.at("verdict").at("text").get<std::string>().find(
+                          found->at("text").get<std::string>()),
+                      std::string::npos);
+        }
+        return;
+    }
+    EXPECT_EQ(rule.severity, Severity::error);
+    EXPECT_EQ(result.at("verdict").at("severity"), "error");
+    EXPECT_TRUE(result.at("verdict").at("text").get<std::string>().starts_with("STOP. "));
+    const Json& doubtful = result.at("doubtful");
+    if (rule.blocks.bob_weight) {
+        EXPECT_TRUE(result.at("bobweight_g").is_null());
+        EXPECT_TRUE(result.at("lines").is_null());
+        EXPECT_TRUE(doubtful.at("bobweight_g").is_number());
+        if (result.contains("plugs")) {
+            for (const Json& option : result.at("plugs").at("options")) {
+                EXPECT_TRUE(option.at("bobweight_g").is_null());
+                EXPECT_FALSE(option.contains("bobweight"));
+            }
+            EXPECT_FALSE(result.at("plugs").contains("bobweight"));
+        }
+    }
+    ASSERT_TRUE(rule.blocks.holes);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_TRUE(planes[i].at("holes").is_null());
+        EXPECT_TRUE(planes[i].at("slugs").is_null());
+        EXPECT_TRUE(planes[i].at("remaining_g_mm").is_null());
+        EXPECT_TRUE(planes[i].at("within_tolerance").is_null());
+        EXPECT_TRUE(doubtful.at("correction").at("planes")[i].at("holes").is_array());
+    }
+    if (rule.blocks.verdict) {
+        EXPECT_TRUE(planes[0].at("within_tolerance_as_measured").is_null());
+        EXPECT_FALSE(doubtful.at("verdict").at("text").get<std::string>().empty());
+    }
+    expect_no_pass(result, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryDoubt,
+                         testing::ValuesIn(doubt_rules().begin(), doubt_rules().end()),
+                         [](const auto& info) {
+                             std::string name(info.param.word);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(Doubts, AreNoneWhereNothingIsOdd) {
+    for (const Json& input : {card(), weighed_card(), plugs_card()}) {
+        const Json result = solved(input);
+        EXPECT_TRUE(result.at("doubts").empty()) << result.at("doubts").dump(1);
+        EXPECT_TRUE(result.at("doubtful").is_null());
+    }
+    std::set<std::string_view> words;
+    for (const DoubtRule& rule : doubt_rules()) {
+        EXPECT_TRUE(words.insert(rule.word).second) << rule.word;
+    }
+    EXPECT_EQ(words.size(), doubted().size());
+}
+
+}  // namespace
+}  // namespace ravnoves::workshop

@@ -1,0 +1,327 @@
+// The plan of a job: holes that are there are deepened first, and the record is what is there.
+
+#include <complex>
+#include <random>
+
+#include "bob-weights/drilling.h"
+#include "numerics/constants.h"
+#include "support.h"
+
+namespace ravnoves::workshop {
+namespace {
+
+using bob_weights::Cut;
+using bob_weights::DeepeningPlan;
+using bob_weights::Hole;
+using bob_weights::HoleLimits;
+using test::card;
+using test::solved;
+using Vector = std::complex<double>;
+
+constexpr double density = 7850.0;
+
+/// ρ ∫ A(x) (R − x) dx from one depth to another, the cone of the point with it, by quadrature.
+double removed_between(const Cut& cut, double diameter, double from, double to) {
+    const double cone = 0.5 * diameter / std::tan(0.5 * cut.point_angle);
+    const auto moment = [&](double depth) {
+        constexpr int steps = 20'000;
+        const double end = depth + cone;
+        double sum = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            const double x = end * (i + 0.5) / steps;
+            const double radius =
+                x < depth ? 0.5 * diameter : 0.5 * diameter * (1.0 - (x - depth) / cone);
+            sum += pi * radius * radius * (cut.radius - x);
+        }
+        return density * sum * end / steps;
+    };
+    return moment(to) - moment(from);
+}
+
+struct State {
+    Vector unbalance;
+    std::vector<Hole> holes;
+    Cut cut{0.08, density, 118.0 * degree};
+    HoleLimits limits{0.02, 1e-3, 3e-3, 5, 60.0 * degree, std::nullopt};
+};
+
+/// Holes of a millimetre's step, so that all depths can be tried.
+State random_state(std::mt19937& generator) {
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(generator);
+    };
+    State state;
+    state.cut.radius = between(0.06, 0.1);
+    const double heavy = between(0.0, 2.0 * pi);
+    const int count = static_cast<int>(between(1.0, 3.99));
+    for (int i = 0; i < count; ++i) {
+        const double diameter = between(0.0, 1.0) < 0.5 ? 0.010 : 0.014;
+        const double depth = 1e-3 * std::floor(between(2.0, 15.0));
+        const double angle = heavy + (i - 0.5 * (count - 1)) * 0.6 + between(-0.15, 0.15);
+        state.holes.push_back({diameter, depth, bob_weights::turn_of(angle), 0.0, 0.0});
+        state.holes.back().deepens = Hole::Place{0, static_cast<std::size_t>(i)};
+    }
+    state.unbalance = std::polar(1e-6 * between(50.0, 3000.0), heavy + between(-0.3, 0.3));
+    return state;
+}
+
+double left_by(const State& state, const std::vector<double>& depths) {
+    Vector sum = state.unbalance;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const Hole& hole = state.holes[i];
+        sum -= std::polar(state.cut.removed(hole.diameter, depths[i]).unbalance -
+                              state.cut.removed(hole.diameter, hole.depth).unbalance,
+                          hole.angle);
+    }
+    return std::abs(sum);
+}
+
+bool keeps_walls(const State& state, const std::vector<double>& depths) {
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (depths[i] == state.holes[i].depth && depths[k] == state.holes[k].depth) {
+                continue;
+            }
+            const auto one = half_width(state.cut, state.holes[i].diameter, depths[i],
+                                        state.limits.minimum_wall);
+            const auto other = half_width(state.cut, state.holes[k].diameter, depths[k],
+                                          state.limits.minimum_wall);
+            const double apart =
+                std::abs(std::remainder(state.holes[i].angle - state.holes[k].angle, 2.0 * pi));
+            if (!one || !other || apart < *one + *other - 1e-12) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// The least that any depths leave.
+double least_left(const State& state, std::vector<double>& depths) {
+    const std::size_t i = depths.size();
+    if (i == state.holes.size()) {
+        return keeps_walls(state, depths) ? left_by(state, depths) : INFINITY;
+    }
+    double least = INFINITY;
+    const Hole& hole = state.holes[i];
+    const double away = std::abs(std::remainder(hole.angle - std::arg(state.unbalance), 2.0 * pi));
+    const double most =
+        away <= state.limits.maximum_angle
+            ? std::min(state.limits.maximum_depth, state.cut.radius - state.cut.cone(hole.diameter))
+            : hole.depth;
+    for (double depth = hole.depth; depth <= most + 1e-9; depth += state.limits.depth_step) {
+        depths.push_back(depth);
+        least = std::min(least, least_left(state, depths));
+        depths.pop_back();
+    }
+    return least;
+}
+
+TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
+    std::mt19937 generator(11);
+    int deepened = 0;
+    for (int i = 0; i < 200; ++i) {
+        const State state = random_state(generator);
+        const DeepeningPlan plan =
+            plan_deepening(state.unbalance, state.holes, state.cut, state.limits, -1.0);
+        std::vector<double> depths;
+        for (const Hole& hole : state.holes) {
+            depths.push_back(hole.depth);
+        }
+        double steps = 1e-9;
+        for (const Hole& hole : plan.holes) {
+            ++deepened;
+            depths[hole.deepens->hole] = hole.depth;
+            EXPECT_GT(hole.depth, hole.from_depth);
+            EXPECT_LE(hole.depth, state.limits.maximum_depth + 1e-12);
+            EXPECT_NEAR(hole.unbalance,
+                        removed_between(state.cut, hole.diameter, hole.from_depth, hole.depth),
+                        1e-6 * hole.unbalance);
+            steps += state.cut.removed(hole.diameter, hole.depth).unbalance -
+                     state.cut.removed(hole.diameter, hole.depth - 1e-3).unbalance;
+        }
+        EXPECT_TRUE(keeps_walls(state, depths)) << i;
+        std::vector<double> tried;
+        const double least = least_left(state, tried);
+        const double left = left_by(state, depths);
+        // What is enough is within the steps; what is not is the least.
+        EXPECT_LE(left, plan.is_enough ? std::max(steps, least) : least + 1e-9) << i;
+        EXPECT_LE(left, std::abs(state.unbalance)) << i;
+    }
+    EXPECT_GT(deepened, 100);
+}
+
+TEST(Deepening, TakesOneHoleWhereThatIsEnough) {
+    State state;
+    state.unbalance = std::polar(600e-6, 0.02);
+    for (const double angle : {0.0, 0.6, -0.6}) {
+        state.holes.push_back({0.014, 0.008, angle, 0.0, 0.0});
+    }
+    const DeepeningPlan plan =
+        plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6);
+    ASSERT_EQ(plan.holes.size(), 1U);
+    EXPECT_TRUE(plan.is_enough);
+    EXPECT_EQ(plan.holes[0].angle, 0.0);
+    // A hole a quarter turn away is none that helps.
+    state.holes = {{0.014, 0.008, 0.5 * pi, 0.0, 0.0}};
+    EXPECT_TRUE(
+        plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6).holes.empty());
+}
+
+/// A second run whose heavy spot is at the hole that was drilled after the first.
+Json second_run() {
+    Json input = card();
+    Json& correction = input["correction"];
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 450, "angle_deg": 40},
+                                            {"unbalance_g_mm": 10, "angle_deg": 90}])");
+    correction["earlier_runs"] = parse_json(R"([{
+        "readings": [{"unbalance_g_mm": 2000, "angle_deg": 40},
+                     {"unbalance_g_mm": 10, "angle_deg": 90}],
+        "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 10, "angle_deg": 40}]}])");
+    return input;
+}
+
+TEST(Plan, DeepensTheHoleThatIsThere) {
+    const Json plane = solved(second_run()).at("correction").at("planes")[0];
+    ASSERT_EQ(plane.at("holes").size(), 1U) << plane.dump(1);
+    const Json& hole = plane.at("holes")[0];
+    EXPECT_EQ(hole.at("deepens"), "/correction/earlier_runs/0/drilled/0");
+    EXPECT_EQ(hole.at("from_depth_mm"), 10);
+    EXPECT_GT(hole.at("depth_mm").get<double>(), 10.0);
+    EXPECT_NEAR(hole.at("removed_g_mm").get<double>(),
+                1e6 * removed_between({0.085, density, 118 * degree}, 0.016, 0.010,
+                                      1e-3 * hole.at("depth_mm").get<double>()),
+                1e-3);
+    EXPECT_NEAR(plane.at("remaining_g_mm").get<double>(),
+                std::abs(450.0 - hole.at("removed_g_mm").get<double>()), 1e-6);
+    // Once it is recorded as deepened it is one hole, to be deepened further.
+    Json third = second_run();
+    Json& runs = third["correction"]["earlier_runs"];
+    runs.push_back({{"readings", third["correction"]["readings"]},
+                    {"drilled",
+                     {{{"plane", "front"},
+                       {"diameter_mm", 16},
+                       {"angle_deg", 40},
+                       {"depth_mm", hole.at("depth_mm")},
+                       {"from_depth_mm", 10}}}}});
+    const Json again = solved(third).at("correction");
+    EXPECT_NEAR(
+        again.at("runs")[1].at("planes")[0].at("drilled_holes")[0].at("removed_g_mm").get<double>(),
+        hole.at("removed_g_mm").get<double>(), 1e-6);
+}
+
+TEST(Plan, KeepsToTheSmallestDepthAndAims) {
+    Json input = card();
+    input["tolerance"] = {{"g_mm", 100}};
+    Json& correction = input["correction"];
+    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
+    const auto depths = [&] {
+        std::vector<double> list;
+        const Json plane = front();
+        for (const Json& hole : plane.at("holes")) {
+            list.push_back(hole.at("depth_mm"));
+        }
+        return list;
+    };
+    std::mt19937 generator(3);
+    for (int i = 0; i < 100; ++i) {
+        correction["readings"][0]["unbalance_g_mm"] =
+            std::uniform_real_distribution<double>(101, 4000)(generator);
+        for (const double depth : depths()) {
+            EXPECT_GE(depth, 1.5 - 1e-9);
+        }
+        const double zero = front().at("remaining_g_mm");
+        correction["aim"] = "tolerance";
+        EXPECT_LE(zero, front().at("remaining_g_mm").get<double>() + 1e-6);
+        correction.erase("aim");
+    }
+    // Within the limit nothing is drilled, whatever the aim.
+    correction["readings"][0]["unbalance_g_mm"] = 99;
+    EXPECT_TRUE(depths().empty());
+    correction["readings"][0]["unbalance_g_mm"] = 130;
+    correction["drill"]["smallest_depth_mm"] = 5;
+    for (const double depth : depths()) {
+        EXPECT_GE(depth, 5.0 - 1e-9);
+    }
+}
+
+TEST(Plan, CountsWhatWasReallyDrilled) {
+    Json input = second_run();
+    Json& hole = input["correction"]["earlier_runs"][0]["drilled"][0];
+    const auto drilled = [&] {
+        return solved(input).at("correction").at("runs")[0].at("planes")[0].at("drilled_holes");
+    };
+    const auto number = [](const Json& holes, const char* key) {
+        return holes.at(0).at(key).get<double>();
+    };
+    const double planned = number(drilled(), "removed_g");
+    EXPECT_NEAR(planned, 1e3 * Cut({0.085, density, 118 * degree}).removed(0.016, 0.010).mass,
+                1e-9);
+    // As planned its mass is the one planned; measured it is that of its sizes.
+    hole["removed_g"] = 12;
+    EXPECT_NEAR(number(drilled(), "removed_g"), 12, 1e-12);
+    hole["state"] = "measured";
+    EXPECT_NEAR(number(drilled(), "removed_g"), planned, 1e-9);
+    hole["state"] = "wrong-side";
+    EXPECT_NEAR(number(drilled(), "angle_deg"), 220, 1e-9);
+    hole["state"] = "not-drilled";
+    EXPECT_TRUE(drilled().empty());
+    // Holes that were there before the first run have no readings, and new ones keep clear of them.
+    hole["state"] = "as-planned";
+    input["correction"]["earlier_runs"][0].erase("readings");
+    const Json correction = solved(input).at("correction");
+    EXPECT_TRUE(correction.at("runs")[0].at("within_tolerance").is_null());
+    EXPECT_EQ(correction.at("planes")[0].at("holes")[0].at("deepens"),
+              "/correction/earlier_runs/0/drilled/0");
+}
+
+TEST(Plan, PutsHolesAtTheHeavySpotWhateverTheMachineShows) {
+    Json input = card();
+    const Json heavy = solved(input).at("correction");
+    input["machine"]["shows"] = "light";
+    for (Json& reading : input["correction"]["readings"]) {
+        reading["angle_deg"] = reading["angle_deg"].get<double>() - 180.0;
+    }
+    EXPECT_EQ(test::difference(heavy.at("planes"), solved(input).at("correction").at("planes")),
+              "");
+}
+
+TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
+    Json input = card();
+    input["tolerance"]["grade_mm_s"] = 6.3;
+    Json& correction = input["correction"];
+    correction["readings"][0]["unbalance_g_mm"] = 30'000;
+    correction["planes"][0] = {{"position_mm", 60}, {"radius_mm", 85}};
+    correction["slug"] = {{"diameter_mm", 20}, {"density_kg_m3", 18'000}};
+    const auto slug = [&] {
+        const Json slugs = solved(input).at("correction").at("planes")[0].at("slugs");
+        EXPECT_FALSE(slugs.empty());
+        return slugs.at(0);
+    };
+    const Json axial = slug();
+    EXPECT_EQ(axial.at("direction"), "axial");
+    EXPECT_NEAR(axial.at("angle_deg").get<double>(), 220, 70);
+    // Its middle lies the wall and half its diameter below the rim; what is under it stays empty.
+    const double area = 0.25 * pi * 20 * 20;
+    const double depth = axial.at("depth_mm");
+    const double radius = 85.0 - 3.0 - 10.0;
+    const double cone = area * 10.0 / std::tan(59 * degree) / 3.0;
+    EXPECT_NEAR(axial.at("slug_g").get<double>(), 18e-3 * area * depth, 1e-6);
+    EXPECT_NEAR(axial.at("added_g_mm").get<double>(),
+                radius * (18e-3 * area * depth - 7.85e-3 * (area * depth + cone)), 1e-3);
+    const double speed = 5500 * 2.0 * pi / 60.0;
+    EXPECT_NEAR(axial.at("centrifugal_force_N").get<double>(),
+                1e-6 * axial.at("slug_g").get<double>() * radius * speed * speed, 1e-6);
+    correction["slug"]["direction"] = "radial";
+    const Json radial = slug();
+    EXPECT_EQ(radial.at("direction"), "radial");
+    EXPECT_NEAR(radial.at("centrifugal_force_N").get<double>(),
+                1e-6 * radial.at("slug_g").get<double>() *
+                    (85.0 - 0.5 * radial.at("depth_mm").get<double>()) * speed * speed,
+                1e-6);
+    input["tolerance"] = {{"g_mm", 200}};
+    EXPECT_TRUE(slug().at("centrifugal_force_N").is_null());
+}
+
+}  // namespace
+}  // namespace ravnoves::workshop

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "workshop/scene.h"
+
+namespace ravnoves::workshop::test {
+
+inline Json solved(const Json& input) {
+    return solve_scene(input, {});
+}
+
+inline std::string error_of(const Json& input) {
+    try {
+        solved(input);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// Where values differ by more than 1e-9 of their size, or are not there.
+inline void compare(const Json& was, const Json& is, const std::string& where,
+                    std::vector<std::string>& found) {
+    if (was.is_structured()) {
+        if (was.type() != is.type() || (was.is_array() && was.size() != is.size())) {
+            found.push_back(where + " was " + was.dump() + ", is " + is.dump());
+            return;
+        }
+        for (const auto& item : was.items()) {
+            const Json::json_pointer at("/" + item.key());
+            compare(item.value(), is.contains(at) ? is.at(at) : Json("nothing"),
+                    where + "/" + item.key(), found);
+        }
+    } else if (was.is_number() && is.is_number()) {
+        const double a = was.get<double>();
+        if (!(std::abs(a - is.get<double>()) <= 1e-9 * std::max(1.0, std::abs(a)))) {
+            found.push_back(where + " was " + was.dump() + ", is " + is.dump());
+        }
+    } else if (was != is) {
+        found.push_back(where + " was " + was.dump() + ", is " + is.dump());
+    }
+}
+
+inline std::string difference(const Json& was, const Json& is) {
+    std::vector<std::string> found;
+    compare(was, is, "", found);
+    return found.empty() ? "" : std::to_string(found.size()) + ": " + found.front();
+}
+
+/// A V-8 whose parts nobody doubts.
+inline Json card() {
+    return parse_json(R"({
+        "engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90},
+        "parts_g": {"piston": 583.9, "pin": 173.6, "rings": 69.5, "locks": 4.8, "small_end": 162.4,
+                    "big_end": 429.8, "shells": 43.7, "oil": 4},
+        "tolerance": {"grade_mm_s": 16, "rotor_mass_kg": 30, "service_speed_rpm": 5500},
+        "correction": {
+            "planes": [{"position_mm": 60, "radius_mm": 85, "from_deg": 0, "to_deg": 359},
+                       {"position_mm": 480, "radius_mm": 80, "from_deg": 0, "to_deg": 359}],
+            "readings": [{"unbalance_g_mm": 2500, "angle_deg": 40},
+                         {"unbalance_g_mm": 1200, "angle_deg": 290}],
+            "drill": {"diameters_mm": [10, 16], "maximum_depth_mm": 30}}})");
+}
+
+/// A V-8 with plugs.
+inline Json plugs_card() {
+    Json input = card();
+    input.erase("parts_g");
+    input["plugs"] = parse_json(R"({
+        "engine": {
+            "crank_radius_mm": 40, "plug_radius_mm": 47.2, "new_plug_radius_mm": 49.3,
+            "steel_plug_mass_g": 28.5, "aluminium_plug_mass_g": 9.8,
+            "new_steel_plug_mass_g": 30, "new_aluminium_plug_mass_g": 10.3,
+            "max_steel_reduction_g": 6, "max_aluminium_reduction_g": 2,
+            "rod_coefficient": 0.445, "oil_mass_g": 20, "oil_coefficient": 1.0,
+            "reciprocating_mass_g": 1000, "rotating_mass_g": 650},
+        "process": "repair", "tolerance_g_mm": 100,
+        "mass_changes_g": {"rod_big_end": 0.5, "repair_piston_and_rings": 2, "repair_bearing": 1.1},
+        "plug": {"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14, "bore_depth_mm": 8}})");
+    return input;
+}
+
+}  // namespace ravnoves::workshop::test
