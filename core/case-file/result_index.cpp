@@ -4,18 +4,20 @@
 
 namespace ravnoves {
 
-ResultIndex::Level ResultIndex::inside(std::string_view key, const Message& label) const {
+ResultIndex::Level ResultIndex::inside(std::string_view key, const Message& label,
+                                       const Unit& unit) const {
     const Level& around = levels_.back();
     Message name = around.name.empty() ? label
                    : label.empty()     ? around.name
                                        : joined(around.name, label);
-    return {(around.pointer + '/').append(key), std::move(name)};
+    return {(around.pointer + '/').append(key), std::move(name),
+            unit == units::none ? around.unit : unit};
 }
 
 void ResultIndex::put_number(const ResultField& field, const std::optional<double>& si) {
-    Level place = inside(field.key, field.label);
+    Level place = inside(field.key, field.label, field.unit);
     entries_.push_back(
-        {std::move(place.pointer), std::move(place.name), field.unit, field.decimals, si});
+        {std::move(place.pointer), std::move(place.name), place.unit, field.decimals, si});
 }
 
 void ResultIndex::integer(const ResultField& field, std::optional<long long> value) {
@@ -27,7 +29,7 @@ void ResultIndex::flag(const ResultField& field, std::optional<bool> value) {
 }
 
 bool ResultIndex::begin_object(const ResultField& field) {
-    levels_.push_back(inside(field.key, field.label));
+    levels_.push_back(inside(field.key, field.label, field.unit));
     return true;
 }
 
@@ -36,8 +38,8 @@ bool ResultIndex::begin_list(const ResultField& field, std::size_t /*count*/) {
 }
 
 bool ResultIndex::begin_element(std::size_t index) {
-    levels_.push_back(
-        inside(std::to_string(index), Number{.value = static_cast<double>(index + 1)}));
+    levels_.push_back(inside(std::to_string(index), Number{.value = static_cast<double>(index + 1)},
+                             units::none));
     return true;
 }
 

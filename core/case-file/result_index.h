@@ -46,8 +46,9 @@ class ResultIndex final : public ResultVisitor {
     struct Level {
         std::string pointer;
         Message name;
+        Unit unit = units::none;  ///< of what has none of its own
     };
-    Level inside(std::string_view key, const Message& label) const;
+    Level inside(std::string_view key, const Message& label, const Unit& unit) const;
 
     std::vector<Level> levels_{1};
     std::vector<ResultEntry> entries_;

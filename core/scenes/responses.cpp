@@ -32,12 +32,52 @@ Input read_whole(const Json& json, const CaseContext& /*context*/) {
     return read(json, Completeness::required);
 }
 
-template <typename Input, auto read, auto check, typename Results = AnewResults<Input>>
-std::unique_ptr<Response> respond(const CaseFile& file, const CaseContext& context,
-                                  std::span<const std::string> varied,
-                                  std::span<const std::string> watched) {
-    return std::make_unique<TypedResponse<Input, read, check, Results>>(file.input, context, varied,
-                                                                        watched);
+/// How a scene's results come of its "input" object.
+template <typename In, auto read_json, auto check, typename Repeated = AnewResults<In>>
+struct Described {
+    using Input = In;
+    using Response = TypedResponse<In, read_json, check, Repeated>;
+    static In read(const Json& json, const CaseContext& context) {
+        return read_json(json, context);
+    }
+};
+
+/// Calls with the Described of a scene. @return what that returns; for another scene, empty
+template <typename Use>
+auto with_scene(std::string_view scene, Use&& use) {
+    if (scene == "balance-shaft") {
+        using Input = balance_shaft::Input;
+        return use(Described<Input, balance_shaft::read_input, balance_shaft::check_joined,
+                             balance_shaft::RepeatedResults>());
+    }
+    if (scene == "elastic-hinge") {
+        using Input = elastic_hinge::Input;
+        return use(Described<Input, read_alone<Input, elastic_hinge::read_input>,
+                             elastic_hinge::check_input>());
+    }
+    if (scene == "inertia-moments") {
+        using Input = inertia_moments::Input;
+        return use(Described<Input, read_alone<Input, inertia_moments::read_input>,
+                             inertia_moments::check_input>());
+    }
+    if (scene == "workshop") {
+        using Input = workshop::Input;
+        return use(
+            Described<Input, read_whole<Input, workshop::read_input>, workshop::check_input>());
+    }
+    if (scene == "v8-plugs") {
+        using Input = v8_plugs::Input;
+        return use(
+            Described<Input, read_whole<Input, v8_plugs::read_input>, v8_plugs::check_input>());
+    }
+    if (scene == "bob-weights") {
+        using Input = bob_weights::Input;
+        return use(Described<Input, read_whole<Input, bob_weights::read_input>,
+                             bob_weights::check_input>());
+    }
+    return decltype(use(
+        Described<elastic_hinge::Input, read_alone<elastic_hinge::Input, elastic_hinge::read_input>,
+                  elastic_hinge::check_input>()))();
 }
 
 }  // namespace
@@ -45,37 +85,17 @@ std::unique_ptr<Response> respond(const CaseFile& file, const CaseContext& conte
 std::unique_ptr<Response> typed_response(const CaseFile& file, const CaseContext& context,
                                          std::span<const std::string> varied,
                                          std::span<const std::string> watched) {
-    if (file.scene == "balance-shaft") {
-        using Input = balance_shaft::Input;
-        return respond<Input, balance_shaft::read_input, balance_shaft::check_joined,
-                       balance_shaft::RepeatedResults>(file, context, varied, watched);
-    }
-    if (file.scene == "elastic-hinge") {
-        using Input = elastic_hinge::Input;
-        return respond<Input, read_alone<Input, elastic_hinge::read_input>,
-                       elastic_hinge::check_input>(file, context, varied, watched);
-    }
-    if (file.scene == "inertia-moments") {
-        using Input = inertia_moments::Input;
-        return respond<Input, read_alone<Input, inertia_moments::read_input>,
-                       inertia_moments::check_input>(file, context, varied, watched);
-    }
-    if (file.scene == "workshop") {
-        using Input = workshop::Input;
-        return respond<Input, read_whole<Input, workshop::read_input>, workshop::check_input>(
-            file, context, varied, watched);
-    }
-    if (file.scene == "v8-plugs") {
-        using Input = v8_plugs::Input;
-        return respond<Input, read_whole<Input, v8_plugs::read_input>, v8_plugs::check_input>(
-            file, context, varied, watched);
-    }
-    if (file.scene == "bob-weights") {
-        using Input = bob_weights::Input;
-        return respond<Input, read_whole<Input, bob_weights::read_input>, bob_weights::check_input>(
-            file, context, varied, watched);
-    }
-    return nullptr;
+    return with_scene(
+        file.scene, [&]<typename Scene>(Scene /*scene*/) -> std::unique_ptr<Response> {
+            return std::make_unique<typename Scene::Response>(file.input, context, varied, watched);
+        });
+}
+
+std::vector<ResultEntry> case_results(std::string_view scene, const Json& input,
+                                      const CaseContext& context) {
+    return with_scene(scene, [&]<typename Scene>(Scene /*scene*/) {
+        return list_results(Scene::read(input, context));
+    });
 }
 
 std::optional<std::string> buildable_value(const CaseFile& file) {

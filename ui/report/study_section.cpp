@@ -77,7 +77,8 @@ QString methodText(const studies::Study& study) {
     return text;
 }
 
-Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
+Table foundValues(const StudyAnswers& answers, const StudyModel& model) {
+    const studies::Study& study = model.study();
     Table table;
     table.caption = ReportWords::tr("Results with tolerances");
     table.headings = {ReportWords::tr("Result"),  ReportWords::tr("Unit"),
@@ -90,7 +91,7 @@ Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
         const auto watched = std::find_if(
             study.watch.begin(), study.watch.end(),
             [&](const studies::Watched& each) { return each.pointer == value.pointer; });
-        const ResultName name = resultName(value.pointer);
+        const ResultName name = model.resultName(value.pointer);
         const ShownUnit unit = name.shown();
         const auto shown = [&](const std::optional<double>& each) {
             return value.text(each, unit.factor);
@@ -161,7 +162,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
         return;
     }
     report.items.push_back(Paragraph{methodText(study.study()).toHtmlEscaped()});
-    report.items.push_back(foundValues(*answers, study.study()));
+    report.items.push_back(foundValues(*answers, study));
     if (studies::is_sampled(study.study().method)) {
         report.items.push_back(Paragraph{ReportWords::tr("Samples solved: %1")
                                              .arg(QLocale().toString(qulonglong(answers->solved)))

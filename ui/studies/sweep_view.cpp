@@ -123,7 +123,7 @@ void SweepView::fillChoices() {
     fill(input_, inputs, isChosen_ ? model_->input() : std::string());
     std::vector<std::pair<QString, QString>> results;
     for (const studies::Watched& watched : study_->study().watch) {
-        results.emplace_back(resultName(watched.pointer).withUnit(),
+        results.emplace_back(study_->resultName(watched.pointer).withUnit(),
                              QString::fromStdString(watched.pointer));
     }
     fill(result_, results, model_->result());
@@ -178,7 +178,7 @@ QString SweepView::bestText() const {
         return few;
     }
     const ShownTitle input = study_->inputTitle(sweep.input);
-    const ShownUnit unit = resultName(sweep.result).shown();
+    const ShownUnit unit = study_->resultName(sweep.result).shown();
     const QString best =
         tr("Lowest 95 % value: %1 at %2; %3 of the samples can be built.")
             .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
@@ -189,7 +189,7 @@ QString SweepView::bestText() const {
 
 void SweepView::showCurves() {
     const Sweep& sweep = *model_->sweep();
-    const ResultName name = resultName(sweep.result);
+    const ResultName name = study_->resultName(sweep.result);
     const ShownTitle input = study_->inputTitle(sweep.input);
     std::vector<double> x;
     std::vector<double> mean;
@@ -224,7 +224,8 @@ void SweepView::showCurves() {
     const double nominal = input.factor * sweep.nominal;
     if (sweep.half > 0.0) {
         const double half = input.factor * sweep.half;
-        bands.push_back({nominal - half, nominal + half, plot::AccentInk, 0.12, QStringLiteral("±")});
+        bands.push_back(
+            {nominal - half, nominal + half, plot::AccentInk, 0.12, QStringLiteral("±")});
     }
     plot_->setBands(std::move(bands));
     const auto shown = [&](double value) {
@@ -246,10 +247,8 @@ void SweepView::showCurves() {
             for (const auto& [limit, text] :
                  {std::pair(watched.min, tr("at least")), std::pair(watched.max, tr("at most"))}) {
                 if (limit) {
-                    lines.push_back({.at = *limit,
-                                     .colour = plot::MutedInk,
-                                     .text = text,
-                                     .keptAtEdge = true});
+                    lines.push_back(
+                        {.at = *limit, .colour = plot::MutedInk, .text = text, .keptAtEdge = true});
                 }
             }
         }

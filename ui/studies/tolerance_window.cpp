@@ -26,8 +26,8 @@
 #include "case-file/message.h"
 #include "model/background_job.h"
 #include "model/scene_model.h"
-#include "plot/plot_view.h"
 #include "page/scene_page.h"
+#include "plot/plot_view.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
@@ -393,7 +393,7 @@ void ToleranceWindow::fillWatchable() {
     const QSignalBlocker block(watchable_);
     watchable_->clearEntries();
     for (const StudyModel::Value& value : model_->results()) {
-        watchable_->addItem(resultName(value.pointer).withUnit(),
+        watchable_->addItem(model_->resultName(value.pointer).withUnit(),
                             QString::fromStdString(value.pointer));
     }
 }
@@ -475,7 +475,7 @@ void ToleranceWindow::showFound() {
         lines << model_->trouble();
     } else if (answers != nullptr) {
         for (const StudyAnswer& value : answers->values) {
-            const ResultName name = resultName(value.pointer);
+            const ResultName name = model_->resultName(value.pointer);
             const auto shown = [&](const std::optional<double>& each) {
                 return value.text(each, name.shown().factor);
             };
@@ -529,7 +529,7 @@ void ToleranceWindow::showChosen() {
         return;
     }
     const StudyAnswer& value = answers->values[row];
-    const ResultName named = resultName(value.pointer);
+    const ResultName named = model_->resultName(value.pointer);
     showShares(*tornado_, value, *model_);
     histogram_->setTitle(named.withUnit());
     std::vector<double> heights;

@@ -124,9 +124,9 @@ void showShares(TornadoView& view, const StudyAnswer& value, const StudyModel& s
     for (const StudyAnswer::Share& share : value.shares) {
         bars.push_back({study.inputName(share.pointer), share.alone, share.whole});
     }
-    view.setBars(
-        TornadoView::tr("Shares of the variance of %1").arg(resultName(value.pointer).withUnit()),
-        std::move(bars));
+    view.setBars(TornadoView::tr("Shares of the variance of %1")
+                     .arg(study.resultName(value.pointer).withUnit()),
+                 std::move(bars));
 }
 
 }  // namespace ravnoves

@@ -19,14 +19,15 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "page/refused_entries.h"
+#include "page/scene_page.h"
 #include "plot/plot_view.h"
 #include "report/patience.h"
 #include "report/report.h"
 #include "report/study_section.h"
 #include "scene_tests.h"
+#include "scenes/open_example.h"
 #include "shell/main_window.h"
-#include "page/refused_entries.h"
-#include "page/scene_page.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/model/study_model.h"
@@ -226,12 +227,18 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
 }
 
 TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
-    EXPECT_EQ(resultName("/metrics/M_ups/range_Nm").withUnit(), u"Mᵤₚₛ, range, N·m"_s);
-    EXPECT_EQ(resultName("/exact/order_2/moment_Nm/forward/amplitude").withUnit(),
-              u"exact, order 2, moment, forward, amplitude, N·m"_s);
-    EXPECT_EQ(resultName("/guide/minimum_stiffness_N_m").withUnit(),
-              u"crank guide, least stiffness, N/m"_s);
-    EXPECT_EQ(resultName("/bobweight_g").withUnit(), u"bob weight, g"_s);
+    EXPECT_EQ(resultName(u"balance-shaft"_s, "/metrics/M_ups/range_Nm").withUnit(),
+              u"Mᵤₚₛ, range, N·m"_s);
+    EXPECT_EQ(
+        resultName(u"inertia-moments"_s, "/exact/order_2/moment_Nm/forward/amplitude").withUnit(),
+        u"Exact, order 2, moment, forward, amplitude, N·m"_s);
+    EXPECT_EQ(resultName(u"elastic-hinge"_s, "/guide/minimum_stiffness_N_m").withUnit(),
+              u"Crank guide, Minimum stiffness, N/m"_s);
+    // What no preset has is known from the case that has it.
+    const auto shop = test::makePage("bob-weights");
+    test::openExample(*shop->model());
+    learnResultNames(u"bob-weights"_s, shop->model()->inputJson(), {});
+    EXPECT_TRUE(resultName(u"bob-weights"_s, "/bobweight_g").text.contains(u' '));
 }
 
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
@@ -518,8 +525,10 @@ TEST_F(TolerancesInOtherUnits, NamesOfResultsAreShownWhole) {
     tolerances->resize(1400, 800);
     scatter("/centre_distance_mm", u"0.05"_s);
     auto results = tolerances->model()->results();
-    std::sort(results.begin(), results.end(), [](const auto& one, const auto& other) {
-        return resultName(one.pointer).text.size() > resultName(other.pointer).text.size();
+    std::sort(results.begin(), results.end(), [&](const auto& one, const auto& other) {
+        const StudyModel& study = *tolerances->model();
+        return study.resultName(one.pointer).text.size() >
+               study.resultName(other.pointer).text.size();
     });
     for (std::size_t i = 0; i < 3; ++i) {
         tolerances->model()->watch(results[i].pointer);

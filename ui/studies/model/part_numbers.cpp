@@ -36,8 +36,8 @@ void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
             values.push_back(none);
             continue;
         }
-        const auto next = std::max(std::lower_bound(curve->x.begin(), curve->x.end(), x),
-                                   curve->x.begin() + 1);
+        const auto next =
+            std::max(std::lower_bound(curve->x.begin(), curve->x.end(), x), curve->x.begin() + 1);
         const auto i = static_cast<std::size_t>(next - curve->x.begin());
         const double stretch = curve->x[i] - curve->x[i - 1];
         const double part = stretch > 0.0 ? (x - curve->x[i - 1]) / stretch : 1.0;
@@ -124,8 +124,8 @@ std::vector<double> PartNumbers::of(const SceneModel& sample) const {
     return found;
 }
 
-std::map<std::string, PartSpread, std::less<>> PartNumbers::spreads(
-    const BandSamples::Sides& sides, const QString& how) const {
+std::map<std::string, PartSpread, std::less<>> PartNumbers::spreads(const BandSamples::Sides& sides,
+                                                                    const QString& how) const {
     std::map<std::string, PartSpread, std::less<>> found;
     for (const Shown& part : parts_) {
         PartSpread spread;

@@ -3,6 +3,8 @@
 #include <QString>
 #include <string>
 
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -20,7 +22,11 @@ struct ResultName {
     QString ownTitle() const { return titleWithUnit(text, unit); }
 };
 
+/// As the scene's result describes it: of its presets, and of the inputs that were learned.
 /// @param pointer  below "result", for example "/metrics/M_ups/range_Nm"
-ResultName resultName(const std::string& pointer);
+ResultName resultName(const QString& scene, const std::string& pointer);
+
+/// What this input's result has is known by name from now on.
+void learnResultNames(const QString& scene, const Json& input, const CaseContext& context);
 
 }  // namespace ravnoves

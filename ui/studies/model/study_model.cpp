@@ -50,7 +50,7 @@ QString whyText(const Message& why, const QString& scene) {
 
 /// An input that no form names.
 StudyModel::Input unnamedInput(const std::string& pointer, double value) {
-    const ResultName name = resultName(pointer);
+    const ResultName name = resultName({}, pointer);
     return {.pointer = pointer,
             .name = capitalised(name.text),
             .unit = name.unit,
@@ -170,6 +170,7 @@ void StudyModel::readStudy() {
 }
 
 std::vector<StudyModel::Value> StudyModel::results() const {
+    learnResultNames(scene_->sceneName(), scene_->inputJson(), scene_->context());
     std::vector<Value> found;
     collectNumbers(scene_->resultJson(), {}, found);
     return found;

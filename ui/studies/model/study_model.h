@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/study.h"
 #include "text/shown_units.h"
@@ -53,6 +54,9 @@ class StudyModel : public QObject {
 
     const std::vector<Input>& inputs() const { return inputs_; }
     std::vector<Value> results() const;
+    ResultName resultName(const std::string& pointer) const {
+        return ravnoves::resultName(scene_->sceneName(), pointer);
+    }
     QString inputName(const std::string& pointer) const;
     /// The title of an axis of it in the unit that is shown.
     ShownTitle inputTitle(const std::string& pointer) const;
@@ -74,11 +78,11 @@ class StudyModel : public QObject {
     void watch(const std::string& pointer);
     void unwatch(const std::vector<std::string>& pointers);
     /// A limit of a result as it is typed, in the unit that is shown.
-    static QString limitText(const std::string& pointer, const std::optional<double>& limit);
+    QString limitText(const std::string& pointer, const std::optional<double>& limit) const;
     /// Takes the same into a limit.
     /// @return an empty string, or why it cannot be
-    static QString readLimit(const std::string& pointer, const QString& text,
-                             std::optional<double>& limit);
+    QString readLimit(const std::string& pointer, const QString& text,
+                      std::optional<double>& limit) const;
     /// Other limits of some that are watched, as one step: all of them, or none.
     /// @return an empty string, or why it cannot be
     QString setLimits(const std::vector<studies::Watched>& limits);

@@ -181,12 +181,13 @@ void StudyModel::unwatch(const std::vector<std::string>& pointers) {
     change(tr("Watch a result"), next);
 }
 
-QString StudyModel::limitText(const std::string& pointer, const std::optional<double>& limit) {
+QString StudyModel::limitText(const std::string& pointer,
+                              const std::optional<double>& limit) const {
     return limit ? writtenShown(*limit, resultName(pointer).shown().factor) : QString();
 }
 
 QString StudyModel::readLimit(const std::string& pointer, const QString& text,
-                              std::optional<double>& limit) {
+                              std::optional<double>& limit) const {
     const QString typed = text.trimmed();
     if (typed == limitText(pointer, limit)) {
         return {};  // it stands for all digits of the limit

@@ -197,8 +197,8 @@ bool WatchTable::isTyped(int /*row*/, int column) const {
 QString WatchTable::text(int row, int column, bool /*isEdited*/) const {
     const studies::Watched& shown = watched(row);
     return column == Name
-               ? resultName(shown.pointer).withUnit()
-               : StudyModel::limitText(shown.pointer, column == Least ? shown.min : shown.max);
+               ? model_->resultName(shown.pointer).withUnit()
+               : model_->limitText(shown.pointer, column == Least ? shown.min : shown.max);
 }
 
 bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -233,8 +233,8 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
             if (column + i == Name) {
                 continue;
             }
-            const QString why = StudyModel::readLimit(limit.pointer, line[i],
-                                                      column + i == Least ? limit.min : limit.max);
+            const QString why = model_->readLimit(limit.pointer, line[i],
+                                                  column + i == Least ? limit.min : limit.max);
             if (!why.isEmpty()) {
                 troubles.add(cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
                                               : why);
