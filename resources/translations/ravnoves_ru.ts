@@ -5207,6 +5207,10 @@
         <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
     </message>
     <message>
+        <source>must be a scene with a page; the command line solves it</source>
+        <translation>должна быть сценой со страницей; эту решает командная строка</translation>
+    </message>
+    <message>
         <source>must be one of %1</source>
         <translation>допустимо одно из: %1</translation>
     </message>

@@ -13,7 +13,6 @@
 #include "case-file/json.h"
 #include "model/open_case.h"
 #include "model/recovery.h"
-#include "numerics/demand.h"
 #include "scenes/case_sources.h"
 #include "shell/case_tabs.h"
 #include "shell/disk_notice.h"
@@ -322,7 +321,11 @@ bool Documents::hasSeveralTabs() const {
 void Documents::put(const CaseFile& file, OpenDocument* there, int id,
                     const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
-    RAVNOVES_DEMAND(scene.has_value(), "every scene of a case file has a page");
+    if (!scene) {
+        throw InputError("/scene",
+                         CORE_TEXT("core", "must be a scene with a page; the command line solves it"),
+                         file.scene);
+    }
     OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
     OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);
     try {

@@ -115,6 +115,9 @@ TEST_F(MainWindowTest, BadFilesAreNamedAndChangeNothing) {
         {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shaft\", "
          "\"input\": {\"crank_radius_mm\": -46}}",
          "Crank radius r"},
+        {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"workshop\", "
+         "\"input\": {}}",
+         "command line"},
         {"\x7f"
          "ELF\x02\x01",
          "JSON"},
