@@ -175,15 +175,8 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     }
 }
 
-Json write_result(const Solver& solver, const Result& result) {
-    const Wanted all;
-    ResultJson json(all);
-    visit_results(json, solver, result);
-    return json.take();
-}
-
 Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted) {
-    return result_json(read_input(input, context), wanted);
+    return result_json(wanted, read_input(input, context));
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -20,11 +20,6 @@ Json write_kept(const Input& input);
 /// Takes them over into an input that was read. A file that cannot be read stays named.
 /// @throws InputError that names the JSON pointer
 void read_kept(const Json& kept, const CaseContext& context, Input& input);
-/// The "result" object of the contract, with what this program adds: the result and what is
-/// computed beside it (crank-only balancing, gear error) at the result's α.
-/// Page and command line both print this.
-Json write_result(const Solver& solver, const Result& result);
-
 /// The scene as the case file sees it.
 /// @throws InputError
 Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});

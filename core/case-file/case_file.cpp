@@ -218,7 +218,8 @@ std::vector<Message> bring_up_to_date(Json& document, std::span<const CaseStep> 
 }
 
 CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
-    ObjectReader(document, "").choice("format", {case_format});
+    constexpr Word formats[]{{case_format}};
+    ObjectReader(document, "").choice("format", formats);
     CaseFile file;
     file.changes = bring_up_to_date(document, case_steps, case_version);
     ObjectReader reader(document, "");

@@ -36,7 +36,14 @@ struct Field {
 
     /// The range, or the size, that a value in the unit leaves; null where it is allowed.
     const Range* left_by(double value) const { return left_one({&range, &size}, value); }
+    /// True for a whole number of the range or, where there are words, one that they name.
+    bool allows_whole(double value) const;
+    /// The rule in words: "must be a whole number from 6 to 1000", "must be 2 or 4".
+    Message whole_number_rule() const;
 };
+
+/// The number that a word is: 2 of "2".
+int whole_number(const Word& word);
 
 /// The value in the field's unit, as a person would write it: of the doubles that read back to this
 /// SI value, the one with the shortest decimal text, so that 46 mm written and read again stays 46.

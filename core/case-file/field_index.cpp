@@ -1,6 +1,7 @@
 #include "case-file/field_index.h"
 
 #include <algorithm>
+#include <array>
 
 #include "case-file/field_walker.h"
 
@@ -26,68 +27,50 @@ class Index final : public FieldWalker {
         return all_ ? -1 : present;
     }
     bool has(std::string_view /*key*/, bool present) override { return all_ || present; }
-    void number_or_word(const Field& field, std::optional<double>& si,
-                        std::string_view word) override {
-        if (wants(field)) {
-            visit_optional(field, si, false);
-            entries_.back().word = word;
-        }
-    }
-    void numbers(const Field& field, std::vector<double>& /*values*/) override {
-        add(field, FieldKind::list, {});
-    }
-    void integers(const Field& field, std::vector<int>& /*values*/) override {
-        add(field, FieldKind::list, {});
-    }
-    void custom(const Field& field, bool required, Custom& /*value*/) override {
-        add(field, FieldKind::custom, {}).required = required;
-    }
 
   protected:
-    void visit_number(const Field& field, double& si, const double* fallback,
-                      bool /*always*/) override {
+    void leaf(const Field& field, const Leaf& leaf) override {
         if (!wants(field)) {
+            if (auto* const* list = std::get_if<std::vector<double>*>(&leaf.at);
+                list != nullptr && !only_.empty() && is_within(field.key, only_)) {
+                add_element(field, **list);
+            }
             return;
         }
-        FieldEntry& entry = add(field, FieldKind::number, from_si(field, si));
-        entry.may_be_empty = fallback != nullptr;
-        entry.required = fallback == nullptr;
-        if (fallback != nullptr) {
-            entry.usual = from_si(field, *fallback);
-        }
-    }
-    void visit_optional(const Field& field, std::optional<double>& si, bool required) override {
-        if (!wants(field)) {
-            return;
-        }
-        FieldEntry& entry =
-            add(field, FieldKind::number, si ? FieldValue(from_si(field, *si)) : FieldValue());
-        entry.may_be_empty = true;
-        entry.required = required;
-    }
-    void visit_integer(const Field& field, int& value, const int* fallback,
-                       bool /*always*/) override {
-        set_usual(add(field, FieldKind::integer, value), fallback);
-    }
-    void visit_flag(const Field& field, bool& value, const bool* fallback,
-                    bool /*always*/) override {
-        set_usual(add(field, FieldKind::flag, value), fallback);
-    }
-    void visit_text(const Field& field, std::string& value, bool required) override {
-        add(field, FieldKind::text, value).required = required;
-    }
-    void visit_choice(const Field& field, int& index, const int* fallback,
-                      bool /*always*/) override {
-        set_usual(add(field, FieldKind::choice, index), fallback);
+        FieldEntry& entry = add(field, kind_of(leaf));
+        entry.required = leaf.required && !leaf.is_list();
+        entry.word = leaf.word;
+        const auto shown = ByKind{[&](double si) { return FieldValue(from_si(field, si)); },
+                                  [](std::monostate nothing) { return FieldValue(nothing); },
+                                  [](auto value) { return FieldValue(value); }};
+        entry.usual = std::visit(shown, leaf.usual);
+        entry.may_be_empty = std::holds_alternative<double>(leaf.usual);
+        std::visit(
+            ByKind{[&](double* si) {
+                       entry.value = shown(*si);
+                       entry.place = si;
+                   },
+                   [&](std::optional<double>* si) {
+                       entry.may_be_empty = true;
+                       if (*si) {
+                           entry.value = shown(**si);
+                           entry.place = &**si;
+                       }
+                   },
+                   [](const auto* /*more*/) {}, [&](const int* value) { entry.value = *value; },
+                   [&](const bool* value) { entry.value = *value; },
+                   [&](const std::string* value) { entry.value = *value; }},
+            leaf.at);
+        entry.place_unit = field.unit;
     }
     bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
         if (all_ || !field.label.empty() || !field.hint.empty()) {
-            add(field, FieldKind::object, {}).required = required;
+            add(field, FieldKind::object).required = required;
         }
         return leads_on(field) && FieldWalker::begin_object(field, required, true);
     }
     bool begin_list(const Field& field, std::size_t& count) override {
-        add(field, FieldKind::list, {});
+        add(field, FieldKind::list);
         if (all_) {
             count = 1;
         }
@@ -96,15 +79,13 @@ class Index final : public FieldWalker {
 
   private:
     /// What is asked for may be within this object or list.
-    bool leads_on(const Field& field) const {
-        return only_.empty() || is_within(field.key, only_);
-    }
+    bool leads_on(const Field& field) const { return only_.empty() || is_within(field.key, only_); }
     bool wants(const Field& field) const { return only_.empty() || is_at(field.key, only_); }
-    FieldEntry& add(const Field& field, FieldKind kind, FieldValue value) {
+    FieldEntry& add(const Field& field, FieldKind kind) {
         if (!wants(field)) {
             return passed_;
         }
-        FieldEntry entry{pointer_to(field.key), field, kind, false, std::move(value)};
+        FieldEntry entry{.pointer = pointer_to(field.key), .field = field, .kind = kind};
         for (const Choice& choice : choices_) {
             if (choice.pointer == entry.pointer) {
                 entry.alternatives = choice.keys;
@@ -112,12 +93,22 @@ class Index final : public FieldWalker {
         }
         return entries_.emplace_back(std::move(entry));
     }
-    template <typename Value>
-    static void set_usual(FieldEntry& entry, const Value* fallback) {
-        entry.required = fallback == nullptr;
-        if (fallback != nullptr) {
-            entry.usual = *fallback;
+    void add_element(const Field& field, std::vector<double>& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (only_ == pointer_to(field.key) + "/" + std::to_string(i)) {
+                entries_.push_back({.pointer = std::string(only_),
+                                    .field = field,
+                                    .value = list[i],
+                                    .required = true,
+                                    .place = &list[i]});
+            }
         }
+    }
+    static FieldKind kind_of(const Leaf& leaf) {
+        constexpr std::array kinds{FieldKind::number, FieldKind::number, FieldKind::integer,
+                                   FieldKind::flag,   FieldKind::text,   FieldKind::list,
+                                   FieldKind::list,   FieldKind::custom};  // as Leaf::at
+        return leaf.is_choice ? FieldKind::choice : kinds.at(leaf.at.index());
     }
 
     struct Choice {
@@ -150,58 +141,31 @@ class Setter final : public FieldWalker {
     }
 
   protected:
-    void visit_number(const Field& field, double& si, const double* fallback,
-                      bool /*always*/) override {
-        if (const double* number = wanted<double>(field)) {
-            si = *number * field.unit;
-        } else if (fallback != nullptr && wanted<std::monostate>(field) != nullptr) {
-            si = *fallback;
+    void leaf(const Field& field, const Leaf& leaf) override {
+        if (done_ || !is_at(field.key, target_)) {
+            return;
         }
-    }
-    void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {
-        if (const double* number = wanted<double>(field)) {
-            si = *number * field.unit;
-        } else if (wanted<std::monostate>(field) != nullptr) {
-            si.reset();
-        }
-    }
-    void visit_integer(const Field& field, int& value, const int* /*fallback*/,
-                       bool /*always*/) override {
-        take(field, value);
-    }
-    void visit_flag(const Field& field, bool& value, const bool* /*fallback*/,
-                    bool /*always*/) override {
-        take(field, value);
-    }
-    void visit_text(const Field& field, std::string& value, bool /*required*/) override {
-        take(field, value);
-    }
-    void visit_choice(const Field& field, int& index, const int* /*fallback*/,
-                      bool /*always*/) override {
-        take(field, index);
+        done_ = true;
+        std::visit(
+            ByKind{[&](double* si, double number) { *si = number * field.unit; },
+                   [&](std::optional<double>* si, double number) { *si = number * field.unit; },
+                   [](std::optional<double>* si, std::monostate) { si->reset(); },
+                   [&](double* si, std::monostate) {
+                       const double* usual = std::get_if<double>(&leaf.usual);
+                       done_ = usual != nullptr;
+                       *si = done_ ? *usual : *si;
+                   },
+                   [](int* value, int given) { *value = given; },
+                   [](bool* value, bool given) { *value = given; },
+                   [](std::string* value, const std::string& given) { *value = given; },
+                   [&](auto* /*other*/, const auto& /*kind*/) { done_ = false; }},
+            leaf.at, value_);
     }
     bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
         return is_within(field.key, target_) && FieldWalker::begin_object(field, required, true);
     }
 
   private:
-    /// The value where it is of this type and meant for this field.
-    template <typename Value>
-    const Value* wanted(const Field& field) {
-        const Value* value = std::get_if<Value>(&value_);
-        if (done_ || value == nullptr || !is_at(field.key, target_)) {
-            return nullptr;
-        }
-        done_ = true;
-        return value;
-    }
-    template <typename Value>
-    void take(const Field& field, Value& target) {
-        if (const Value* value = wanted<Value>(field)) {
-            target = *value;
-        }
-    }
-
     std::string_view target_;
     const FieldValue& value_;
     bool done_ = false;
@@ -209,20 +173,16 @@ class Setter final : public FieldWalker {
 
 }  // namespace
 
-namespace detail {
-
-std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all, std::string_view only) {
+std::vector<FieldEntry> list_fields(const VisitFields& visit, bool all, std::string_view only) {
     Index index(all, only);
-    visit(index, input);
+    visit(index);
     return index.take();
 }
 
-bool set_with(VisitInput visit, void* input, std::string_view pointer, const FieldValue& value) {
+bool set_field(const VisitFields& visit, std::string_view pointer, const FieldValue& value) {
     Setter setter(pointer, value);
-    visit(setter, input);
+    visit(setter);
     return setter.done();
 }
-
-}  // namespace detail
 
 }  // namespace ravnoves

@@ -5,11 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "case-file/field.h"
+#include "case-file/field_visitor.h"
 
 namespace ravnoves {
-
-class FieldVisitor;
 
 /// The value of a field as a form shows it: nothing, a number in the field's unit, a whole number
 /// (of a choice: the place of its word), yes or no, a text.
@@ -23,38 +21,36 @@ struct FieldEntry {
     Field field;
     FieldKind kind = FieldKind::number;
     bool may_be_empty = false;  ///< a number that may be left out
-    FieldValue value;
+    FieldValue value{};
     bool required = false;    ///< the case must give it where it gives the object around it
     FieldValue usual{};       ///< what stands in for it; nothing where nothing does
     std::string_view word{};  ///< a word that may stand for the number, for example "solve"
     /// Keys of which one is to be given, this one among them; empty where there is no such choice.
     std::vector<std::string> alternatives{};
+    /// Where the input keeps a number, as long as it is neither moved nor given another shape; null
+    /// of what is none, or is not there. A number that the fields hand out as a copy has no place
+    /// that holds: compare the places of two inputs.
+    double* place = nullptr;
+    Unit place_unit = units::none;  ///< of the place: of the field, none of a list's element
 };
 
-namespace detail {
-using VisitInput = void (*)(FieldVisitor& visitor, void* input);
-std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all, std::string_view only);
-bool set_with(VisitInput visit, void* input, std::string_view pointer, const FieldValue& value);
-
-template <typename Input>
-void visit_input(FieldVisitor& visitor, void* input) {
-    visit_fields(visitor, *static_cast<Input*>(input));
-}
-}  // namespace detail
+std::vector<FieldEntry> list_fields(const VisitFields& visit, bool all, std::string_view only);
+bool set_field(const VisitFields& visit, std::string_view pointer, const FieldValue& value);
 
 /// The fields of an input with their present values. Objects that are absent are listed with the
 /// values that they would begin with.
-/// @param only  the pointer of the one that is wanted; empty: all
+/// @param only  the pointer of the one that is wanted, an element of a list of numbers too; empty:
+///              all fields
 template <typename Input>
 std::vector<FieldEntry> list_fields(const Input& input, std::string_view only = {}) {
-    return detail::index_with(detail::visit_input<Input>, const_cast<Input*>(&input), false, only);
+    return list_fields(fields_of(input), false, only);
 }
 
 /// Every field that a case of the scene may have, one element for each list: the table of the help.
 template <typename Input>
 std::vector<FieldEntry> describe_fields(std::string_view only = {}) {
     Input input;
-    return detail::index_with(detail::visit_input<Input>, &input, true, only);
+    return list_fields(fields_of(input), true, only);
 }
 
 /// Sets one scalar by its pointer below "input"; an object that was absent comes into being, and so
@@ -62,7 +58,7 @@ std::vector<FieldEntry> describe_fields(std::string_view only = {}) {
 /// Nothing is checked. @return false where there is no such field or the kind of value is wrong
 template <typename Input>
 bool set_field(Input& input, std::string_view pointer, const FieldValue& value) {
-    return detail::set_with(detail::visit_input<Input>, &input, pointer, value);
+    return set_field(fields_of(input), pointer, value);
 }
 
 }  // namespace ravnoves

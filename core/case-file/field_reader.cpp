@@ -1,124 +1,139 @@
 #include "case-file/field_reader.h"
 
 #include <cmath>
+#include <deque>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/whole_number.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
-FieldReader::FieldReader(const Json& json, Completeness completeness, std::string pointer)
-    : completeness_(completeness) {
-    readers_.emplace_back(json, std::move(pointer));
-}
+namespace {
 
-void FieldReader::visit_number(const Field& field, double& si, const double* fallback,
-                               bool /*always*/) {
-    if (reader().has(field.key) || (fallback == nullptr && !is_lenient())) {
-        si = reader().si(field);
-    } else if (fallback != nullptr) {
-        si = *fallback;
+class FieldReader final : public FieldVisitor {
+  public:
+    FieldReader(const Json& json, Completeness completeness)
+        : is_lenient_(completeness == Completeness::as_is) {
+        readers_.emplace_back(json, "/input");
     }
-}
 
-void FieldReader::visit_optional(const Field& field, std::optional<double>& si, bool required) {
-    if (reader().has(field.key) || (required && !is_lenient())) {
-        si = reader().si(field);
-    }
-}
+    /// Refuses what no field has asked for.
+    void finish() const { readers_.back().finish(); }
 
-void FieldReader::number_or_word(const Field& field, std::optional<double>& si,
-                                 std::string_view word) {
-    if (!reader().has(field.key)) {
-        return;  // empty, as by the word
+    bool is_reading() const override { return true; }
+    int one_of(std::initializer_list<std::string_view> keys, int present) override;
+    bool has(std::string_view key, bool /*present*/) override { return reader().has(key); }
+    std::vector<std::string> names(std::vector<std::string> /*present*/) override {
+        return reader().keys();
     }
-    const Json& value = reader().raw(field.key);
-    if (!value.is_string()) {
-        si = reader().si(field);
-        return;
-    }
-    const std::string quoted = '"' + std::string(word) + '"';
-    if (show(value) != quoted) {
-        throw InputError(reader().pointer_to(field.key),
-                         {CORE_TEXT("core", "must be a number or %1"), quoted}, show(value));
-    }
-    si.reset();
-}
+    std::string pointer() const override { return readers_.back().pointer(); }
 
-void FieldReader::visit_integer(const Field& field, int& value, const int* fallback,
-                                bool /*always*/) {
-    if (reader().has(field.key) || (fallback == nullptr && !is_lenient())) {
-        const Json& json = reader().raw(field.key);
-        const double number = json.is_number() ? json.get<double>() : std::nan("");
-        if (!allows_whole(field, number)) {
-            throw InputError(reader().pointer_to(field.key), whole_number_rule(field), show(json));
+  protected:
+    void leaf(const Field& field, const Leaf& leaf) override {
+        if (!reader().has(field.key)) {
+            if (leaf.required && (!is_lenient_ || leaf.is_list())) {
+                reader().raw(field.key);  // refuses it
+            }
+            take_usual(leaf);
+            return;
         }
-        value = static_cast<int>(number);
-    } else if (fallback != nullptr) {
-        value = *fallback;
+        const Json& json = reader().raw(field.key);
+        std::visit(ByKind{[&](double* si) { *si = reader().si(field); },
+                          [&](std::optional<double>* si) {
+                              if (!leaf.word.empty() && json.is_string()) {
+                                  check_word(field, leaf.word, json);
+                                  si->reset();
+                              } else {
+                                  *si = reader().si(field);
+                              }
+                          },
+                          [&](int* value) {
+                              *value = leaf.is_choice ? reader().choice(field.key, field.words)
+                                                      : whole(field, json, place_of(field));
+                          },
+                          [&](bool* value) {
+                              if (!json.is_boolean()) {
+                                  throw InputError(place_of(field),
+                                                   CORE_TEXT("core", "must be true or false"),
+                                                   show(json));
+                              }
+                              *value = json.get<bool>();
+                          },
+                          [&](std::string* value) { *value = reader().text(field.key); },
+                          [&](std::vector<double>* values) {
+                              *values = reader().numbers(field.key, field.range);
+                          },
+                          [&](std::vector<int>* values) {
+                              values->clear();
+                              for (const Json& each : reader().list(field.key)) {
+                                  values->push_back(whole(
+                                      field, each,
+                                      place_of(field) + "/" + std::to_string(values->size())));
+                              }
+                          },
+                          [&](CustomValue* value) { value->read(json, place_of(field)); }},
+                   leaf.at);
     }
-}
-
-void FieldReader::visit_flag(const Field& field, bool& value, const bool* fallback,
-                             bool /*always*/) {
-    value = reader().boolean(field.key, *fallback);
-}
-
-void FieldReader::visit_text(const Field& field, std::string& value, bool required) {
-    value = required && !is_lenient() ? reader().text(field.key) : reader().text(field.key, value);
-}
-
-void FieldReader::visit_choice(const Field& field, int& index, const int* fallback,
-                               bool /*always*/) {
-    if (!reader().has(field.key) && (fallback != nullptr || is_lenient())) {
-        index = fallback != nullptr ? *fallback : index;
-        return;
+    bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
+        if (!reader().has(field.key) && !(required && !is_lenient_)) {
+            return false;
+        }
+        readers_.push_back(reader().object(field.key));
+        return true;
     }
-    index = reader().choice(field.key, field.words);
-}
-
-bool FieldReader::begin_object(const Field& field, bool required, bool /*is_there*/) {
-    if (!reader().has(field.key) && !(required && !is_lenient())) {
-        return false;
+    void end_object() override {
+        readers_.back().finish();
+        readers_.pop_back();
     }
-    readers_.push_back(reader().object(field.key));
-    return true;
-}
+    bool begin_list(const Field& field, std::size_t& count) override {
+        const Json& list = reader().list(field.key);
+        count = list.size();
+        lists_.push_back({&list, place_of(field)});
+        return true;
+    }
+    void end_list() override { lists_.pop_back(); }
+    void begin_element(std::size_t index) override {
+        const List& list = lists_.back();
+        readers_.emplace_back(list.json->at(index), list.pointer + "/" + std::to_string(index));
+    }
+    void end_element() override { end_object(); }
 
-void FieldReader::end_object() {
-    readers_.back().finish();
-    readers_.pop_back();
-}
+  private:
+    struct List {
+        const Json* json;
+        std::string pointer;
+    };
 
-bool FieldReader::begin_list(const Field& field, std::size_t& count) {
-    const Json& list = reader().list(field.key);
-    count = list.size();
-    lists_.push_back({&list, reader().pointer_to(field.key)});
-    return true;
-}
+    ObjectReader& reader() { return readers_.back(); }
+    std::string place_of(const Field& field) { return reader().pointer_to(field.key); }
+    static int whole(const Field& field, const Json& json, const std::string& place) {
+        const double number = json.is_number() ? json.get<double>() : std::nan("");
+        if (!field.allows_whole(number)) {
+            throw InputError(place, field.whole_number_rule(), show(json));
+        }
+        return static_cast<int>(number);
+    }
+    void check_word(const Field& field, std::string_view word, const Json& json) {
+        if (json != word) {
+            throw InputError(
+                place_of(field),
+                {CORE_TEXT("core", "must be a number or %1"), quoted_list({std::string(word)})},
+                show(json));
+        }
+    }
+    static void take_usual(const Leaf& leaf) {
+        std::visit(ByKind{[](double* value, double usual) { *value = usual; },
+                          [](int* value, int usual) { *value = usual; },
+                          [](bool* value, bool usual) { *value = usual; },
+                          [](auto* /*value*/, auto /*usual*/) {}},
+                   leaf.at, leaf.usual);
+    }
 
-void FieldReader::end_list() {
-    lists_.pop_back();
-}
-
-void FieldReader::begin_element(std::size_t index) {
-    const List& list = lists_.back();
-    readers_.emplace_back(list.json->at(index), list.pointer + "/" + std::to_string(index));
-}
-
-void FieldReader::end_element() {
-    end_object();
-}
-
-void FieldReader::numbers(const Field& field, std::vector<double>& values) {
-    values = reader().numbers(field.key, field.range);
-}
-
-void FieldReader::integers(const Field& field, std::vector<int>& values) {
-    values = reader().integers(field.key, static_cast<int>(field.range.min),
-                               static_cast<int>(field.range.max));
-}
+    std::deque<ObjectReader> readers_;
+    std::vector<List> lists_;
+    bool is_lenient_;
+};
 
 int FieldReader::one_of(std::initializer_list<std::string_view> keys, int present) {
     int found = -1;
@@ -135,7 +150,7 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
         }
         ++index;
     }
-    if (found < 0 && !is_lenient()) {
+    if (found < 0 && !is_lenient_) {
         for (const std::string_view key : keys) {
             reader().refuse_mistyped(key);
         }
@@ -146,14 +161,12 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
     return found < 0 ? present : found;
 }
 
-bool FieldReader::has(std::string_view key, bool /*present*/) {
-    return reader().has(key);
-}
+}  // namespace
 
-void FieldReader::custom(const Field& field, bool required, Custom& value) {
-    if (reader().has(field.key) || (required && !is_lenient())) {
-        value.read(reader().raw(field.key), reader().pointer_to(field.key));
-    }
+void read_fields(const Json& json, Completeness completeness, const VisitFields& visit) {
+    FieldReader reader(json, completeness);
+    visit(reader);
+    reader.finish();
 }
 
 }  // namespace ravnoves

@@ -1,17 +1,57 @@
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "case-file/field.h"
 #include "case-file/json_fwd.h"
 
 namespace ravnoves {
+
+/// A value that no other field describes. `read` fills the input from the value in the file,
+/// `write` gives the value for the file; null is not written.
+struct CustomValue {
+    virtual ~CustomValue() = default;
+    virtual void read(const Json& value, const std::string& pointer) = 0;
+    virtual Json write() = 0;
+    /// Throws where the present value is not allowed.
+    virtual void check(const std::string& /*pointer*/) {}
+};
+
+/// A value that is visited.
+struct Leaf {
+    /// Where the input keeps it: numbers in SI units, those of a list in the field's unit, of a
+    /// choice the place of its word.
+    std::variant<double*, std::optional<double>*, int*, bool*, std::string*, std::vector<double>*,
+                 std::vector<int>*, CustomValue*>
+        at{};
+    using Usual = std::variant<std::monostate, double, int, bool>;
+    Usual usual{};            ///< what it is where the case does not give it
+    bool required = false;    ///< the case must give it, though a form not finished may lack it
+    bool always = false;      ///< written even where it is the usual one
+    bool is_choice = false;   ///< one of field.words
+    std::string_view word{};  ///< that stands for an empty number
+
+    bool is_list() const {
+        return std::holds_alternative<std::vector<double>*>(at) ||
+               std::holds_alternative<std::vector<int>*>(at);
+    }
+};
+
+/// Calls for each kind of Leaf::at what takes it.
+template <typename... Calls>
+struct ByKind : Calls... {
+    using Calls::operator()...;
+};
+template <typename... Calls>
+ByKind(Calls...) -> ByKind<Calls...>;
 
 /// Goes through the fields of a scene's input in the order of its case file.
 ///
@@ -27,6 +67,7 @@ class FieldVisitor {
   public:
     /// What a case file does with a value that has a default.
     enum class Written { always, if_changed };
+    using Custom = CustomValue;
 
     virtual ~FieldVisitor() = default;
 
@@ -39,49 +80,58 @@ class FieldVisitor {
     // ------------------------------------------------------------------------------- scalars
 
     /// A number that the case must give.
-    void number(const Field& field, double& si) { visit_number(field, si, nullptr, true); }
+    void number(const Field& field, double& si) { leaf(field, {.at = &si, .required = true}); }
     /// A number that keeps its default where the case does not give it.
     void number(const Field& field, double& si, double fallback,
                 Written written = Written::if_changed) {
-        visit_number(field, si, &fallback, written == Written::always);
+        leaf(field, {.at = &si, .usual = fallback, .always = written == Written::always});
     }
     /// A number that may be left out.
-    void number(const Field& field, std::optional<double>& si) { visit_optional(field, si, false); }
+    void number(const Field& field, std::optional<double>& si) { leaf(field, {.at = &si}); }
     /// A number that the case must give, though a form that is not finished may lack it.
     void required(const Field& field, std::optional<double>& si) {
-        visit_optional(field, si, true);
+        leaf(field, {.at = &si, .required = true});
     }
     /// A number, or a word that stands for "by formula": then it is empty, as where it is left out.
-    virtual void number_or_word(const Field& field, std::optional<double>& si,
-                                std::string_view word) = 0;
+    void number_or_word(const Field& field, std::optional<double>& si, std::string_view word) {
+        leaf(field, {.at = &si, .word = word});
+    }
 
-    void integer(const Field& field, int& value) { visit_integer(field, value, nullptr, true); }
+    void integer(const Field& field, int& value) { leaf(field, {.at = &value, .required = true}); }
     void integer(const Field& field, int& value, int fallback,
                  Written written = Written::if_changed) {
-        visit_integer(field, value, &fallback, written == Written::always);
+        leaf(field, {.at = &value, .usual = fallback, .always = written == Written::always});
     }
     void flag(const Field& field, bool& value, bool fallback,
               Written written = Written::if_changed) {
-        visit_flag(field, value, &fallback, written == Written::always);
+        leaf(field, {.at = &value, .usual = fallback, .always = written == Written::always});
     }
-    void text(const Field& field, std::string& value) { visit_text(field, value, true); }
+    void text(const Field& field, std::string& value) {
+        leaf(field, {.at = &value, .required = true});
+    }
     /// A text that is empty where the case does not give it.
-    void optional_text(const Field& field, std::string& value) { visit_text(field, value, false); }
+    void optional_text(const Field& field, std::string& value) { leaf(field, {.at = &value}); }
 
     /// One of field.words; the enumeration's values are 0, 1, … in their order.
     template <typename Enum>
     void choice(const Field& field, Enum& value) {
-        auto index = static_cast<int>(value);
-        visit_choice(field, index, nullptr, true);
-        value = static_cast<Enum>(index);
+        choose(field, value, {.required = true});
     }
     template <typename Enum>
     void choice(const Field& field, Enum& value, std::type_identity_t<Enum> fallback,
                 Written written = Written::if_changed) {
-        auto index = static_cast<int>(value);
-        const auto usual = static_cast<int>(fallback);
-        visit_choice(field, index, &usual, written == Written::always);
-        value = static_cast<Enum>(index);
+        choose(field, value,
+               {.usual = static_cast<int>(fallback), .always = written == Written::always});
+    }
+    /// A list of numbers in the field's unit; the struct holds them in that unit too.
+    void numbers(const Field& field, std::vector<double>& values) {
+        leaf(field, {.at = &values, .required = true});
+    }
+    void integers(const Field& field, std::vector<int>& values) {
+        leaf(field, {.at = &values, .required = true});
+    }
+    void custom(const Field& field, bool required, Custom& value) {
+        leaf(field, {.at = &value, .required = required});
     }
 
     // ----------------------------------------------------------------------------- structure
@@ -147,10 +197,6 @@ class FieldVisitor {
             end_list();
         }
     }
-    /// A list of numbers in the field's unit; the struct holds them in that unit too.
-    virtual void numbers(const Field& field, std::vector<double>& values) = 0;
-    virtual void integers(const Field& field, std::vector<int>& values) = 0;
-
     /// Which of several keys (or objects) the case gives: exactly one of them must be there.
     /// @param present  the one that the input has now; the reader ignores it
     /// @return the one to visit; negative where all are to be visited (a table of all fields)
@@ -161,29 +207,11 @@ class FieldVisitor {
     /// file, for other visitors than the reader `present`; one that is to be set is among them.
     virtual std::vector<std::string> names(std::vector<std::string> present) { return present; }
 
-    /// A value that no other call describes. `read` fills the input from the value in the file,
-    /// `write` gives the value for the file; null is not written.
-    struct Custom {
-        virtual ~Custom() = default;
-        virtual void read(const Json& value, const std::string& pointer) = 0;
-        virtual Json write() = 0;
-        /// Throws where the present value is not allowed.
-        virtual void check(const std::string& /*pointer*/) {}
-    };
-    virtual void custom(const Field& field, bool required, Custom& value) = 0;
-
     /// JSON pointer of the object that is visited now, for example "/input/torque".
     virtual std::string pointer() const = 0;
 
   protected:
-    virtual void visit_number(const Field& field, double& si, const double* fallback,
-                              bool always) = 0;
-    virtual void visit_optional(const Field& field, std::optional<double>& si, bool required) = 0;
-    virtual void visit_integer(const Field& field, int& value, const int* fallback,
-                               bool always) = 0;
-    virtual void visit_flag(const Field& field, bool& value, const bool* fallback, bool always) = 0;
-    virtual void visit_text(const Field& field, std::string& value, bool required) = 0;
-    virtual void visit_choice(const Field& field, int& index, const int* fallback, bool always) = 0;
+    virtual void leaf(const Field& field, const Leaf& leaf) = 0;
     /// @return whether the object is there and its fields are to be visited
     virtual bool begin_object(const Field& field, bool required, bool is_there) = 0;
     virtual void end_object() = 0;
@@ -192,12 +220,24 @@ class FieldVisitor {
     virtual void end_list() = 0;
     virtual void begin_element(std::size_t index) = 0;
     virtual void end_element() = 0;
+
+  private:
+    template <typename Enum>
+    void choose(const Field& field, Enum& value, Leaf how) {
+        auto index = static_cast<int>(value);
+        how.at = &index;
+        how.is_choice = true;
+        leaf(field, how);
+        value = static_cast<Enum>(index);
+    }
 };
 
-/// For visitors that do not change what they visit.
+/// Visits the fields of some input.
+using VisitFields = std::function<void(FieldVisitor& visitor)>;
+/// @param input  must outlive this; of one that is constant for visitors that change nothing
 template <typename Input>
-void visit_constant(FieldVisitor& visitor, const Input& input) {
-    visit_fields(visitor, const_cast<Input&>(input));
+VisitFields fields_of(const Input& input) {
+    return [&input](FieldVisitor& visitor) { visit_fields(visitor, const_cast<Input&>(input)); };
 }
 
 }  // namespace ravnoves

@@ -38,14 +38,6 @@ double checked_number(const Json& value, const std::string& pointer, const Range
     return number;
 }
 
-int checked_integer(const Json& value, const std::string& pointer, int min, int max) {
-    const double number = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(number >= min && number <= max && std::floor(number) == number)) {
-        throw InputError(pointer, Range::between(min, max).whole_number_message(), show(value));
-    }
-    return static_cast<int>(number);
-}
-
 }  // namespace
 
 std::string escape_segment(std::string_view key) {
@@ -191,31 +183,18 @@ double ObjectReader::number(std::string_view key, const Range& range) {
     return checked_number(value, pointer_to(key), range);
 }
 
-double ObjectReader::number(std::string_view key, const Range& range, double fallback) {
-    return has(key) ? number(key, range) : fallback;
-}
-
 std::optional<double> ObjectReader::optional_number(std::string_view key, const Range& range) {
     return has(key) ? std::optional(number(key, range)) : std::nullopt;
 }
 
 int ObjectReader::integer(std::string_view key, int min, int max) {
-    return checked_integer(require(key), pointer_to(key), min, max);
-}
-
-int ObjectReader::integer(std::string_view key, int min, int max, int fallback) {
-    return has(key) ? integer(key, min, max) : fallback;
-}
-
-bool ObjectReader::boolean(std::string_view key, bool fallback) {
-    if (!has(key)) {
-        return fallback;
-    }
     const Json& value = require(key);
-    if (!value.is_boolean()) {
-        throw InputError(pointer_to(key), CORE_TEXT("core", "must be true or false"), show(value));
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(number >= min && number <= max && std::floor(number) == number)) {
+        throw InputError(pointer_to(key), Range::between(min, max).whole_number_message(),
+                         show(value));
     }
-    return value.get<bool>();
+    return static_cast<int>(number);
 }
 
 std::string ObjectReader::text(std::string_view key) {
@@ -228,21 +207,6 @@ std::string ObjectReader::text(std::string_view key) {
 
 std::string ObjectReader::text(std::string_view key, std::string fallback) {
     return has(key) ? text(key) : std::move(fallback);
-}
-
-std::string ObjectReader::choice(std::string_view key,
-                                 std::initializer_list<std::string_view> choices) {
-    const Json& value = require(key);
-    if (value.is_string()) {
-        const auto& word = value.get_ref<const std::string&>();
-        if (std::find(choices.begin(), choices.end(), word) != choices.end()) {
-            return word;
-        }
-    }
-    throw InputError(
-        pointer_to(key),
-        {CORE_TEXT("core", "must be one of %1"), quoted_list({choices.begin(), choices.end()})},
-        show(value));
 }
 
 int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
@@ -266,12 +230,6 @@ const Json& ObjectReader::list(std::string_view key) {
     return value;
 }
 
-std::string ObjectReader::choice(std::string_view key,
-                                 std::initializer_list<std::string_view> choices,
-                                 std::string_view fallback) {
-    return has(key) ? choice(key, choices) : std::string(fallback);
-}
-
 std::vector<double> ObjectReader::numbers(std::string_view key, const Range& range) {
     const Json& array = list(key);
     std::vector<double> values;
@@ -281,17 +239,6 @@ std::vector<double> ObjectReader::numbers(std::string_view key, const Range& ran
             checked_number(element, pointer_to(key) + "/" + std::to_string(values.size()), range);
         }
         values.push_back(element.get<double>());
-    }
-    return values;
-}
-
-std::vector<int> ObjectReader::integers(std::string_view key, int min, int max) {
-    const Json& array = list(key);
-    std::vector<int> values;
-    values.reserve(array.size());
-    for (const Json& element : array) {
-        values.push_back(checked_integer(
-            element, pointer_to(key) + "/" + std::to_string(values.size()), min, max));
     }
     return values;
 }

@@ -31,28 +31,20 @@ class ObjectReader {
     bool has(std::string_view key);
 
     double number(std::string_view key, const Range& range);
-    double number(std::string_view key, const Range& range, double fallback);
     std::optional<double> optional_number(std::string_view key, const Range& range);
 
     /// The field in SI units, by its key and range.
     double si(const Field& field) { return number(field.key, field.range) * field.unit; }
 
     int integer(std::string_view key, int min, int max);
-    int integer(std::string_view key, int min, int max, int fallback);
-    bool boolean(std::string_view key, bool fallback);
     std::string text(std::string_view key);
     std::string text(std::string_view key, std::string fallback);
-    /// One of the listed words.
-    std::string choice(std::string_view key, std::initializer_list<std::string_view> choices);
-    std::string choice(std::string_view key, std::initializer_list<std::string_view> choices,
-                       std::string_view fallback);
     /// Place of the word that stands there.
     int choice(std::string_view key, std::span<const Word> words);
     /// The raw list.
     const Json& list(std::string_view key);
     /// An array of numbers, each within the range; errors name the element.
     std::vector<double> numbers(std::string_view key, const Range& range);
-    std::vector<int> integers(std::string_view key, int min, int max);
 
     /// The nested object.
     ObjectReader object(std::string_view key);

@@ -14,18 +14,20 @@ ResultIndex::Level ResultIndex::inside(std::string_view key, const Message& labe
             unit == units::none ? around.unit : unit};
 }
 
-void ResultIndex::put_number(const ResultField& field, const std::optional<double>& si) {
+void ResultIndex::leaf(const ResultField& field, const ResultValue& value) {
+    std::optional<double> si;
+    if (const auto* number = std::get_if<double>(&value)) {
+        si = *number;
+    } else if (const auto* count = std::get_if<long long>(&value)) {
+        si = static_cast<double>(*count);
+    } else if (const auto* flag = std::get_if<bool>(&value)) {
+        si = *flag ? 1.0 : 0.0;
+    } else if (!std::holds_alternative<std::monostate>(value)) {
+        return;
+    }
     Level place = inside(field.key, field.label, field.unit);
     entries_.push_back(
         {std::move(place.pointer), std::move(place.name), place.unit, field.decimals, si});
-}
-
-void ResultIndex::integer(const ResultField& field, std::optional<long long> value) {
-    put_number(field, value ? std::optional(static_cast<double>(*value)) : std::nullopt);
-}
-
-void ResultIndex::flag(const ResultField& field, std::optional<bool> value) {
-    put_number(field, value ? std::optional(*value ? 1.0 : 0.0) : std::nullopt);
 }
 
 bool ResultIndex::begin_object(const ResultField& field) {
@@ -33,22 +35,10 @@ bool ResultIndex::begin_object(const ResultField& field) {
     return true;
 }
 
-bool ResultIndex::begin_list(const ResultField& field, std::size_t /*count*/) {
-    return begin_object(field);
-}
-
 bool ResultIndex::begin_element(std::size_t index) {
     levels_.push_back(inside(std::to_string(index), Number{.value = static_cast<double>(index + 1)},
                              units::none));
     return true;
-}
-
-void ResultIndex::end_object() {
-    levels_.pop_back();
-}
-
-void ResultIndex::end_list() {
-    levels_.pop_back();
 }
 
 }  // namespace ravnoves

@@ -24,24 +24,13 @@ class ResultIndex final : public ResultVisitor {
     std::vector<ResultEntry> take() { return std::move(entries_); }
 
     bool wants(std::string_view /*key*/) const override { return true; }
-    void integer(const ResultField& field, std::optional<long long> value) override;
-    void flag(const ResultField& field, std::optional<bool> value) override;
-    void word(const ResultField& /*field*/, std::string_view /*word*/) override {}
-    void text(const ResultField& /*field*/, const Message& /*text*/) override {}
-    void texts(const ResultField& /*field*/, const std::vector<Message>& /*texts*/) override {}
-    void numbers(const ResultField& /*field*/, const std::vector<double>& /*si*/) override {}
-    void integers(const ResultField& /*field*/, const std::vector<int>& /*values*/) override {}
-    void rows(const ResultField& /*field*/, const std::vector<double>& /*si*/,
-              std::size_t /*columns*/) override {}
-    void nothing(const ResultField& /*field*/) override {}
 
   private:
-    void put_number(const ResultField& field, const std::optional<double>& si) override;
+    void leaf(const ResultField& field, const ResultValue& value) override;
     bool begin_object(const ResultField& field) override;
-    bool begin_list(const ResultField& field, std::size_t count) override;
+    bool begin_list(const ResultField& field) override { return begin_object(field); }
     bool begin_element(std::size_t index) override;
-    void end_object() override;
-    void end_list() override;
+    void end() override { levels_.pop_back(); }
 
     struct Level {
         std::string pointer;

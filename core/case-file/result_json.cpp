@@ -1,14 +1,13 @@
 #include "case-file/result_json.h"
 
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace ravnoves {
 
 namespace {
 
-Json in_unit(double si, const Unit& unit) {
+Json json_of(double si, const Unit& unit) {
     if (!std::isfinite(si)) {
         return nullptr;
     }
@@ -16,11 +15,42 @@ Json in_unit(double si, const Unit& unit) {
     return shown == 0.0 ? 0.0 : shown;  // no minus before zero
 }
 
-Json in_unit(std::span<const double> si, const Unit& unit) {
+Json json_of(std::monostate /*nothing*/, const Unit& /*unit*/) {
+    return nullptr;
+}
+Json json_of(long long count, const Unit& /*unit*/) {
+    return count;
+}
+Json json_of(bool flag, const Unit& /*unit*/) {
+    return flag;
+}
+Json json_of(int number, const Unit& /*unit*/) {
+    return number;
+}
+Json json_of(std::string_view word, const Unit& /*unit*/) {
+    return word;
+}
+Json json_of(const Message& text, const Unit& /*unit*/) {
+    return text.english();
+}
+Json json_of(const Message* text, const Unit& /*unit*/) {
+    return text->english();
+}
+
+template <typename Element>
+Json json_of(std::span<const Element> elements, const Unit& unit) {
     Json::array_t list;
-    list.reserve(si.size());
-    for (const double value : si) {
-        list.push_back(in_unit(value, unit));
+    list.reserve(elements.size());
+    for (const Element& element : elements) {
+        list.push_back(json_of(element, unit));
+    }
+    return list;
+}
+
+Json json_of(const ResultRows& rows, const Unit& unit) {
+    Json list = Json::array();
+    for (std::size_t at = 0; at + rows.columns <= rows.si.size(); at += rows.columns) {
+        list.push_back(json_of(rows.si.subspan(at, rows.columns), unit));
     }
     return list;
 }
@@ -39,72 +69,10 @@ bool ResultJson::wants(std::string_view key) const {
     return wanted_.is_all() || wanted_.wants(place(key));
 }
 
-void ResultJson::put(const ResultField& field, Json value) {
-    levels_.back().value[std::string(field.key)] = std::move(value);
-}
-
-void ResultJson::put_number(const ResultField& field, const std::optional<double>& si) {
+void ResultJson::leaf(const ResultField& field, const ResultValue& value) {
     if (wants(field.key)) {
-        put(field, si ? in_unit(*si, field.unit) : Json());
-    }
-}
-
-void ResultJson::integer(const ResultField& field, std::optional<long long> value) {
-    if (wants(field.key)) {
-        put(field, value ? Json(*value) : Json());
-    }
-}
-
-void ResultJson::flag(const ResultField& field, std::optional<bool> value) {
-    if (wants(field.key)) {
-        put(field, value ? Json(*value) : Json());
-    }
-}
-
-void ResultJson::word(const ResultField& field, std::string_view word) {
-    if (wants(field.key)) {
-        put(field, word.empty() ? Json() : Json(word));
-    }
-}
-
-void ResultJson::text(const ResultField& field, const Message& text) {
-    if (wants(field.key)) {
-        put(field, text.english());
-    }
-}
-
-void ResultJson::texts(const ResultField& field, const std::vector<Message>& texts) {
-    if (wants(field.key)) {
-        put(field, english(texts));
-    }
-}
-
-void ResultJson::numbers(const ResultField& field, const std::vector<double>& si) {
-    if (wants(field.key)) {
-        put(field, si.empty() ? Json() : in_unit(std::span(si), field.unit));
-    }
-}
-
-void ResultJson::rows(const ResultField& field, const std::vector<double>& si,
-                      std::size_t columns) {
-    if (wants(field.key)) {
-        Json list = Json::array();
-        for (std::size_t at = 0; at + columns <= si.size(); at += columns) {
-            list.push_back(in_unit(std::span(si).subspan(at, columns), field.unit));
-        }
-        put(field, std::move(list));
-    }
-}
-
-void ResultJson::integers(const ResultField& field, const std::vector<int>& values) {
-    if (wants(field.key)) {
-        put(field, values);
-    }
-}
-
-void ResultJson::nothing(const ResultField& field) {
-    if (wants(field.key)) {
-        put(field, nullptr);
+        const auto json = [&](const auto& it) { return json_of(it, field.unit); };
+        levels_.back().value[std::string(field.key)] = std::visit(json, value);
     }
 }
 
@@ -132,7 +100,7 @@ bool ResultJson::begin_object(const ResultField& field) {
     return true;
 }
 
-bool ResultJson::begin_list(const ResultField& field, std::size_t /*count*/) {
+bool ResultJson::begin_list(const ResultField& field) {
     if (!wants(field.key)) {
         return false;
     }
@@ -144,14 +112,6 @@ bool ResultJson::begin_element(std::size_t index) {
     // All of them: an element keeps its place in the list.
     begin(std::to_string(index), object_with_room(16));
     return true;
-}
-
-void ResultJson::end_object() {
-    end();
-}
-
-void ResultJson::end_list() {
-    end();
 }
 
 Json ResultJson::take() {

@@ -30,7 +30,6 @@ ResultNumbers::ResultNumbers(std::span<const std::string> pointers)
 
 void ResultNumbers::clear() {
     for (Node& node : nodes_) {
-        node.found = Found::nothing;
         node.value.reset();
         if (!node.why.empty()) {
             node.why = {};
@@ -73,106 +72,45 @@ bool ResultNumbers::wants(std::string_view key) const {
     }
 }
 
-void ResultNumbers::set(std::size_t node, const std::optional<double>& value) {
-    if (node != 0) {
-        const bool is_number = value && std::isfinite(*value);
-        nodes_[node].found = is_number ? Found::number : Found::null;
-        nodes_[node].value = is_number ? value : std::nullopt;
+void ResultNumbers::set(std::size_t node, double value) {
+    if (node != 0 && std::isfinite(value)) {
+        nodes_[node].value = value;
     }
 }
 
-void ResultNumbers::put_number(const ResultField& field, const std::optional<double>& si) {
-    set(inside(at_, field.key), si ? std::optional(*si / field.unit) : std::nullopt);
-}
-
-void ResultNumbers::integer(const ResultField& field, std::optional<long long> value) {
-    set(inside(at_, field.key), value ? std::optional(static_cast<double>(*value)) : std::nullopt);
-}
-
-void ResultNumbers::flag(const ResultField& field, std::optional<bool> value) {
-    set(inside(at_, field.key), value ? std::optional(*value ? 1.0 : 0.0) : std::nullopt);
-}
-
-void ResultNumbers::word(const ResultField& field, std::string_view /*word*/) {
-    if (const std::size_t node = inside(at_, field.key)) {
-        nodes_[node].found = Found::no_number;
-    }
-}
-
-void ResultNumbers::text(const ResultField& field, const Message& text) {
-    if (field.key == "reason" || field.key == "note") {
-        nodes_[at_].why = text;
-    }
-    word(field, {});
-}
-
-void ResultNumbers::texts(const ResultField& field, const std::vector<Message>& /*texts*/) {
-    word(field, {});
-}
-
-void ResultNumbers::numbers(const ResultField& field, const std::vector<double>& si) {
+void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
     const std::size_t node = inside(at_, field.key);
-    if (node == 0) {
-        return;
-    }
-    nodes_[node].found = Found::no_number;
-    for (const auto& [place, element] : nodes_[node].inside) {
-        for (std::size_t i = 0; i < si.size(); ++i) {
-            if (place == std::to_string(i)) {
-                set(element, si[i] / field.unit);
-            }
+    const auto elements = [&](std::size_t of, const auto& list) {
+        for (std::size_t i = 0; of != 0 && i < list.size(); ++i) {
+            set(inside(of, std::to_string(i)), list[i] / field.unit);
+        }
+    };
+    if (const auto* const* text = std::get_if<const Message*>(&value)) {
+        if (field.key == "reason" || field.key == "note") {
+            nodes_[at_].why = **text;
+        }
+    } else if (const auto* number = std::get_if<double>(&value)) {
+        set(node, *number / field.unit);
+    } else if (const auto* count = std::get_if<long long>(&value)) {
+        set(node, static_cast<double>(*count));
+    } else if (const auto* flag = std::get_if<bool>(&value)) {
+        set(node, *flag ? 1.0 : 0.0);
+    } else if (const auto* numbers = std::get_if<std::span<const double>>(&value)) {
+        elements(node, *numbers);
+    } else if (const auto* integers = std::get_if<std::span<const int>>(&value)) {
+        elements(node, *integers);
+    } else if (const auto* rows = std::get_if<ResultRows>(&value); rows != nullptr && node != 0) {
+        for (std::size_t row = 0; (row + 1) * rows->columns <= rows->si.size(); ++row) {
+            elements(inside(node, std::to_string(row)),
+                     rows->si.subspan(row * rows->columns, rows->columns));
         }
     }
-}
-
-void ResultNumbers::integers(const ResultField& field, const std::vector<int>& values) {
-    numbers({field.key}, std::vector<double>(values.begin(), values.end()));
-}
-
-void ResultNumbers::rows(const ResultField& field, const std::vector<double>& si,
-                         std::size_t columns) {
-    if (enter(field.key)) {
-        for (std::size_t row = 0; (row + 1) * columns <= si.size(); ++row) {
-            const auto from = si.begin() + static_cast<std::ptrdiff_t>(row * columns);
-            numbers({std::to_string(row), field.unit},
-                    {from, from + static_cast<std::ptrdiff_t>(columns)});
-        }
-        end_object();
-    }
-}
-
-void ResultNumbers::nothing(const ResultField& field) {
-    set(inside(at_, field.key), std::nullopt);
 }
 
 bool ResultNumbers::enter(std::string_view key) {
     const std::size_t node = inside(at_, key);
-    if (node == 0) {
-        return false;
-    }
-    nodes_[node].found = Found::no_number;
-    at_ = node;
-    return true;
-}
-
-bool ResultNumbers::begin_object(const ResultField& field) {
-    return enter(field.key);
-}
-
-bool ResultNumbers::begin_list(const ResultField& field, std::size_t /*count*/) {
-    return enter(field.key);
-}
-
-bool ResultNumbers::begin_element(std::size_t index) {
-    return enter(std::to_string(index));
-}
-
-void ResultNumbers::end_object() {
-    at_ = nodes_[at_].around;
-}
-
-void ResultNumbers::end_list() {
-    end_object();
+    at_ = node != 0 ? node : at_;
+    return node != 0;
 }
 
 }  // namespace ravnoves

@@ -15,9 +15,6 @@ namespace ravnoves {
 /// else of the result is computed. Yes and no are 1 and 0.
 class ResultNumbers final : public ResultVisitor {
   public:
-    /// What a pointer leads to.
-    enum class Found { nothing, number, null, no_number };
-
     /// @param pointers  below "result": "/metrics/M_ups/range_Nm", "/throws/0/rotating_mass_kg"
     explicit ResultNumbers(std::span<const std::string> pointers);
 
@@ -25,44 +22,31 @@ class ResultNumbers final : public ResultVisitor {
     void clear();
 
     const std::string& pointer(std::size_t i) const { return pointers_[i]; }
-    Found found(std::size_t i) const { return nodes_[places_[i]].found; }
     /// In the unit of the key; empty where there is none.
     std::optional<double> value(std::size_t i) const { return nodes_[places_[i]].value; }
     /// Why there is none: the reason or note of the nearest object around it that gives one.
     Message why(std::size_t i) const;
 
     bool wants(std::string_view key) const override;
-    void integer(const ResultField& field, std::optional<long long> value) override;
-    void flag(const ResultField& field, std::optional<bool> value) override;
-    void word(const ResultField& field, std::string_view word) override;
-    void text(const ResultField& field, const Message& text) override;
-    void texts(const ResultField& field, const std::vector<Message>& texts) override;
-    void numbers(const ResultField& field, const std::vector<double>& si) override;
-    void integers(const ResultField& field, const std::vector<int>& values) override;
-    void rows(const ResultField& field, const std::vector<double>& si,
-              std::size_t columns) override;
-    void nothing(const ResultField& field) override;
 
   private:
     /// A key on the way to a number that is wanted; the first node is the result.
     struct Node {
         std::size_t around = 0;
         std::vector<std::pair<std::string, std::size_t>> inside{};
-        Found found = Found::nothing;
         std::optional<double> value{};
         Message why{};
     };
 
-    void put_number(const ResultField& field, const std::optional<double>& si) override;
-    bool begin_object(const ResultField& field) override;
-    bool begin_list(const ResultField& field, std::size_t count) override;
-    bool begin_element(std::size_t index) override;
-    void end_object() override;
-    void end_list() override;
+    void leaf(const ResultField& field, const ResultValue& value) override;
+    bool begin_object(const ResultField& field) override { return enter(field.key); }
+    bool begin_list(const ResultField& field) override { return enter(field.key); }
+    bool begin_element(std::size_t index) override { return enter(std::to_string(index)); }
+    void end() override { at_ = nodes_[at_].around; }
 
     std::size_t inside(std::size_t around, std::string_view key) const;  ///< 0: not wanted
     bool enter(std::string_view key);
-    void set(std::size_t node, const std::optional<double>& value);
+    void set(std::size_t node, double value);
 
     std::vector<Node> nodes_;
     std::vector<std::string> pointers_;

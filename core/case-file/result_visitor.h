@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "case-file/message.h"
@@ -22,6 +24,18 @@ struct ResultField {
     Text label{};      ///< "Relief of the guide"
     Text hint{};       ///< what it is, a sentence with its formula
 };
+
+/// Numbers of a list whose elements are lists of so many.
+struct ResultRows {
+    std::span<const double> si;
+    std::size_t columns;
+};
+
+/// A value: none, a number in SI units, a count, yes or no, one of the file's words, a sentence or
+/// several, a list.
+using ResultValue = std::variant<std::monostate, double, long long, bool, std::string_view,
+                                 const Message*, std::span<const Message>, std::span<const double>,
+                                 std::span<const int>, ResultRows>;
 
 /// Goes through the values of a scene's result in the order of its file.
 ///
@@ -43,32 +57,41 @@ class ResultVisitor {
 
     // --------------------------------------------------------------------------------- values
 
-    void number(const ResultField& field, const std::optional<double>& si) {
-        put_number(field, si);
-    }
+    void number(const ResultField& field, const std::optional<double>& si) { put(field, si); }
     template <typename Compute>
     requires std::is_invocable_v<Compute>
     void number(const ResultField& field, Compute&& compute) {
         if (wants(field.key)) {
-            put_number(field, std::forward<Compute>(compute)());
+            number(field, std::forward<Compute>(compute)());
         }
     }
     /// A count: written without decimals.
-    virtual void integer(const ResultField& field, std::optional<long long> value) = 0;
-    virtual void flag(const ResultField& field, std::optional<bool> value) = 0;
+    void integer(const ResultField& field, const std::optional<long long>& value) {
+        put(field, value);
+    }
+    void flag(const ResultField& field, const std::optional<bool>& value) { put(field, value); }
     /// One of the file's words, the same in every language; an empty one is null.
-    virtual void word(const ResultField& field, std::string_view word) = 0;
+    void word(const ResultField& field, std::string_view word) {
+        leaf(field, word.empty() ? ResultValue() : word);
+    }
     /// A sentence. Under the keys "reason" and "note" it says why numbers beside it are null.
-    virtual void text(const ResultField& field, const Message& text) = 0;
-    virtual void texts(const ResultField& field, const std::vector<Message>& texts) = 0;
+    void text(const ResultField& field, const Message& text) { leaf(field, &text); }
+    void texts(const ResultField& field, const std::vector<Message>& texts) {
+        leaf(field, std::span(texts));
+    }
     /// A list of numbers; of an empty one null.
-    virtual void numbers(const ResultField& field, const std::vector<double>& si) = 0;
-    virtual void integers(const ResultField& field, const std::vector<int>& values) = 0;
+    void numbers(const ResultField& field, const std::vector<double>& si) {
+        leaf(field, si.empty() ? ResultValue() : std::span(si));
+    }
+    void integers(const ResultField& field, const std::vector<int>& values) {
+        leaf(field, std::span(values));
+    }
     /// A list of lists of so many numbers each.
-    virtual void rows(const ResultField& field, const std::vector<double>& si,
-                      std::size_t columns) = 0;
+    void rows(const ResultField& field, const std::vector<double>& si, std::size_t columns) {
+        leaf(field, ResultRows{si, columns});
+    }
     /// What the result has no value for.
-    virtual void nothing(const ResultField& field) = 0;
+    void nothing(const ResultField& field) { leaf(field, {}); }
 
     // ------------------------------------------------------------------------------ structure
 
@@ -77,7 +100,7 @@ class ResultVisitor {
     void object(const ResultField& field, Visit&& visit) {
         if (begin_object(field)) {
             std::forward<Visit>(visit)();
-            end_object();
+            end();
         }
     }
     /// The same where it is there, else null.
@@ -92,25 +115,30 @@ class ResultVisitor {
     /// A list of objects; `visit(i)` visits the values of one.
     template <typename Visit>
     void list(const ResultField& field, std::size_t count, const Visit& visit) {
-        if (begin_list(field, count)) {
+        if (begin_list(field)) {
             for (std::size_t i = 0; i < count; ++i) {
                 if (begin_element(i)) {
                     visit(i);
-                    end_object();
+                    end();
                 }
             }
-            end_list();
+            end();
         }
     }
 
   protected:
-    virtual void put_number(const ResultField& field, const std::optional<double>& si) = 0;
-    /// @return whether its values are to be visited; end_object() follows then
+    virtual void leaf(const ResultField& field, const ResultValue& value) = 0;
+    /// @return whether its values are to be visited; end() follows then
     virtual bool begin_object(const ResultField& field) = 0;
-    virtual bool begin_list(const ResultField& field, std::size_t count) = 0;
+    virtual bool begin_list(const ResultField& field) = 0;
     virtual bool begin_element(std::size_t index) = 0;
-    virtual void end_object() = 0;
-    virtual void end_list() = 0;
+    virtual void end() = 0;
+
+  private:
+    template <typename Value>
+    void put(const ResultField& field, const std::optional<Value>& value) {
+        leaf(field, value ? ResultValue(*value) : ResultValue());
+    }
 };
 
 }  // namespace ravnoves

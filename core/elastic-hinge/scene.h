@@ -4,7 +4,6 @@
 #include "case-file/json_fwd.h"
 #include "case-file/wanted.h"
 #include "elastic-hinge/input.h"
-#include "elastic-hinge/result.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -19,10 +18,6 @@ Input read_input(const Json& input);
 
 /// The "input" object that reads back to the same Input.
 Json write_input(const Input& input);
-
-/// The "result" object of the contract, with what this program adds. Angles and lengths that do not
-/// exist are null.
-Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError

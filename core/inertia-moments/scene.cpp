@@ -17,15 +17,8 @@ Json write_input(const Input& input) {
     return write_fields(input);
 }
 
-Json write_result(const Input& input, const Result& result) {
-    const Wanted all;
-    ResultJson json(all);
-    visit_results(json, input, result);
-    return json.take();
-}
-
 Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& wanted) {
-    return result_json(read_input(json), wanted);
+    return result_json(wanted, read_input(json));
 }
 
 }  // namespace ravnoves::inertia_moments

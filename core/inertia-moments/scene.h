@@ -4,7 +4,6 @@
 #include "case-file/json_fwd.h"
 #include "case-file/wanted.h"
 #include "inertia-moments/input.h"
-#include "inertia-moments/result.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -18,9 +17,6 @@ Input read_input(const Json& input);
 
 /// The "input" object that reads back to the same Input.
 Json write_input(const Input& input);
-
-/// The "result" object of the contract, with what this program adds.
-Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "case-file/case_context.h"
+#include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/number_places.h"
 #include "case-file/response.h"
 #include "case-file/result_numbers.h"
 
@@ -40,15 +40,16 @@ class TypedResponse final : public Response {
           json_(json),
           varied_(varied.begin(), varied.end()),
           input_(read_input(json_, context_)),
-          places_(find_numbers(input_, varied)),
           numbers_(watched),
           results_(varied) {
         Input other = input_;
-        const auto others = find_numbers(other, varied);
-        for (std::size_t j = 0; j < places_.size(); ++j) {
-            has_places_ =
-                has_places_ && places_[j].value != nullptr && places_[j].value != others[j].value;
-            slots_.push_back(&json_[Json::json_pointer(varied_[j])]);
+        for (const std::string& pointer : varied_) {
+            auto found = list_fields(input_, pointer);
+            const auto others = list_fields(other, pointer);
+            has_places_ = has_places_ && !found.empty() && found[0].place != nullptr &&
+                          found[0].place != others[0].place;
+            places_.push_back(found.empty() ? FieldEntry() : std::move(found[0]));
+            slots_.push_back(&json_[Json::json_pointer(pointer)]);
         }
     }
 
@@ -87,12 +88,12 @@ class TypedResponse final : public Response {
             return true;
         }
         for (std::size_t j = 0; j < x.size(); ++j) {
-            const NumberPlace& place = places_[j];
-            if (const Range* range = left_one({&place.range, &place.size}, x[j])) {
+            const FieldEntry& entry = places_[j];
+            if (const Range* range = entry.field.left_by(x[j])) {
                 reason_ = {"/input" + varied_[j], range->message()};
                 return false;
             }
-            *place.value = x[j] * place.unit;
+            *entry.place = x[j] * entry.place_unit;
         }
         check_input(input_);
         return true;
@@ -102,7 +103,7 @@ class TypedResponse final : public Response {
     Json json_;
     std::vector<std::string> varied_;
     Input input_;
-    std::vector<NumberPlace> places_;
+    std::vector<FieldEntry> places_;
     std::vector<Json*> slots_;
     bool has_places_ = true;
     ResultNumbers numbers_;

@@ -371,7 +371,8 @@ Json write_part(const Part& part) {
 
 Part read_part(Json json) {
     ObjectReader reader(json, "");
-    reader.choice("format", {part_format});
+    constexpr Word formats[]{{part_format}};
+    reader.choice("format", formats);
     if (reader.raw("version") != part_version) {
         throw InputError("/version",
                          {CORE_TEXT("studies", "must be %1; run the parts of other versions again"),

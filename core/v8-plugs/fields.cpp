@@ -5,6 +5,7 @@
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/object_reader.h"
 #include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_plugs {

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "case-file/whole_number.h"
+#include "case-file/field.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"

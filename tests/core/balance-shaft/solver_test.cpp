@@ -397,7 +397,7 @@ TEST(BalanceShaft, MovingTheShaftEqualsSolvingAnew) {
     for (const double angle : {0.0, 0.1, 123.4, 359.9, 405.0, -45.0}) {
         solver.move_shaft(angle * degree, moved);
         input.shaft_angle = angle * degree;
-        EXPECT_EQ(write_result(solver, moved), written(input)) << angle;
+        EXPECT_EQ(result_json({}, solver, moved), written(input)) << angle;
     }
 }
 

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "balance-shaft/presets.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
 
 namespace ravnoves::balance_shaft::test {
 
@@ -97,7 +99,7 @@ inline TorqueTable random_table(unsigned seed, std::size_t rows, double size = 5
 /// The "result" object of an input.
 inline Json written(const Input& input) {
     const Solver solver(input);
-    return write_result(solver, solver.result());
+    return result_json({}, solver, solver.result());
 }
 
 struct Reference {

@@ -9,8 +9,10 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "case-file/result_json.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "model/case_model_json.h"
@@ -64,7 +66,7 @@ template class CaseModel<BalanceShaftScene>;
 BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
 
 Json BalanceShaftModel::resultJson() const {
-    return balance_shaft::write_result(solver(), result());
+    return result_json({}, solver(), result());
 }
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {

@@ -6,7 +6,9 @@
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/result_json.h"
 #include "elastic-hinge/fields.h"
+#include "elastic-hinge/results.h"
 #include "elastic-hinge/scene.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
@@ -107,7 +109,7 @@ ElasticHingeModel::ElasticHingeModel(QObject* parent, bool runsJobs)
 }
 
 Json ElasticHingeModel::resultJson() const {
-    return elastic_hinge::write_result(input(), elastic_hinge::solve(input()));
+    return result_json({}, input(), elastic_hinge::solve(input()));
 }
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/result_json.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/engine_curves.h"
+#include "inertia-moments/results.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
 #include "text/message_text.h"
@@ -73,7 +75,7 @@ template class CaseModel<InertiaMomentsScene>;
 InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
 
 Json InertiaMomentsModel::resultJson() const {
-    return inertia_moments::write_result(input(), result());
+    return result_json({}, input(), result());
 }
 
 bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value) {
