@@ -8,6 +8,9 @@
 
 namespace ravnoves::balance_shaft {
 
+/// What keeps the shaft from a place; `none` where it can be built.
+enum class Obstacle { none, crank, cylinder, rod, gears, limits };
+
 /// Free space between the swing circle of the balance shaft and what it must not meet, m; negative
 /// where they overlap. In the front view: parts that lie behind one another overlap there too.
 struct ShaftClearance {

@@ -14,7 +14,7 @@ namespace {
 using Place = Eigen::Vector2d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double size_rounding = 1e-9;
+constexpr double limit_rounding = 1e-9;
 
 /// A part of the plane that is left to be searched.
 struct Part {
@@ -62,11 +62,9 @@ class Search {
         return (best_.value + question_.at_crank) / question_.growth * (1.0 + 1e-9);
     }
 
-    bool is_small_enough(const Place& place) const {
-        if (!question_.largest_size) {
-            return true;
-        }
-        return places_.box(place).area() <= *question_.largest_size * (1.0 + size_rounding);
+    bool is_within_limit(const Place& place) const {
+        return !question_.limit || question_.limit->criterion(place).value <=
+                                       question_.limit->most * (1.0 + limit_rounding);
     }
 
     PlaceValue ask(const Place& place) {
@@ -77,7 +75,7 @@ class Search {
     /// @param known  the criterion at the place, where it has been asked for
     void offer(Place place, const PlaceValue* known = nullptr) {
         const Place wanted = place;
-        if (!places_.mend(place) || !is_small_enough(place)) {
+        if (!places_.mend(place) || !is_within_limit(place)) {
             return;
         }
         const double value = known && place == wanted ? known->value : ask(place).value;
@@ -85,35 +83,6 @@ class Search {
             best_.place = place;
             best_.value = value;
         }
-    }
-
-    /// The line that the largest size draws; false where the whole rectangle is larger.
-    bool cut_by_size(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
-        if (!question_.largest_size) {
-            return true;
-        }
-        const double largest = *question_.largest_size;
-        const BoxSize box = places_.box(middle);
-        const double wide = box.by_width.norm();
-        const double high = box.by_height.norm();
-        const double least_width = box.width - wide * r;
-        const double least_height = box.height - high * r;
-        if (least_width <= 0.0 || least_height <= 0.0) {
-            return true;
-        }
-        if (least_width * least_height > largest * (1.0 + size_rounding)) {
-            return false;
-        }
-        const Place gradient = box.by_area();
-        const double size = box.area();
-        if (size + gradient.norm() * r < largest) {
-            return true;
-        }
-        const double least = gradient.dot(middle) - (size - largest);
-        HalfPlane outer{-gradient, -least - wide * high * r * r - size_rounding * largest};
-        cuts.outer.push_back(outer);
-        cuts.inner.push_back({-gradient, -least});
-        return true;
     }
 
     struct Tangent {
@@ -128,6 +97,22 @@ class Search {
         }
     };
 
+    /// The line that the limit draws; false where the whole rectangle exceeds it.
+    bool cut_by_limit(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
+        if (!question_.limit) {
+            return true;
+        }
+        const Tangent here{middle, question_.limit->criterion(middle)};
+        const double most = question_.limit->most * (1.0 + limit_rounding);
+        const double bend = here.at.bend * r * r;
+        if (here.at.value - here.at.gradient.norm() * r - bend > most) {
+            return false;
+        }
+        cuts.outer.push_back(here.below(most + bend));
+        cuts.inner.push_back(here.below(question_.limit->most));
+        return true;
+    }
+
     static Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
         std::size_t least = 0;
         for (std::size_t i = 1; i < polygon.size(); ++i) {
@@ -138,15 +123,13 @@ class Search {
         return polygon[least];
     }
 
-    /// The lowest of the corners; what makes it too large by the curvature of the size is cut off.
+    /// The lowest of the corners; what exceeds the limit by its curvature is cut off.
     Place lowest_allowed(PlacePolygon polygon, const Tangent& tangent) const {
         Place place = lowest(polygon, tangent);
         constexpr int tries = 3;
-        for (int i = 0; i < tries && !is_small_enough(place); ++i) {
-            const BoxSize box = places_.box(place);
-            const Place gradient = box.by_area();
-            const double excess = box.area() - *question_.largest_size;
-            polygon.cut({-gradient, excess - gradient.dot(place)});
+        for (int i = 0; i < tries && !is_within_limit(place); ++i) {
+            polygon.cut(
+                Tangent{place, question_.limit->criterion(place)}.below(question_.limit->most));
             if (polygon.size() == 0) {
                 break;
             }
@@ -219,7 +202,7 @@ class Search {
             const PlaceRectangle box = part.where.box();
             places_.find_cuts(box, cuts);
             if (cuts.is_empty || places_.is_blocked(part.where, cuts) ||
-                !cut_by_size(box.middle, r, cuts)) {
+                !cut_by_limit(box.middle, r, cuts)) {
                 continue;
             }
             PlacePolygon all = part.where;

@@ -18,14 +18,19 @@ struct PlaceValue {
 };
 using PlaceCriterion = std::function<PlaceValue(const Eigen::Vector2d&)>;
 
+/// Another criterion that a place must not exceed, up to one part in 10⁹.
+struct PlaceLimit {
+    PlaceCriterion criterion;
+    double most = 0.0;
+};
+
 /// What a search needs besides.
 struct PlaceQuestion {
     PlaceCriterion criterion;
     double growth = 0.0;     ///< the criterion at a distance l of the crank's axis is at least
     double at_crank = 0.0;   ///< growth × l − at_crank
     double tolerance = 0.0;  ///< wanted of the gap
-    /// m², the box of the front view must not be larger; up to one part in 10⁹.
-    std::optional<double> largest_size;
+    std::optional<PlaceLimit> limit;
     std::optional<Eigen::Vector2d> start;  ///< a place that can be built, where known
 };
 

@@ -255,6 +255,39 @@ std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weigh
     return free ? prepared_->best_buildable(range_weight, *free) : std::nullopt;
 }
 
+std::optional<BestPosition> PositionStudy::nearest_buildable(double range_weight,
+                                                             double more) const {
+    const std::optional<BestPosition> best = best_sum_buildable(range_weight);
+    if (!best) {
+        return std::nullopt;
+    }
+    const PlaceCriterion sum = prepared_->question(range_weight).criterion;
+    const Eigen::Vector2d start(best->position.x, best->position.y);
+    PlaceQuestion question;
+    question.criterion = [](const Eigen::Vector2d& at) -> PlaceValue {
+        const double l = at.norm();
+        return {l, l > 0.0 ? Eigen::Vector2d(at / l) : Eigen::Vector2d(0.0, 0.0)};
+    };
+    question.growth = 1.0;
+    constexpr double noticed = 1e-3;
+    question.tolerance = noticed * start.norm();
+    question.limit = PlaceLimit{sum, (1.0 + more) * sum(start).value};
+    question.start = start;
+    return prepared_->found(search_places(prepared_->places, question).value());
+}
+
+Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
+    const auto part = [](double before, double after, Text smaller, Text larger) {
+        const double change = before > 0.0 ? after / before - 1.0 : 0.0;
+        return Message(change > 0.0 ? larger : smaller,
+                       Number{100.0 * std::abs(change), units::percent, -1});
+    };
+    return joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
+                       CORE_TEXT("balance-shaft", "range %1 larger")),
+                  part(from.rms, to.rms, CORE_TEXT("balance-shaft", "RMS %1 smaller"),
+                       CORE_TEXT("balance-shaft", "RMS %1 larger")));
+}
+
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {
     return prepared_->places.obstacle(position.x, position.y);
 }
@@ -283,8 +316,8 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
         return front;
     }
     const Prepared& prepared = *prepared_;
-    const std::optional<PlaceFound> smallest =
-        search_places(prepared.places, prepared.question_of_size());
+    const PlaceQuestion of_size = prepared.question_of_size();
+    const std::optional<PlaceFound> smallest = search_places(prepared.places, of_size);
     if (!smallest) {
         return front;
     }
@@ -346,8 +379,9 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             if (widest == levels.size()) {
                 break;
             }
-            question.largest_size = k == 0 ? smallest->value * (1.0 + same)
-                                           : (levels[widest].size + levels[widest + 1].size) / 2.0;
+            const double most = k == 0 ? smallest->value * (1.0 + same)
+                                       : (levels[widest].size + levels[widest + 1].size) / 2.0;
+            question.limit = PlaceLimit{of_size.criterion, most};
             question.start = levels[widest].place;
             const auto found = search_places(prepared.places, question);
             if (!found) {
@@ -355,7 +389,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             }
             add(*found);
             levels.insert(levels.begin() + static_cast<std::ptrdiff_t>(widest) + 1,
-                          {*question.largest_size, found->value, found->place});
+                          {most, found->value, found->place});
         }
     }
     // What another beats, or equals within rounding, is left out.

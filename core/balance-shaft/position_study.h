@@ -60,6 +60,9 @@ struct PositionMap {
 /// Why no place is better than another where P₁ is 0, as a sentence.
 Message no_moment();
 
+/// What both criteria do from one place to another: "range 0.5 % smaller, RMS 43.0 % larger".
+Message trade_off(const PositionCriteria& from, const PositionCriteria& to);
+
 /// What depends on the shaft's place alone while the counterweights stay as equation (1) (or the
 /// case) has them: M_s = P₁ (x cos φ' + y sin φ'), so range and RMS are convex over the plane.
 /// Copyable and cheap to copy; const members may run in several threads.
@@ -80,6 +83,10 @@ class PositionStudy {
     /// @param range_weight  0…1
     std::optional<BestPosition> best_sum(double range_weight) const;
     std::optional<BestPosition> best_sum_buildable(double range_weight) const;
+    /// Of the places that can be built and have no more than (1 + more) times that least sum, the
+    /// one nearest to the crank's axis, to a thousandth of its distance; the gap is that of the
+    /// distance, m.
+    std::optional<BestPosition> nearest_buildable(double range_weight, double more = 0.01) const;
     /// The same over α at a centre distance, m: of all α, and of those that can be built.
     BestPosition best_at(double centre_distance, double range_weight) const;
     std::optional<BestPosition> best_buildable_at(double centre_distance,

@@ -101,6 +101,9 @@ struct Result {
     std::vector<Message> doubts;       ///< of the input: it looks like a slip
     bool trace_is_a_turn_off = false;  ///< one of them; TorqueSource::trace_shift mends it
     std::vector<Message> notes;        ///< what the user should know beyond the numbers
+    /// For m₁ ρ₁, by the sizes that the input gives, else those that the front view takes; feasible
+    /// where it fits in the swing circle too.
+    RelievedShaft relieved_shaft;
     Message assumed_sizes;  ///< what is_buildable rests on and the case does not give, or empty
 
     // What follows the shaft's angle: updated by Solver::move_shaft().
@@ -115,6 +118,7 @@ struct Result {
     std::optional<double> rms_change;
     MomentCurves curves;  ///< crank_angle_deg and M_up do not follow
     Envelope envelope;
+    Obstacle obstacle = Obstacle::none;  ///< what the shaft meets, where it cannot be built
     bool is_buildable = false;
     std::vector<OrderLine> spectrum_M_ups;  ///< differs from M_up's in order 1 alone
 };

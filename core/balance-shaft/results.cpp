@@ -329,9 +329,8 @@ void visit_gear_error(ResultVisitor& visitor, const Solver& solver, double shaft
     });
 }
 
-void visit_relieved_shaft(ResultVisitor& visitor, const Solver& solver) {
+void visit_relieved_shaft(ResultVisitor& visitor, const RelievedShaft& shaft) {
     visitor.object(key::relieved_shaft, [&] {
-        const RelievedShaft shaft = relieved_shaft(solver);
         visitor.flag(feasible, shaft.feasible);
         if (!shaft.feasible) {
             visitor.text(reason, shaft.reason);
@@ -466,7 +465,7 @@ void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& r
     visit_places(visitor, solver);
     visit_gear_error(visitor, solver, result.shaft_angle);
     if (solver.input().relieved_shaft) {
-        visit_relieved_shaft(visitor, solver);
+        visit_relieved_shaft(visitor, result.relieved_shaft);
     }
     if (const auto& band = solver.input().speed_band) {
         visit_speed_band(visitor, solver.input(), *band);
@@ -516,6 +515,20 @@ void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
 
 namespace {
 
+/// At some α the shaft fits, so crank and gears let it: these are of the place.
+Text what_is_met(Obstacle obstacle) {
+    switch (obstacle) {
+        case Obstacle::rod:
+            return CORE_TEXT("balance-shaft", "Does not fit: at this α the shaft meets the rod.");
+        case Obstacle::limits:
+            return CORE_TEXT("balance-shaft",
+                             "Does not fit: at this α the shaft is outside the limits given.");
+        default:
+            return CORE_TEXT("balance-shaft",
+                             "Does not fit: at this α the shaft meets the cylinder.");
+    }
+}
+
 /// Of the shaft alone, without warnings about the input.
 Verdict shaft_verdict(const Result& result) {
     const auto percent = [](double share) { return Number{100.0 * share, units::percent, -1}; };
@@ -528,8 +541,7 @@ Verdict shaft_verdict(const Result& result) {
                 result.buildable.stretches.empty()
                     ? Message(CORE_TEXT("balance-shaft", "Does not fit at any α. %1"),
                               result.buildable.reason)
-                    : Message(CORE_TEXT("balance-shaft",
-                                        "Does not fit: at this α the shaft meets another part.")),
+                    : Message(what_is_met(result.obstacle)),
                 best};
     }
     if (!result.range_change || !result.rms_change) {

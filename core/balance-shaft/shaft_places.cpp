@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "balance-shaft/clearance.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -114,8 +113,8 @@ Obstacle ShaftPlaces::obstacle(double x, double y) const {
 }
 
 double ShaftPlaces::spare(double x, double y) const {
-    const double clear = std::min(distance_from_cylinder(view_, x, y) - needed_,
-                                  rods_.distance(x, y) - needed_rod_);
+    const double clear =
+        std::min(distance_from_cylinder(view_, x, y) - needed_, rods_.distance(x, y) - needed_rod_);
     return std::min(clear + rounding_, margin_within(limits_, x, y));
 }
 
@@ -331,7 +330,8 @@ bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
                 place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
                 const double from = limits_.shaft_angle_from.value_or(0.0);
                 const double to = limits_.shaft_angle_to.value_or(two_pi);
-                if (margin_within(limits_, place.x(), place.y()) < -rounding_ && to - from < two_pi) {
+                if (margin_within(limits_, place.x(), place.y()) < -rounding_ &&
+                    to - from < two_pi) {
                     const Eigen::Vector2d first(std::sin(from), std::cos(from));
                     const Eigen::Vector2d last(std::sin(to), std::cos(to));
                     const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;

@@ -6,14 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/rod_sweep.h"
 #include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
-
-/// What keeps the shaft from a place; `none` where it can be built.
-enum class Obstacle { none, crank, cylinder, rod, gears, limits };
 
 /// The places v with normal · v ≥ least.
 struct HalfPlane {

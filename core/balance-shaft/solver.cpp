@@ -7,6 +7,7 @@
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/moments.h"
+#include "balance-shaft/shaft_places.h"
 #include "balance-shaft/trace_check.h"
 #include "case-file/unusual_engine.h"
 #include "numerics/angle.h"
@@ -57,6 +58,21 @@ OrderLine order_line(double order, const FourierPair& pair) {
     return {order, std::hypot(pair.a, pair.b), std::atan2(pair.a, pair.b)};
 }
 
+RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
+    RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
+    const double swing = view.shaft_swing_radius;
+    constexpr double rounding = 1e-12;
+    if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
+        const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
+        shaft.feasible = false;
+        shaft.reason = {CORE_TEXT("balance-shaft",
+                                  "The bar does not fit in the swing circle given: its radius is "
+                                  "%1, the swing radius %2."),
+                        in_mm(shaft.diameter / 2.0), in_mm(swing)};
+    }
+    return shaft;
+}
+
 /// At the angles of the curves.
 struct CurveColumns {
     const double* cos;
@@ -94,6 +110,7 @@ struct ShaftCurves {
 struct Solver::Prepared : Moments {
     Input input;
     FrontView view;
+    ShaftPlaces places;
     BuildableAngles buildable;
     /// What result() starts from: all but what follows the shaft's angle.
     Result base;
@@ -114,6 +131,7 @@ Solver::Prepared::Prepared(const Input& checked)
     : Moments(checked),
       input(checked),
       view(balance_shaft::front_view(checked)),
+      places(view, checked.place_limits),
       buildable(buildable_angles(view, checked.place_limits)) {
     fill(input, true, base);
     base.printed_mean_M_up = printed_mean_of_rows(input, moment);
@@ -122,6 +140,7 @@ Solver::Prepared::Prepared(const Input& checked)
         base.indicated_power = base.indicated->work * input.angular_speed / gas->period();
     }
     base.inertia_check = check_inertia(input);
+    base.relieved_shaft = relieved_shaft(input, view);
     prepare_spectrum();
     prepare_curves();
     base.flywheel =
@@ -248,6 +267,10 @@ void Solver::Prepared::prepare_notes() {
                       "case are not used: elastic modulus, bearing span, allowable stress, "
                       "permitted sag, speed margin, bearing load."));
     }
+    if (input.relieved_shaft && !base.relieved_shaft.feasible) {
+        base.doubts.emplace_back(CORE_TEXT("balance-shaft", "Relieved shaft: %1"),
+                                 base.relieved_shaft.reason);
+    }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
         base.notes.push_back(base.inertia_check.text);
     }
@@ -343,7 +366,11 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
         printed_mean_of_shaft_moment(amplitude, turned, prepared.input.strokes);
     result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
     result.envelope = balance_shaft::envelope(prepared.view, alpha);
-    result.is_buildable = prepared.buildable.contains(alpha);
+    const double l = prepared.input.centre_distance;
+    result.obstacle = prepared.buildable.contains(alpha)
+                          ? Obstacle::none
+                          : prepared.places.obstacle(l * std::sin(alpha), l * std::cos(alpha));
+    result.is_buildable = result.obstacle == Obstacle::none;
 
     const MomentPlane::Moment shaft = shaft_at(amplitude, turned);
     const MomentPlane::Moment order_1 = shaft - prepared.plane.opposed();
@@ -408,22 +435,6 @@ Envelope Solver::envelope(double shaft_angle) const {
 
 Result solve(const Input& input) {
     return Solver(input).result();
-}
-
-RelievedShaft relieved_shaft(const Solver& solver) {
-    const Input& input = solver.input();
-    RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
-    const double swing = solver.front_view().shaft_swing_radius;
-    constexpr double rounding = 1e-12;
-    if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
-        const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
-        shaft.feasible = false;
-        shaft.reason = {CORE_TEXT("balance-shaft",
-                                  "The bar does not fit in the swing circle given: its radius is "
-                                  "%1, the swing radius %2."),
-                        in_mm(shaft.diameter / 2.0), in_mm(swing)};
-    }
-    return shaft;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 
-#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
+#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/offset_cylinder.h"
 #include "balance-shaft/result.h"
 
@@ -59,9 +59,5 @@ class Solver {
 /// Solver(input).result().
 /// @throws InputError as check_input()
 Result solve(const Input& input);
-
-/// The relieved shaft for the solver's m₁ ρ₁ by relieved_shaft_sizes(); feasible where it fits in
-/// the swing circle too.
-RelievedShaft relieved_shaft(const Solver& solver);
 
 }  // namespace ravnoves::balance_shaft

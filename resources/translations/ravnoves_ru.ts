@@ -3497,8 +3497,36 @@
         <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
     </message>
     <message>
-        <source>Does not fit: at this α the shaft meets another part.</source>
-        <translation>Не помещается: при этом α вал задевает другую деталь.</translation>
+        <source>Does not fit: at this α the shaft meets the rod.</source>
+        <translation>Не помещается: при этом α вал задевает шатун.</translation>
+    </message>
+    <message>
+        <source>Does not fit: at this α the shaft is outside the limits given.</source>
+        <translation>Не помещается: при этом α вал выходит за заданные пределы.</translation>
+    </message>
+    <message>
+        <source>Does not fit: at this α the shaft meets the cylinder.</source>
+        <translation>Не помещается: при этом α вал задевает цилиндр.</translation>
+    </message>
+    <message>
+        <source>Relieved shaft: %1</source>
+        <translation>Вал с лыской: %1</translation>
+    </message>
+    <message>
+        <source>range %1 smaller</source>
+        <translation>размах меньше на %1</translation>
+    </message>
+    <message>
+        <source>range %1 larger</source>
+        <translation>размах больше на %1</translation>
+    </message>
+    <message>
+        <source>RMS %1 smaller</source>
+        <translation>СКЗ меньше на %1</translation>
+    </message>
+    <message>
+        <source>RMS %1 larger</source>
+        <translation>СКЗ больше на %1</translation>
     </message>
     <message>
         <source>The torque is constant: nothing to balance.</source>

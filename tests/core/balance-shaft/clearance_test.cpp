@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/position_study.h"
@@ -212,7 +213,7 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
     EXPECT_NEAR(*result.best_range.shaft_angle / degree, 50.65, 0.01);
     EXPECT_FALSE(result.buildable.contains(*result.best_range.shaft_angle));
     EXPECT_FALSE(result.is_buildable);  // at 45°
-    const Json json = write_result(solver, result);
+    const Json json = result_json({}, solver, result);
     EXPECT_NEAR(json.at("optimum").at("range").at("shaft_angle_deg").get<double>(), 50.65, 0.01);
     const Json& built = json.at("optimum_buildable").at("range");
     EXPECT_NEAR(built.at("shaft_angle_deg").get<double>(),
@@ -224,12 +225,35 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
         "Sizes not given are assumed: swing radius of the shaft 39.3 mm, of the crank 57.5 mm"));
 }
 
+TEST(BuildableAngles, TheVerdictNamesWhatTheShaftMeets) {
+    Input input = preset_tmz_650d();
+    input.centre_distance = 0.105;
+    input.place_limits.bottom = -0.08;
+    const Solver solver(input);
+    const PositionStudy study(solver);
+    Result result = solver.result();
+    std::map<Obstacle, int> met;
+    for (int degrees = 0; degrees < 360; ++degrees) {
+        const double alpha = degrees * degree;
+        solver.move_shaft(alpha, result);
+        const Obstacle obstacle = study.obstacle(ShaftPosition::at(input.centre_distance, alpha));
+        const char* const named = obstacle == Obstacle::cylinder ? "the shaft meets the cylinder."
+                                  : obstacle == Obstacle::rod    ? "the shaft meets the rod."
+                                  : obstacle == Obstacle::limits ? "outside the limits given."
+                                                                 : "Fits";
+        EXPECT_EQ(result.obstacle, obstacle) << degrees;
+        EXPECT_NE(verdict(result).text.english().find(named), std::string::npos) << degrees;
+        ++met[obstacle];
+    }
+    EXPECT_EQ(met.size(), 4U) << "each of them, and none";
+}
+
 TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
     const auto reason = [](const auto& change) {
         Input input = preset_tmz_650d();
         change(input);
         const Solver solver(input);
-        const Json json = write_result(solver, solver.result());
+        const Json json = result_json({}, solver, solver.result());
         EXPECT_TRUE(json.at("optimum_buildable").at("range").is_null());
         EXPECT_TRUE(json.at("optimum_buildable").at("rms").is_null());
         EXPECT_FALSE(json.at("optimum").at("range").at("shaft_angle_deg").is_null());

@@ -548,7 +548,7 @@ TEST(PositionStudyTest, limitsAreChecked) {
 
 TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     const Solver solver(preset_tmz_650d());
-    const Json json = write_result(solver, solver.result());
+    const Json json = result_json({}, solver, solver.result());
     EXPECT_NEAR(json["best_position"]["range"]["range_Nm"].get<double>(), 1063.504264, 5e-7);
     EXPECT_NEAR(json["best_position"]["rms"]["centre_distance_mm"].get<double>(), 36.950446, 5e-7);
     const Json& built = json["best_position_buildable"];
@@ -556,7 +556,7 @@ TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     EXPECT_TRUE(built["rms"].contains("shaft_angle_deg"));
     ASSERT_TRUE(built["front"].is_array());
     EXPECT_TRUE(built["front"][0].contains("size_m2"));
-    EXPECT_EQ(write_result(solver, solver.result()), json);
+    EXPECT_EQ(result_json({}, solver, solver.result()), json);
 }
 
 TEST(PositionStudyTest, theLeastSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
@@ -595,6 +595,36 @@ TEST(PositionStudyTest, theLeastSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
         EXPECT_NEAR(sum(study.best_at(free->position.centre_distance(), weight).criteria),
                     sum(free->criteria), 1e-9 * sum(free->criteria));
     }
+}
+
+TEST(PositionStudyTest, theNearestGoodPlaceIsGoodAndNoneNearerIs) {
+    Input input = preset_tmz_650d();
+    for (const bool limited : {false, true}) {
+        input.place_limits.top = limited ? std::optional(0.02) : std::nullopt;
+        const PositionStudy study{Solver(input)};
+        for (const double weight : {0.0, 0.4, 1.0}) {
+            const auto sum = [&](const PositionCriteria& of) {
+                return weight * of.range + (1.0 - weight) * of.rms;
+            };
+            const auto best = study.best_sum_buildable(weight);
+            ASSERT_TRUE(best);
+            for (const double more : {0.002, 0.01, 0.1}) {
+                const auto found = study.nearest_buildable(weight, more);
+                ASSERT_TRUE(found);
+                const double most = (1.0 + more) * sum(best->criteria);
+                const double l = found->position.centre_distance();
+                EXPECT_EQ(study.obstacle(found->position), Obstacle::none);
+                EXPECT_LE(sum(found->criteria), most * (1.0 + 1e-8));
+                EXPECT_LE(l, best->position.centre_distance());
+                for (int i = 0; i < 100; ++i) {
+                    const auto nearer = study.best_buildable_at(l * (0.997 - 0.002 * i), weight);
+                    EXPECT_FALSE(nearer && sum(nearer->criteria) < most) << i;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(trade_off({200.0, 100.0, 0.0}, {199.0, 143.0, 0.0}).english(),
+              "range 0.5 % smaller, RMS 43.0 % larger");
 }
 
 TEST(PositionStudyTest, theBestAngleOfACircleIsTheLeastOfAScanOfIt) {

@@ -46,8 +46,7 @@ TEST(RelievedShaft, UnbalanceAndMassAgreeWithQuadrature) {
 }
 
 TEST(RelievedShaft, SizesWhatIsMissing) {
-    const RelievedShaft by_depth =
-        design_relieved_shaft({0.050, std::nullopt, 0.45}, needed);
+    const RelievedShaft by_depth = design_relieved_shaft({0.050, std::nullopt, 0.45}, needed);
     ASSERT_TRUE(by_depth.feasible) << by_depth.reason.english();
     EXPECT_NEAR(by_depth.unbalance, needed, 1e-12 * needed);
     EXPECT_LT(by_depth.depth, 0.025);
@@ -57,8 +56,7 @@ TEST(RelievedShaft, SizesWhatIsMissing) {
     const RelievedShaft by_diameter =
         design_relieved_shaft({std::nullopt, by_depth.depth, 0.45}, needed);
     EXPECT_NEAR(by_diameter.diameter, 0.050, 1e-12);
-    const RelievedShaft checked =
-        design_relieved_shaft({0.050, by_depth.depth, 0.45}, needed);
+    const RelievedShaft checked = design_relieved_shaft({0.050, by_depth.depth, 0.45}, needed);
     EXPECT_TRUE(checked.feasible);
     const RelievedShaft weak = design_relieved_shaft({0.050, 0.005, 0.45}, needed);
     EXPECT_FALSE(weak.feasible);
@@ -108,9 +106,8 @@ TEST(RelievedShaft, BadSizesAreRefusedAndImpossibleOnesAreAResult) {
              {RelievedShaftSizes{0.05, std::nullopt, 0.3}, RelievedShaftSizes{0.05, 1e-9, {}},
               RelievedShaftSizes{std::nullopt, 1e-9, 0.3}}) {
             const RelievedShaft shaft = design_relieved_shaft(sizes, required);
-            for (const double value :
-                 {shaft.mass, shaft.diameter, shaft.depth, shaft.length, shaft.critical_radius,
-                  shaft.critical_length}) {
+            for (const double value : {shaft.mass, shaft.diameter, shaft.depth, shaft.length,
+                                       shaft.critical_radius, shaft.critical_length}) {
                 EXPECT_TRUE(std::isfinite(value)) << required;
             }
             EXPECT_EQ(shaft.feasible, shaft.reason.empty());
@@ -131,14 +128,14 @@ TEST(RelievedShaft, IsPrintedByACase) {
     const Json thin = solve_scene(json, {}).at("relieved_shaft");
     EXPECT_EQ(thin.at("feasible"), false);
     EXPECT_TRUE(thin.contains("critical_radius_mm"));
-    EXPECT_EQ(relieved_shaft(Solver(preset_tmz_650d())).feasible, true);
+    EXPECT_EQ(solve(preset_tmz_650d()).relieved_shaft.feasible, true);
 }
 
 // Clearances took a half disc of 30 mm, whatever the bar that was found feasible.
 TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
     Input input = preset_tmz_650d();
     const Solver half_disc(input);
-    const RelievedShaft usual = relieved_shaft(half_disc);
+    const RelievedShaft usual = half_disc.result().relieved_shaft;
     EXPECT_TRUE(usual.feasible) << usual.reason.english();
     EXPECT_NEAR(usual.diameter / 2.0, half_disc.front_view().shaft_swing_radius, 1e-15);
     EXPECT_NEAR(usual.depth, usual.diameter / 2.0, 1e-6 * usual.depth);
@@ -147,7 +144,7 @@ TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
 
     input.relieved_shaft = RelievedShaftSizes{0.050, std::nullopt, 0.400};
     const Solver bar(input);
-    ASSERT_TRUE(relieved_shaft(bar).feasible);
+    ASSERT_TRUE(bar.result().relieved_shaft.feasible);
     EXPECT_EQ(bar.front_view().shaft_swing_radius, 0.025);
     EXPECT_EQ(shaft_clearance(bar.front_view(), 1.0).crank -
                   shaft_clearance(half_disc.front_view(), 1.0).crank,
@@ -165,12 +162,19 @@ TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
     // A diameter that is found counts too.
     input.relieved_shaft = RelievedShaftSizes{std::nullopt, 0.020, 0.300};
     EXPECT_EQ(Solver(input).front_view().shaft_swing_radius,
-              relieved_shaft(Solver(input)).diameter / 2.0);
+              solve(input).relieved_shaft.diameter / 2.0);
 
     input.envelope.shaft_swing_radius = 0.020;
-    const RelievedShaft too_wide = relieved_shaft(Solver(input));
-    EXPECT_FALSE(too_wide.feasible);
-    EXPECT_EQ(too_wide.reason.english().rfind("The bar does not fit in the swing circle", 0), 0U);
+    const Result too_wide = solve(input);
+    EXPECT_FALSE(too_wide.relieved_shaft.feasible);
+    EXPECT_EQ(too_wide.relieved_shaft.reason.english().rfind(
+                  "The bar does not fit in the swing circle", 0),
+              0U);
+    // The shaft that is drawn is the one that is judged.
+    EXPECT_GE(verdict(too_wide).severity, Severity::warning);
+    EXPECT_NE(verdict(too_wide).text.english().find(
+                  "Relieved shaft: The bar does not fit in the swing circle"),
+              std::string::npos);
 }
 
 TEST(RelievedShaft, CasesWithSizesOfItsBendingOpenAndSaySo) {

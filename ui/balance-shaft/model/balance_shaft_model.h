@@ -119,9 +119,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     // What views show beside the result; found when first asked for.
     const balance_shaft::EnvelopeStudy& envelopeStudy() const;
-    balance_shaft::RelievedShaft relievedShaft() const {
-        return balance_shaft::relieved_shaft(solver());
-    }
+    balance_shaft::RelievedShaft relievedShaft() const { return result().relieved_shaft; }
 
     /// The mass of a named part, kg; 0 where there is none.
     double mass(const std::string& name) const;
