@@ -2,13 +2,10 @@
 
 #include "case-file/decimal.h"
 #include "case-file/object_reader.h"
-#include "case-file/said_messages.h"
 
 namespace ravnoves {
 
 namespace {
-
-thread_local SaidMessages* listener = nullptr;
 
 struct EnglishWriter {
     std::string operator()(const std::string& word) const { return word; }
@@ -119,11 +116,7 @@ std::string Message::english() const {
     for (const Argument& argument : arguments_) {
         values.push_back(std::visit(EnglishWriter{}, argument));
     }
-    std::string text = fill_pattern(pattern_.english, values);
-    if (listener != nullptr) {
-        listener->keep(text, *this);
-    }
-    return text;
+    return fill_pattern(pattern_.english, values);
 }
 
 std::vector<std::string> english(const std::vector<Message>& messages) {
@@ -133,23 +126,6 @@ std::vector<std::string> english(const std::vector<Message>& messages) {
         sentences.push_back(message.english());
     }
     return sentences;
-}
-
-SaidMessages::SaidMessages() : around_(listener) {
-    listener = this;
-}
-
-SaidMessages::~SaidMessages() {
-    listener = around_;
-}
-
-void SaidMessages::keep(const std::string& english, const Message& message) {
-    messages_.emplace(english, message);
-}
-
-Message SaidMessages::of(const std::string& english) const {
-    const auto found = messages_.find(english);
-    return found != messages_.end() ? found->second : Message(english);
 }
 
 }  // namespace ravnoves

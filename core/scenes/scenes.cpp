@@ -9,27 +9,35 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/formulas.h"
+#include "balance-shaft/input_check.h"
 #include "balance-shaft/older_cases.h"
 #include "balance-shaft/presets.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "bob-weights/formulas.h"
 #include "bob-weights/presets.h"
+#include "bob-weights/results.h"
 #include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "elastic-hinge/formulas.h"
 #include "elastic-hinge/presets.h"
+#include "elastic-hinge/results.h"
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/formulas.h"
 #include "inertia-moments/presets.h"
+#include "inertia-moments/results.h"
 #include "inertia-moments/scene.h"
 #include "numerics/demand.h"
+#include "scenes/typed_response.h"
 #include "v8-plugs/formulas.h"
 #include "v8-plugs/presets.h"
+#include "v8-plugs/results.h"
 #include "v8-plugs/scene.h"
 #include "workshop/formulas.h"
 #include "workshop/presets.h"
+#include "workshop/results.h"
 #include "workshop/scene.h"
 
 namespace ravnoves {
@@ -105,6 +113,36 @@ std::vector<Formula> formulas_of(const Json& input) {
     return formulas(read_fields<Input>(input, Completeness::as_is));
 }
 
+/// By whichever of its forms a scene reads its input.
+template <auto read>
+auto read_whole(const Json& json, const CaseContext& context) {
+    if constexpr (requires { read(json, context); }) {
+        return read(json, context);
+    } else if constexpr (requires { read(json); }) {
+        return read(json);
+    } else {
+        return read(json, Completeness::required);
+    }
+}
+
+template <typename Input, auto read, auto check, typename Results>
+std::unique_ptr<Response> respond(const Json& input, const CaseContext& context,
+                                  std::span<const std::string> varied,
+                                  std::span<const std::string> watched) {
+    return std::make_unique<TypedResponse<Input, read_whole<read>, check, Results>>(
+        input, context, varied, watched);
+}
+
+template <auto read>
+std::vector<ResultEntry> results_of(const Json& input, const CaseContext& context) {
+    return list_results(read_whole<read>(input, context));
+}
+
+std::vector<Message> torque_notes(const Json& json, const CaseContext& context) {
+    const Message changed = balance_shaft::read_input(json, context).torque.changed_note();
+    return changed.empty() ? std::vector<Message>() : std::vector{changed};
+}
+
 template <auto presets>
 std::vector<Preset<Json>> written() {
     std::vector<Preset<Json>> list;
@@ -114,26 +152,60 @@ std::vector<Preset<Json>> written() {
     return list;
 }
 
+/// A scene by what each of them has.
+template <typename Input, auto solve, auto left_out, auto presets, auto read, auto check,
+          typename Results = AnewResults<Input>>
+SceneSolver scene(std::string_view name) {
+    return {.name = name,
+            .solve = solve,
+            .formulas = formulas_of<Input>,
+            .left_out = left_out,
+            .presets = written<presets>,
+            .respond = respond<Input, read, check, Results>,
+            .results = results_of<read>};
+}
+
+SceneSolver balance_shaft_scene() {
+    using namespace balance_shaft;
+    SceneSolver made =
+        scene<Input, solve_scene, left_out, presets, read_input, check_joined, RepeatedResults>(
+            "balance-shaft");
+    made.buildable = "/buildable/at_shaft_angle";
+    made.file_notes = torque_notes;
+    return made;
+}
+
 }  // namespace
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
-        SceneSolver{"balance-shaft", balance_shaft::solve_scene, formulas_of<balance_shaft::Input>,
-                    balance_shaft::left_out, written<balance_shaft::presets>},
-        SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of<elastic_hinge::Input>,
-                    elastic_hinge::left_out, written<elastic_hinge::presets>},
-        SceneSolver{"workshop", workshop::solve_scene, formulas_of<workshop::Input>,
-                    workshop::left_out, written<workshop::presets>},
-        SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of<v8_plugs::Input>,
-                    v8_plugs::left_out, written<v8_plugs::presets>},
-        SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of<bob_weights::Input>,
-                    bob_weights::left_out, written<bob_weights::presets>},
-        SceneSolver{"inertia-moments", inertia_moments::solve_scene,
-                    formulas_of<inertia_moments::Input>, inertia_moments::left_out,
-                    written<inertia_moments::presets>},
+        balance_shaft_scene(),
+        scene<elastic_hinge::Input, elastic_hinge::solve_scene, elastic_hinge::left_out,
+              elastic_hinge::presets, elastic_hinge::read_input, elastic_hinge::check_input>(
+            "elastic-hinge"),
+        scene<workshop::Input, workshop::solve_scene, workshop::left_out, workshop::presets,
+              workshop::read_input, workshop::check_input>("workshop"),
+        scene<v8_plugs::Input, v8_plugs::solve_scene, v8_plugs::left_out, v8_plugs::presets,
+              v8_plugs::read_input, v8_plugs::check_input>("v8-plugs"),
+        scene<bob_weights::Input, bob_weights::solve_scene, bob_weights::left_out,
+              bob_weights::presets, bob_weights::read_input, bob_weights::check_input>(
+            "bob-weights"),
+        scene<inertia_moments::Input, inertia_moments::solve_scene, inertia_moments::left_out,
+              inertia_moments::presets, inertia_moments::read_input, inertia_moments::check_input>(
+            "inertia-moments"),
     };
     return scenes;
+}
+
+const SceneSolver& scene_solver(const std::string& name) {
+    const auto scenes = scene_solvers();
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const SceneSolver& each) { return each.name == name; });
+    if (found == scenes.end()) {
+        throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), name);
+    }
+    return *found;
 }
 
 CaseFile read_case(Json document) {
@@ -179,13 +251,8 @@ void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to) 
 }
 
 Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted) {
-    const auto scenes = scene_solvers();
-    const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const SceneSolver& s) { return s.name == file.scene; });
-    if (scene == scenes.end()) {
-        throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
-    }
-    Json result = wanted.pick(scene->solve(file.input, context, wanted));
+    const SceneSolver& scene = scene_solver(file.scene);
+    Json result = wanted.pick(scene.solve(file.input, context, wanted));
     std::string where;
     RAVNOVES_DEMAND(!find_not_finite(result, where),
                     "the result /result" + where + " must be finite");

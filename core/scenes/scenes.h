@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +12,8 @@
 #include "case-file/case_file.h"
 #include "case-file/json_fwd.h"
 #include "case-file/preset.h"
+#include "case-file/response.h"
+#include "case-file/result_index.h"
 #include "case-file/wanted.h"
 
 namespace ravnoves {
@@ -27,10 +31,25 @@ struct SceneSolver {
     std::vector<Formula> (*formulas)(const Json& input);
     std::span<const Text> (*left_out)();
     std::vector<Preset<Json>> (*presets)();  ///< "input" objects to begin with
+    /// Values of its result as functions of numbers of its input, without a file in between; both
+    /// by their pointers below "result" and "input". @throws InputError as solve()
+    std::unique_ptr<Response> (*respond)(const Json& input, const CaseContext& context,
+                                         std::span<const std::string> varied,
+                                         std::span<const std::string> watched);
+    /// The single numbers of its result, with their names. @throws InputError as solve()
+    std::vector<ResultEntry> (*results)(const Json& input, const CaseContext& context);
+    /// Pointer below "result" to whether a case can be built, yes or no; empty where none tells.
+    std::string_view buildable{};
+    /// What is to be known of the files that a case names, whatever is asked of it; null where it
+    /// names none. @throws InputError as solve()
+    std::vector<Message> (*file_notes)(const Json& input, const CaseContext& context) = nullptr;
 };
 
 /// The scenes that have a solver, in the order of the navigation.
 std::span<const SceneSolver> scene_solvers();
+/// The one of that name.
+/// @throws InputError where there is none
+const SceneSolver& scene_solver(const std::string& name);
 
 /// read_case() with the names of scene_solvers().
 /// @throws InputError

@@ -6,7 +6,6 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "scenes/responses.h"
 #include "scenes/scenes.h"
 #include "text/key_words.h"
 #include "text/message_text.h"
@@ -24,7 +23,7 @@ using Names = std::map<std::string, Described>;
 
 void learn(Names& names, const std::string& scene, const Json& input, const CaseContext& context) {
     try {
-        for (ResultEntry& entry : case_results(scene, input, context)) {
+        for (ResultEntry& entry : scene_solver(scene).results(input, context)) {
             names.insert_or_assign(std::move(entry.pointer),
                                    Described{std::move(entry.name), entry.unit});
         }

@@ -13,7 +13,7 @@
 #include "model/background_job.h"
 #include "model/default_inputs.h"
 #include "model/scene_model.h"
-#include "scenes/responses.h"
+#include "scenes/scenes.h"
 #include "studies/model/band_samples.h"
 #include "studies/model/study_model.h"
 #include "studies/sampler.h"
@@ -238,14 +238,14 @@ void SweepModel::start() {
     study.vary[0].to = reach_ == wholeTurn ? 360.0 : sweep.nominal + reach;
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    const auto built = buildable_value(file);
-    if (built) {
-        study.watch.push_back({.pointer = *built});
+    const std::string_view built = scene_solver(file.scene).buildable;
+    if (!built.empty()) {
+        study.watch.push_back({.pointer = std::string(built)});
     }
     giveDefaults(scene, file.input, {input_});
     file.study = studies::write_study(study);
     job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context(),
-                 tellsBuilt = built.has_value()](
+                 tellsBuilt = !built.empty()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         Sweep found = computed(sweep, studies::problem_of(file, context), tellsBuilt, progress);
         if (found.places.empty()) {
