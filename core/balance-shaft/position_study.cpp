@@ -379,9 +379,9 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             if (widest == levels.size()) {
                 break;
             }
-            const double most = k == 0 ? smallest->value * (1.0 + same)
-                                       : (levels[widest].size + levels[widest + 1].size) / 2.0;
-            question.limit = PlaceLimit{of_size.criterion, most};
+            const double level = k == 0 ? smallest->value * (1.0 + same)
+                                        : (levels[widest].size + levels[widest + 1].size) / 2.0;
+            question.limit = PlaceLimit{of_size.criterion, level};
             question.start = levels[widest].place;
             const auto found = search_places(prepared.places, question);
             if (!found) {
@@ -389,7 +389,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             }
             add(*found);
             levels.insert(levels.begin() + static_cast<std::ptrdiff_t>(widest) + 1,
-                          {most, found->value, found->place});
+                          {level, found->value, found->place});
         }
     }
     // What another beats, or equals within rounding, is left out.
