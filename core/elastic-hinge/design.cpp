@@ -94,7 +94,7 @@ std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double s
     return states;
 }
 
-Design::Design(const Input& input)
+Design::Design(const Input& input, bool with_rod)
     : mechanism_((check_input(input), mechanism_of(input))),
       omega_(input.angular_speed),
       kinematics_(input.kinematics),
@@ -103,9 +103,13 @@ Design::Design(const Input& input)
     static_moment_ = solved ? 0.0 : mechanism_.static_moment();
     integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
     states_ = turn_states(mechanism_, static_moment_, kinematics_, *angle_grid(table_samples));
-    if (has_exact_kinematics()) {
+    if (has_exact_kinematics() && with_rod) {
         tabulate_work();
-        find_ranges();
+        find_range(Hinge::crank_with_rod);
+        find_range(Hinge::rod);
+    }
+    if (has_exact_kinematics()) {
+        find_range(Hinge::crank);
     }
 }
 
@@ -218,50 +222,42 @@ Demand Design::demand(Hinge hinge, double phi) const {
     return demand(hinge, phi, state, rise, rod_work(phi));
 }
 
-void Design::find_ranges() {
+void Design::find_range(Hinge hinge) {
     const auto kept = angle_grid(table_samples);
     const AngleGrid& grid = *kept;
     const std::size_t n = grid.size();
-    std::vector<Demand> points[3];
-    for (auto& list : points) {
-        list.resize(n);
-    }
+    std::vector<Demand> list(n);
     for (std::size_t i = 0; i < n; ++i) {
         const auto rise =
             energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
-        for (const Hinge hinge : {Hinge::crank, Hinge::crank_with_rod, Hinge::rod}) {
-            points[static_cast<int>(hinge)][i] =
-                demand(hinge, grid.angle[i], states_[i], rise, work_[i]);
-        }
+        list[i] =
+            demand(hinge, grid.angle[i], states_[i], rise, hinge == Hinge::crank ? 0.0 : work_[i]);
     }
-    for (const Hinge hinge : {Hinge::crank, Hinge::crank_with_rod, Hinge::rod}) {
-        const auto& list = points[static_cast<int>(hinge)];
-        DemandRange& range = ranges_[static_cast<int>(hinge)];
-        const auto take = [&](double phi, double energy) {
-            if (energy < range.min) {
-                range.min = energy;
-                range.min_angle = wrap_turn(phi);
-            }
-            if (energy > range.max) {
-                range.max = energy;
-                range.max_angle = wrap_turn(phi);
-            }
-        };
-        for (std::size_t i = 0; i + 1 < n; ++i) {
-            take(grid.angle[i], list[i].energy);
-            const double a = list[i].moment;
-            const double b = list[i + 1].moment;
-            if (!((a < 0 && b > 0) || (a > 0 && b < 0))) {
-                continue;
-            }
-            // An extremum of the energy is a zero of the moment, and well conditioned as that.
-            std::uintmax_t steps = 60;
-            const auto bracket = boost::math::tools::toms748_solve(
-                [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i],
-                grid.angle[i + 1], a, b, boost::math::tools::eps_tolerance<double>(50), steps);
-            const double phi = 0.5 * (bracket.first + bracket.second);
-            take(phi, demand(hinge, phi).energy);
+    DemandRange& range = ranges_[static_cast<int>(hinge)];
+    const auto take = [&](double phi, double energy) {
+        if (energy < range.min) {
+            range.min = energy;
+            range.min_angle = wrap_turn(phi);
         }
+        if (energy > range.max) {
+            range.max = energy;
+            range.max_angle = wrap_turn(phi);
+        }
+    };
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        take(grid.angle[i], list[i].energy);
+        const double a = list[i].moment;
+        const double b = list[i + 1].moment;
+        if (!((a < 0 && b > 0) || (a > 0 && b < 0))) {
+            continue;
+        }
+        // An extremum of the energy is a zero of the moment, and well conditioned as that.
+        std::uintmax_t steps = 60;
+        const auto bracket = boost::math::tools::toms748_solve(
+            [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i], grid.angle[i + 1],
+            a, b, boost::math::tools::eps_tolerance<double>(50), steps);
+        const double phi = 0.5 * (bracket.first + bracket.second);
+        take(phi, demand(hinge, phi).energy);
     }
 }
 

@@ -68,8 +68,9 @@ struct DemandRange {
 /// Immutable after construction; const members may run in several threads.
 class Design {
   public:
+    /// @param with_rod  else nothing may be asked of the rod's hinge, nor of the crank's beside it
     /// @throws InputError as check_input()
-    explicit Design(const Input& input);
+    explicit Design(const Input& input, bool with_rod = true);
 
     const Mechanism<double>& mechanism() const { return mechanism_; }
     double angular_speed() const { return omega_; }
@@ -103,7 +104,7 @@ class Design {
 
   private:
     void tabulate_work();
-    void find_ranges();
+    void find_range(Hinge hinge);
     double work_slope(double phi) const;
     double integrate_work(double from, double to) const;
 

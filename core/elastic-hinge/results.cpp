@@ -1,7 +1,9 @@
 #include "elastic-hinge/results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -209,7 +211,16 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
-    visit_results(visitor, input, solve(input));
+    const auto wants_any = [&](std::initializer_list<std::string_view> keys) {
+        return std::any_of(keys.begin(), keys.end(),
+                           [&](std::string_view each) { return visitor.wants(each); });
+    };
+    SolveOptions options;
+    options.with_curves = wants_any({ravnoves::result_field::verdict.key, key::side_force.key,
+                                     key::series.key, notes.key, key::curves.key});
+    options.with_rod_guides =
+        wants_any({key::guide_beside_rod_hinge.key, key::rod_hinge_guide.key, key::motion.key});
+    visit_results(visitor, input, solve(input, options));
 }
 
 namespace {
@@ -265,10 +276,10 @@ Verdict verdict(const Input& input, const Result& result) {
     }
     const double margin = guide.preload - guide.minimum_preload;
     if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {
-        verdict.warn({CORE_TEXT("elastic-hinge",
-                                "The preload exceeds the minimum by only %1 of %2."),
-                      Number{margin / units::mm, units::mm, -2},
-                      Number{guide.preload / units::mm, units::mm, -2}});
+        verdict.warn(
+            {CORE_TEXT("elastic-hinge", "The preload exceeds the minimum by only %1 of %2."),
+             Number{margin / units::mm, units::mm, -2},
+             Number{guide.preload / units::mm, units::mm, -2}});
     }
     if (input.roller_radius == 0.0) {
         verdict.warn(CORE_TEXT("elastic-hinge",

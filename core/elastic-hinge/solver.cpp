@@ -290,7 +290,7 @@ void check_finite(const Guide& guide) {
 
 Result solve(const Input& input, const SolveOptions& options) {
     Result result;
-    result.design = std::make_shared<const Design>(input);
+    result.design = std::make_shared<const Design>(input, options.with_rod_guides);
     const Design& design = *result.design;
     const Mechanism<double>& mechanism = design.mechanism();
     const bool exact = design.has_exact_kinematics();
@@ -314,13 +314,14 @@ Result solve(const Input& input, const SolveOptions& options) {
         other_states = turn_states(mechanism, design.static_moment(), input.kinematics, grid);
     }
     const std::vector<AngleState>& states = other_states.empty() ? design.states() : other_states;
-    fill(result.curves, mechanism, states, grid, omega, mean);
+    if (options.with_curves) {
+        fill(result.curves, mechanism, states, grid, omega, mean);
+        compare_kinematics(input, design, states, grid, result);
+    }
     for (const double speed : options.speeds) {
         result.by_speed.push_back({speed, {}});
         fill(result.by_speed.back().curves, mechanism, states, grid, speed, mean);
     }
-    compare_kinematics(input, design, states, grid, result);
-
     const bool rod_guides = exact && options.with_rod_guides;
     std::vector<Demand> crank_demand(exact ? n : 0);
     std::vector<Demand> crank_with_rod_demand(rod_guides ? n : 0);
@@ -339,13 +340,14 @@ Result solve(const Input& input, const SolveOptions& options) {
         }
     }
 
+    const bool with_forces = exact && options.with_curves;
     const bool hinge_is_true =
         input.kinematics == Kinematics::exact &&
         (mechanism.counterweight_mass == 0.0 ||
          mechanism.counterweight_inertia == CounterweightInertia::newton_euler);
-    if (exact && hinge_is_true) {
+    if (with_forces && hinge_is_true) {
         result.side_force_true = result.curves.side_force_with_hinge;
-    } else if (exact) {
+    } else if (with_forces) {
         const double square = omega * omega;
         result.side_force_true.resize(n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -372,7 +374,9 @@ Result solve(const Input& input, const SolveOptions& options) {
             }
         }
     }
-    find_largest_side_forces(input, design, grid, hinge_is_true, result);
+    if (options.with_curves) {
+        find_largest_side_forces(input, design, grid, hinge_is_true, result);
+    }
 
     result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
     check_finite(result.crank_guide);

@@ -15,6 +15,7 @@ struct SolveOptions {
     /// Members of Result::by_lambda, 0 < λ ≤ 1: the rod's moments and side forces only. λ = 1 is
     /// left out with the exact kinematics.
     std::vector<double> lambdas;
+    bool with_curves = true;      ///< with side forces, and what the series differs by
     bool with_rod_guides = true;  ///< the guides of the rod's hinge and of the crank's beside it
 };
 

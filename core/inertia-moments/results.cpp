@@ -266,7 +266,10 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
-    visit_results(visitor, input, solve(input));
+    const bool with_curves = visitor.wants(key::curves.key) ||
+                             visitor.wants(key::unbalanced_curves.key) ||
+                             visitor.wants(key::remaining_curves.key);
+    visit_results(visitor, input, solve(input, with_curves));
 }
 
 namespace {

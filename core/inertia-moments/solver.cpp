@@ -91,7 +91,7 @@ EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
     return orders;
 }
 
-Result solve(const Input& input) {
+Result solve(const Input& input, bool with_curves) {
     Result result;
     result.engine = make_engine(input);
     const Engine& engine = result.engine;
@@ -137,11 +137,13 @@ Result solve(const Input& input) {
                                                 input.rod ? input.rod->mass : 0.0}})) {
         result.notes.push_back(std::move(note));
     }
-    const double step = input.step.value_or(usual_step);
-    const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
-    result.curves = exact_curves(engine, intervals);
-    result.unbalanced_curves = balanced_curves(result.curves, result.exact, result.unbalanced);
-    result.remaining_curves = balanced_curves(result.curves, result.exact, result.remaining);
+    if (with_curves) {
+        const double step = input.step.value_or(usual_step);
+        const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
+        result.curves = exact_curves(engine, intervals);
+        result.unbalanced_curves = balanced_curves(result.curves, result.exact, result.unbalanced);
+        result.remaining_curves = balanced_curves(result.curves, result.exact, result.remaining);
+    }
     return result;
 }
 
