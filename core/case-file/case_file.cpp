@@ -188,43 +188,22 @@ std::vector<CaseVariant> read_variants(const Json& list) {
     return variants;
 }
 
-/// The steps from version 1 on; none yet, as there is no other.
-constexpr std::span<const CaseStep> case_steps{};
-
 }  // namespace
-
-std::vector<Message> bring_up_to_date(Json& document, std::span<const CaseStep> steps, int newest) {
-    std::vector<Message> changes;
-    int version = ObjectReader(document, "").integer("version", 1, 1'000'000);
-    if (version > newest) {
-        throw InputError(
-            "/version",
-            {CORE_TEXT("core",
-                       "must be at most %1 (a newer program wrote this case; update to open it)"),
-             newest},
-            Number{1.0 * version});
-    }
-    for (; version < newest; ++version) {
-        const auto step = std::find_if(steps.begin(), steps.end(),
-                                       [&](const CaseStep& s) { return s.from == version; });
-        if (step == steps.end()) {
-            throw InputError("/version", CORE_TEXT("core", "is older than this program can read"),
-                             Number{1.0 * version});
-        }
-        changes.push_back(step->bring(document));
-        document["version"] = version + 1;
-    }
-    return changes;
-}
 
 CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     constexpr Word formats[]{{case_format}};
     ObjectReader(document, "").choice("format", formats);
     CaseFile file;
-    file.changes = bring_up_to_date(document, case_steps, case_version);
     ObjectReader reader(document, "");
     reader.has("format");
-    reader.has("version");
+    if (const int version = reader.integer("version", 1, 1'000'000); version > case_version) {
+        throw InputError("/version",
+                         {CORE_TEXT("core",
+                                    "must be at most %1 (a newer program wrote this case; update "
+                                    "to open it)"),
+                          case_version},
+                         Number{1.0 * version});
+    }
     file.scene = reader.text("scene");
     if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {
         const auto near = nearest_word(file.scene, scenes);

@@ -35,19 +35,7 @@ struct CaseFile {
     std::vector<Message> changes{};  ///< what reading did to a case of an older version
 };
 
-/// Brings a case of one version to the next, and says what it did.
-struct CaseStep {
-    int from;
-    Message (*bring)(Json& document);
-};
-
-/// Brings a document step by step to the newest version.
-/// @return what was done, oldest first
-/// @throws InputError where the version is newer, or so old that no step leads on
-std::vector<Message> bring_up_to_date(Json& document, std::span<const CaseStep> steps, int newest);
-
-/// Checks the envelope (format, version, scene, unknown keys), of an older version after it was
-/// brought up to date.
+/// Checks the envelope: format, version, scene, unknown keys.
 /// @param scenes  the names that a scene may have
 /// @throws InputError
 CaseFile read_case(Json document, const std::vector<std::string>& scenes);

@@ -5543,10 +5543,6 @@
         <translation>должно отличаться от имён других вариантов</translation>
     </message>
     <message>
-        <source>is older than this program can read</source>
-        <translation>старше, чем читает эта программа</translation>
-    </message>
-    <message>
         <source>is not a known key (a newer program may have written this case; update to open it)</source>
         <translation>неизвестный ключ (возможно, задачу записала более новая программа; обновите её, чтобы открыть)</translation>
     </message>

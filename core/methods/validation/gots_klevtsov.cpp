@@ -149,12 +149,12 @@ void table_3(const Engine& engine, PaperRows& rows) {
         CORE_TEXT("methods",
                   "To 0.01 N·m: l is not printed, ours follows from the largest entry and is "
                   "rounded to 0.01 mm, and equal entries scatter by 0.01 in print.");
-    for (std::size_t i = 0; i < gots_klevtsov::table_3.size(); ++i) {
+    for (std::size_t i = 0; i < gots_klevtsov::table_3_rows; ++i) {
         const double phi = table_3_step * static_cast<double>(i);
         rows.at(table(3));
         for (std::size_t k = 0; k < table_3_columns; ++k) {
             const double alpha = table_3_step * static_cast<double>(k);
-            const std::string_view printed = gots_klevtsov::table_3[i][k];
+            const std::string_view printed = gots_klevtsov::table_3(i, k);
             if (k + 1 < table_3_columns) {
                 rows.reproduced({Text{"", "Mₛ(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
                                 engine.M_s(phi, alpha), reason, scatter);

@@ -84,30 +84,6 @@ TEST(CaseFileTest, ANewerVersionIsRefusedInWords) {
               "case; update to open it)");
 }
 
-TEST(CaseFileTest, AnOlderVersionIsBroughtUpStepByStepAndSaysSo) {
-    // As if "a" had once been "b", and "c" had come later.
-    const std::array steps{
-        CaseStep{1,
-                 [](Json& document) {
-                     document["input"]["a"] = document["input"]["b"];
-                     document["input"].erase("b");
-                     return Message("b is a");
-                 }},
-        CaseStep{2,
-                 [](Json& document) {
-                     document["input"]["c"] = 0;
-                     return Message("c is 0");
-                 }},
-    };
-    Json document = envelope(R"({"input": {"b": 5}})");
-    EXPECT_EQ(bring_up_to_date(document, steps, 3), (std::vector<Message>{"b is a", "c is 0"}));
-    EXPECT_EQ(document["version"], 3);
-    EXPECT_EQ(document["input"], Json({{"a", 5}, {"c", 0}}));
-    EXPECT_TRUE(bring_up_to_date(document, steps, 3).empty());
-    Json old = envelope();
-    EXPECT_THROW(bring_up_to_date(old, std::span(steps).subspan(1), 3), InputError);
-}
-
 /// One case of every version there was; a file here is never changed again.
 TEST(CaseFileTest, EveryVersionThereWasIsRead) {
     const std::filesystem::path folder =
