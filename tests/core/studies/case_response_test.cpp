@@ -11,7 +11,6 @@
 #include "case-file/json.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
-#include "scenes/responses.h"
 #include "scenes/scenes.h"
 #include "support.h"
 #include "temporary_folder.h"
@@ -68,7 +67,7 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
             }
         }
         ASSERT_GT(watched.size(), 25U);
-        const auto quick = typed_response(file, {}, varied, watched);
+        const auto quick = scene_solver(file.scene).respond(file.input, {}, varied, watched);
         std::vector<double> y(watched.size());
         for (int i = 0; i < 4; ++i) {
             std::array<double, 2> x{};
@@ -95,7 +94,7 @@ TEST(TypedResponse, RefusesAsTheWholeSolutionDoes) {
     CaseFile file = example("tmz-650d.case.json");
     const std::array<std::string, 1> varied{"/crank_radius_mm"};
     const std::array<std::string, 1> watched{"/metrics/M_ups/range_Nm"};
-    const auto quick = typed_response(file, {}, varied, watched);
+    const auto quick = scene_solver(file.scene).respond(file.input, {}, varied, watched);
     double y = 0.0;
     for (const double x : {-46.0, 0.0, 1e-9, 1e120}) {
         file.input["crank_radius_mm"] = x;
