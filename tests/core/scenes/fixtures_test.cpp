@@ -39,7 +39,6 @@ const std::vector<Difference> differences_of_results{
     {"*/relieved_shaft/bearing_load_N", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/shaft_bending_stress_MPa", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/combined_stress_MPa", "bending of the relieved shaft is not computed"},
-    {"two-stroke/*/notes*", "a relieved shaft without the unbalance is said first"},
     {"*/relieved_shaft/feasible", "it depends on the unbalance and the swing circle alone"},
     {"*/relieved_shaft/reason", "the same"},
     {"balance-shaft/*/best_position_buildable/front/*", "other sizes and places of the same front"},
