@@ -228,6 +228,7 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
 TEST(BuildableAngles, TheVerdictNamesWhatTheShaftMeets) {
     Input input = preset_tmz_650d();
     input.centre_distance = 0.105;
+    input.envelope.cylinder_bottom = 0.12;
     input.place_limits.bottom = -0.08;
     const Solver solver(input);
     const PositionStudy study(solver);
