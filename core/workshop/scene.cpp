@@ -87,7 +87,7 @@ Json write_input(const Input& input) {
 }
 
 Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& wanted) {
-    return result_json(read_input(json), wanted);
+    return result_json(wanted, read_input(json));
 }
 
 }  // namespace ravnoves::workshop
