@@ -347,11 +347,6 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
     return most < rounding ? 0.0 : most;
 }
 
-std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
-    const auto half = half_width(cut, diameter, depth, wall);
-    return half ? std::optional(2.0 * *half) : std::nullopt;
-}
-
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance) {
     HolePlan plan = plan_where(target, angle, cut, diameters, limits, tolerance, false);
@@ -439,7 +434,8 @@ class Deepener {
 
   private:
     static constexpr double rounding = 1e-12;  // kg·m
-    using Depths = std::vector<std::size_t>;   // in steps beyond the present depth
+    static constexpr int most_candidates = 12;
+    using Depths = std::vector<std::size_t>;  // in steps beyond the present depth
 
     struct Each {
         Hole hole;
@@ -456,15 +452,12 @@ class Deepener {
     double stepped_grid(double depth) const { return stepped(depth, limits_); }
 
     void add(const Hole& hole) {
-        constexpr double fine = 0.01e-3;  // where depths are not rounded
-        Each each{hole,
-                  std::polar(1.0, hole.angle),
-                  limits_.depth_step > 0.0 ? limits_.depth_step : fine,
-                  {},
-                  {}};
         const double away = std::abs(std::remainder(hole.angle - std::arg(unbalance_), 2.0 * pi));
-        const bool may = away <= limits_.maximum_angle && limits_.allows(hole.angle);
+        const bool may = away <= limits_.maximum_angle && limits_.allows(hole.angle) &&
+                         candidates_ < most_candidates;
         const double most = may ? deepest_hole(hole.diameter, cut_, limits_) : 0.0;
+        candidates_ += most > hole.depth ? 1 : 0;
+        Each each{hole, std::polar(1.0, hole.angle), step_to(most - hole.depth), {}, {}};
         const double now = cut_.removed(hole.diameter, hole.depth).unbalance;
         for (std::size_t steps = 0; steps == 0 || depth_of(each, steps) <= most + rounding;
              ++steps) {
@@ -473,6 +466,15 @@ class Deepener {
             each.half.push_back(half_width(cut_, hole.diameter, depth, limits_.minimum_wall));
         }
         all_.push_back(std::move(each));
+    }
+
+    /// The step of the depths, or so many of them that no more are tried than there is time for.
+    double step_to(double span) const {
+        constexpr double most_steps = 1000.0;
+        const double least = span / most_steps;
+        return limits_.depth_step > 0.0
+                   ? limits_.depth_step * std::max(1.0, std::ceil(least / limits_.depth_step))
+                   : std::max(0.01e-3, least);
     }
 
     double left(const Depths& depths) const {
@@ -578,6 +580,9 @@ class Deepener {
             set_best(one, i);
             take(one);
             for (std::size_t k = 0; count == 2 && k < i; ++k) {
+                if (all_[k].taken.size() == 1) {
+                    continue;
+                }
                 Depths two = from;
                 set_best(two, i, k);
                 take(two);
@@ -617,6 +622,7 @@ class Deepener {
     Cut cut_;
     HoleLimits limits_;
     std::vector<Each> all_;
+    int candidates_ = 0;
     Depths present_;
 };
 

@@ -105,10 +105,6 @@ struct HolePlan {
 /// plane is.
 std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall);
 
-/// Angle between two neighbouring holes whose wall at the bottom is still the minimum, rad;
-/// nothing where they meet whatever the angle.
-std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall);
-
 /// By how much a hole in the sector reaches beyond a limit of it with its edge, at its bottom, m; 0
 /// where it lies inside.
 double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, const Hole& hole);

@@ -152,7 +152,7 @@ void visit_run(FieldVisitor& visitor, EarlierRun& run, Format format) {
     visit_record(visitor, field::drilled, run, format);
 }
 
-void visit_drill(FieldVisitor& visitor, Drill& drill, Format format) {
+void visit_drill(FieldVisitor& visitor, Drill& drill) {
     const Drill usual;
     if (visitor.has(field::diameters.key, !drill.diameters_mm.empty())) {
         visitor.numbers(field::diameters, drill.diameters_mm);
@@ -164,9 +164,6 @@ void visit_drill(FieldVisitor& visitor, Drill& drill, Format format) {
     visitor.number(field::minimum_wall, drill.minimum_wall, usual.minimum_wall);
     visitor.integer(field::maximum_holes, drill.maximum_holes, usual.maximum_holes);
     visitor.number(field::maximum_angle, drill.maximum_angle, usual.maximum_angle);
-    if (format == Format::workshop) {
-        visitor.number(field::smallest_depth, drill.smallest_depth, usual.smallest_depth);
-    }
 }
 
 }  // namespace
@@ -196,10 +193,12 @@ void visit_correction(FieldVisitor& visitor, Correction& correction, Format form
                      [&](EarlierRun& run) { visit_run(visitor, run, format); });
     }
     if (is_job) {
+        visitor.number(field::smallest_depth, correction.smallest_depth,
+                       Correction().smallest_depth);
         visitor.choice(field::aim, correction.aim, Aim::zero);
     }
     visitor.object_of(field::drill, !is_job, !is_job || !(correction.drill == Drill{}),
-                      [&] { visit_drill(visitor, correction.drill, format); });
+                      [&] { visit_drill(visitor, correction.drill); });
     visitor.object(field::slug, correction.slug, [&](Slug& slug) {
         visitor.required(field::slug_diameter, slug.diameter);
         visitor.required(field::slug_density, slug.density);

@@ -180,7 +180,6 @@ struct Drill {
     double minimum_wall = 3e-3;            ///< between holes, m
     int maximum_holes = 5;                 ///< in a plane
     double maximum_angle = 60.0 * degree;  ///< from the heavy spot to the last hole
-    double smallest_depth = 1.5e-3;        ///< of a new hole, m; of workshop jobs
 
     friend bool operator==(const Drill&, const Drill&) = default;
 };
@@ -208,7 +207,9 @@ struct Correction {
     std::vector<EarlierRun> earlier_runs;  ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;
-    Aim aim = Aim::zero;  ///< of workshop jobs
+    // Of workshop jobs.
+    double smallest_depth = 1.5e-3;  ///< of a new hole, m
+    Aim aim = Aim::zero;
 
     friend bool operator==(const Correction&, const Correction&) = default;
 };

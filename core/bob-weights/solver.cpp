@@ -302,7 +302,7 @@ class PlanePlanner {
                 into_.axial_wall = limits_.minimum_wall;
             }
         }
-        limits_.smallest_depth = correction.drill.smallest_depth;
+        limits_.smallest_depth = correction.smallest_depth;
         if (plane.from_angle && plane.to_angle) {
             limits_.sector = {*plane.from_angle, *plane.to_angle};
         }
@@ -896,7 +896,7 @@ Result solve(const Input& given, bool places_parts) {
     if (input.correction) {
         // The format knows of no other way.
         input.correction->aim = Aim::tolerance;
-        input.correction->drill.smallest_depth = 0.0;
+        input.correction->smallest_depth = 0.0;
         if (input.correction->slug) {
             input.correction->slug->direction = SlugDirection::radial;
         }

@@ -71,6 +71,10 @@ Verdict verdict(const Input& input, const Result& result) {
                 {CORE_TEXT("workshop", "STOP. %1"), blocking->text},
                 blocking->rule->act};
     }
+    if (!result.shaft.bob_weight || (result.plugs && !result.plugs->advice)) {
+        return {Severity::note,
+                CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
+    }
     Verdict verdict = undoubted(input, result);
     for (const Doubt& doubt : result.doubts) {
         if (doubt.rule->severity == Severity::warning) {

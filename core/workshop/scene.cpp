@@ -51,7 +51,7 @@ Input as_job(bob_weights::Input shaft) {
             }
         }
         correction.aim = bob_weights::Aim::tolerance;
-        correction.drill.smallest_depth = 0.0;
+        correction.smallest_depth = 0.0;
         if (correction.slug) {
             correction.slug->direction = bob_weights::SlugDirection::radial;
         }

@@ -18620,5 +18620,9 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>STOP. %1</source>
         <translation>СТОП. %1</translation>
     </message>
+    <message>
+        <source>Enter the missing values of engine and parts.</source>
+        <translation>Введите недостающие данные двигателя и деталей.</translation>
+    </message>
 </context>
 </TS>

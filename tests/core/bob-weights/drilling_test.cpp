@@ -86,6 +86,12 @@ TEST(Vectors, AreCarriedOverWithForceAndMoment) {
     }
 }
 
+/// Angle between two neighbours whose wall is still the least.
+std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
+    const auto half = half_width(cut, diameter, depth, wall);
+    return half ? std::optional(2.0 * *half) : std::nullopt;
+}
+
 /// Least distance between two holes, by points on their outlines in the plane of both axes.
 double wall_between(const Cut& cut, const Hole& first, const Hole& second) {
     const auto outline = [&](const Hole& hole, double turn, double side) {

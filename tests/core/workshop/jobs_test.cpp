@@ -5,6 +5,8 @@
 #include "bob-weights/scene.h"
 #include "support.h"
 #include "v8-plugs/scene.h"
+#include "workshop/results.h"
+#include "workshop/solver.h"
 
 namespace ravnoves::workshop {
 namespace {
@@ -240,6 +242,20 @@ TEST(Job, GivesAVerdictForReadingsWithoutAngleOrPlanes) {
     result = solved(input);
     EXPECT_EQ(result.at("verdict").at("severity"), "note");
     EXPECT_FALSE(result.contains("correction"));
+}
+
+TEST(Job, OfASheetHalfFilledSaysWhatIsMissing) {
+    for (Json input : {card(), plugs_card()}) {
+        input.erase("parts_g");
+        if (input.contains("plugs")) {
+            input["plugs"]["engine"] = "14.86 l";
+        }
+        const Input half = read_input(input, Completeness::as_is);
+        const Result result = solve(half, false);
+        EXPECT_FALSE(result.shaft.bob_weight);
+        EXPECT_EQ(verdict(half, result).severity, Severity::note);
+        EXPECT_EQ(read_input(write_input(half), Completeness::as_is), half);
+    }
 }
 
 TEST(Job, RefusesWhatDoesNotGoTogether) {

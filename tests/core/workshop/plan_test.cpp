@@ -239,7 +239,7 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
     correction["readings"][0]["unbalance_g_mm"] = 99;
     EXPECT_TRUE(depths().empty());
     correction["readings"][0]["unbalance_g_mm"] = 130;
-    correction["drill"]["smallest_depth_mm"] = 5;
+    correction["smallest_depth_mm"] = 5;
     for (const double depth : depths()) {
         EXPECT_GE(depth, 5.0 - 1e-9);
     }
