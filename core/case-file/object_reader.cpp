@@ -65,10 +65,19 @@ std::string printable(std::string_view text, std::size_t longest) {
         }
         std::string piece(text.substr(at, count));
         const bool second_set = count == 2 && byte(at) == 0xC2U && byte(at + 1) < 0xA0U;
-        if (byte(at) < 0x20U || byte(at) == 0x7FU || second_set) {
+        // U+202A to U+202E and U+2066 to U+2069 turn the direction of what comes after them.
+        const bool turns = count == 3 && byte(at) == 0xE2U &&
+                           ((byte(at + 1) == 0x80U && byte(at + 2) - 0xAAU <= 4U) ||
+                            (byte(at + 1) == 0x81U && byte(at + 2) - 0xA6U <= 3U));
+        if (byte(at) < 0x20U || byte(at) == 0x7FU || second_set || turns) {
             constexpr std::string_view digits = "0123456789abcdef";
-            const unsigned code = byte(at + count - 1);
-            piece = std::string("\\u00") + digits[code / 16U] + digits[code % 16U];
+            const unsigned last = byte(at + count - 1);
+            const unsigned code =
+                turns ? 0x2000U + 64U * (byte(at + 1) & 0x3FU) + (last & 0x3FU) : last;
+            piece = "\\u";
+            for (int shift = 12; shift >= 0; shift -= 4) {
+                piece += digits[(code >> static_cast<unsigned>(shift)) & 0xFU];
+            }
         }
         if (shown.size() + piece.size() > longest) {
             return shown + "…";

@@ -21,6 +21,7 @@
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/message_text.h"
+#include "text/plain_title.h"
 
 namespace ravnoves {
 
@@ -134,11 +135,11 @@ void CaseDocument::tellNeed() {
 
 QString CaseDocument::name() const {
     if (!path_.isEmpty()) {
-        return QFileInfo(path_).fileName();
+        return plainTitle(QFileInfo(path_).fileName());
     }
     // A job's title is that of the engine it was begun from, and jobs of one engine have the same.
     const QString job = model_->jobName();
-    return job.isEmpty() ? model_->titleShown() : job;
+    return job.isEmpty() ? model_->titleShown() : plainTitle(job);
 }
 
 OpenCase CaseDocument::asOpenCase() const {

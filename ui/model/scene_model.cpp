@@ -11,6 +11,7 @@
 #include "numerics/demand.h"
 #include "text/field_names.h"
 #include "text/number_text.h"
+#include "text/plain_title.h"
 
 namespace ravnoves {
 
@@ -232,8 +233,9 @@ CaseFile SceneModel::asNew(const CaseFile& file) const {
 }
 
 QString SceneModel::titleText(const QString& title) {
-    return title.endsWith(changedMark) ? tr("%1 (changed)").arg(title.chopped(changedMark.size()))
-                                       : title;
+    return plainTitle(title.endsWith(changedMark)
+                          ? tr("%1 (changed)").arg(title.chopped(changedMark.size()))
+                          : title);
 }
 
 void SceneModel::setTitle(const QString& title) {

@@ -22,6 +22,7 @@
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/message_text.h"
+#include "text/plain_title.h"
 
 namespace ravnoves {
 
@@ -545,7 +546,7 @@ namespace {
 
 /// Of a file, without its endings.
 QString bareName(const QString& path) {
-    QString name = QFileInfo(path).fileName();
+    QString name = plainTitle(QFileInfo(path).fileName());
     for (const QString& ending : {QStringLiteral(".json"), QStringLiteral(".case")}) {
         if (name.endsWith(ending)) {
             name.chop(ending.size());
@@ -569,13 +570,14 @@ std::vector<CaseTab> Documents::caseTabs() const {
              .icon = QStringLiteral("scene-") + scene.name,
              .name = path.isEmpty() ? nameOf(*each) : bareName(path),
              .needsSaving = each->document->needsSaving(),
-             .toolTip = scene.title + (path.isEmpty() ? QString() : QStringLiteral("\n") + path)});
+             .toolTip = scene.title +
+                        (path.isEmpty() ? QString() : QStringLiteral("\n") + plainTitle(path))});
     }
     for (const Later& each : later_) {
         tabs.push_back({.id = each.id,
                         .icon = QStringLiteral("open"),
                         .name = bareName(each.path),
-                        .toolTip = each.path});
+                        .toolTip = plainTitle(each.path)});
     }
     return tabs;
 }

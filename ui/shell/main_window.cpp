@@ -451,10 +451,14 @@ void MainWindow::updateTitle() {
     // A file, then what the case calls itself where its file does not say so.
     const QString title = document.model()->titleShown();
     const bool isNamed = !title.isEmpty() && !name.startsWith(title);
+    const auto literally = [](QString text) {  // "[*]" is where Qt marks what is not saved
+        return text.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
+    };
     setWindowTitle((name.isEmpty()
                         ? scene + QStringLiteral("[*]")
-                        : name + QStringLiteral("[*] – ") +
-                              (isNamed ? title + QStringLiteral(" – ") : QString()) + scene) +
+                        : literally(name) + QStringLiteral("[*] – ") +
+                              (isNamed ? literally(title) + QStringLiteral(" – ") : QString()) +
+                              scene) +
                    QStringLiteral(" – Ravnoves"));
     setWindowModified(document.needsSaving());
 }

@@ -140,6 +140,10 @@ TEST(ParseJson, RefusesMoreNamesThanAnyObjectHas) {
 TEST(ObjectReader, ShowsKeysAndValuesPrintableAndShort) {
     const std::string escape = "\x1B[2J\n\x7F\xC2\x9B";
     EXPECT_EQ(printable("ж" + escape + "é"), R"(ж\u001b[2J\u000a\u007f\u009bé)");
+    EXPECT_EQ(printable("a\xE2\x80\xAE"
+                        "b\xE2\x81\xA6"
+                        "c\xE2\x80\xA9 №"),
+              "a\\u202eb\\u2066c\xE2\x80\xA9 №");
     EXPECT_EQ(printable("жжж", 5), "жж…");
     EXPECT_EQ(printable("жжж", 6), "жжж");
     EXPECT_EQ(show(Json("\x7F")), R"("\u007f")");

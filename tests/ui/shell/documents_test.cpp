@@ -216,6 +216,34 @@ TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
     }));
 }
 
+/// Of a case that somebody sent: a line of its own in a title, or letters that run backwards, would
+/// make a window or a tab look like another.
+TEST_F(DocumentsTest, TitlesAreOneLineInItsDirection) {
+    CaseFile file = model().caseFile();
+    file.title = "a\nb\tc\x1b[31m\u202e\u2066d\u2028e[*]f";
+    const QString shown = u"a b c [31md e[*]f"_s;
+    for (const QString& name : {u"plain"_s, u"x\n\u202ey"_s}) {
+        const QString path = folder.filePath(name + u".case.json"_s);
+        QFile written(path);
+        ASSERT_TRUE(written.open(QIODevice::WriteOnly));
+        written.write(QByteArray::fromStdString(write_case(file).dump()));
+        written.close();
+        ASSERT_EQ(window.openCase(path), QString());
+        const QString title = window.windowTitle();
+        EXPECT_TRUE(title.contains(u"a b c [31md e[*][*]f"_s)) << qPrintable(title);
+        EXPECT_EQ(model().titleShown(), shown);
+        EXPECT_EQ(model().title().toStdString(), file.title) << "as the file has it";
+        for (const QString& text : tabs() + QStringList{title}) {
+            for (const QChar letter : text) {
+                EXPECT_TRUE(letter.category() != QChar::Other_Control &&
+                            letter.unicode() != 0x202E && letter.unicode() != 0x2066)
+                    << qPrintable(text);
+            }
+        }
+    }
+    EXPECT_TRUE(tabs().constLast().startsWith(u"x y"_s)) << qPrintable(tabs().constLast());
+}
+
 TEST_F(DocumentsTest, BrowsingThroughTheScenesNeedsNoTabs) {
     for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_6, Qt::Key_1}) {
         press(key);
