@@ -4,16 +4,42 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QShortcut>
+#include <QToolTip>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "model/scene_model.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
+#include "widgets/text_length.h"
 
 namespace ravnoves {
+
+namespace {
+
+/// Of a paste that is longer than notes are, what has no room is cut; a tip says so.
+class NotesField final : public QPlainTextEdit {
+  public:
+    using QPlainTextEdit::QPlainTextEdit;
+
+  protected:
+    void insertFromMimeData(const QMimeData* source) override {
+        constexpr qsizetype longest = 20'000;  // letters
+        const qsizetype kept = toPlainText().size() - textCursor().selectedText().size();
+        const qsizetype room = std::max<qsizetype>(longest - kept, 0);
+        const QString text = source->text();
+        insertPlainText(text.left(room));
+        if (text.size() > room) {
+            QToolTip::showText(mapToGlobal(QPoint(0, height())), cutText(static_cast<int>(longest)), this);
+        }
+    }
+};
+
+}  // namespace
 
 CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
     : QDialog(parent), model_(model) {
@@ -32,10 +58,11 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
     title_ = add(tr("&Title"), tr("What the case is called, in its file and in the window"),
                  new QLineEdit(model->titleShown(), this));
     title_->setObjectName(QStringLiteral("case_title"));
+    limitLength(title_, 200);
     notes_ = add(tr("&Notes"),
                  tr("Your own text on the case: sources, assumptions, what is left to do. It is "
                     "saved with it."),
-                 new QPlainTextEdit(model->notes(), this));
+                 new NotesField(model->notes(), this));
     notes_->setObjectName(QStringLiteral("case_notes"));
     notes_->setTabChangesFocus(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -51,7 +78,7 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
 
 QString CaseProperties::title() const {
     const QString typed = title_->text().trimmed();
-    return typed == model_->titleShown() ? model_->title() : typed;
+    return typed == model_->titleShown().trimmed() ? model_->title() : typed;
 }
 
 bool CaseProperties::isChanged() const {

@@ -17,6 +17,7 @@
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 #include "widgets/layouts.h"
+#include "widgets/text_length.h"
 
 namespace ravnoves {
 
@@ -54,6 +55,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
     field_ = new QLineEdit(this);
     field_->setObjectName(QStringLiteral("help-search"));
     field_->setClearButtonEnabled(true);
+    limitLength(field_, 200);
     row->addWidget(field_, 1);
     found_ = new QLabel(this);
     found_->setObjectName(QStringLiteral("help-found"));

@@ -1,6 +1,5 @@
 #include "shell/variant_menu.h"
 
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QToolButton>
 
@@ -9,6 +8,7 @@
 #include "shell/input_comparison.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
+#include "widgets/text_length.h"
 
 namespace ravnoves {
 
@@ -163,12 +163,9 @@ void VariantMenu::take() {
 
 void VariantMenu::rename() {
     const int place = model_->reference();
-    bool taken = false;
-    const QString name =
-        QInputDialog::getText(parentWidget(), tr("Rename variant"), tr("Name of the variant"),
-                              QLineEdit::Normal, model_->variants().at(place).name, &taken);
-    if (taken) {
-        say(model_->renameVariant(place, name));
+    if (const auto name = askName(parentWidget(), tr("Rename variant"), tr("Name of the variant"),
+                                  model_->variants().at(place).name)) {
+        say(model_->renameVariant(place, *name));
     }
 }
 

@@ -1,13 +1,13 @@
 #include "v8-plugs/engine_sheet.h"
 
 #include <QCheckBox>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include "theme/theme.h"
 #include "widgets/layouts.h"
+#include "widgets/text_length.h"
 
 namespace ravnoves {
 
@@ -103,13 +103,11 @@ QString EngineSheet::presentName() const {
 
 /// Asks for a name; empty where the user does not want to go on.
 QString EngineSheet::askName(const QString& title, const QString& suggestion) {
-    bool ok = false;
-    const QString name = QInputDialog::getText(this, title, tr("Name of the engine:"),
-                                               QLineEdit::Normal, suggestion, &ok);
-    if (ok && name.trimmed().isEmpty()) {
+    const auto name = ravnoves::askName(this, title, tr("Name of the engine:"), suggestion);
+    if (name && name->trimmed().isEmpty()) {
         QMessageBox::warning(this, title, tr("The engine needs a name."));
     }
-    return ok ? name.trimmed() : QString();
+    return name.value_or(QString()).trimmed();
 }
 
 void EngineSheet::report(const QString& title, const QString& trouble, const QString& done) {

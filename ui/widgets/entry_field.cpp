@@ -9,6 +9,7 @@
 
 #include "text/tip_text.h"
 #include "theme/theme.h"
+#include "widgets/text_length.h"
 
 namespace ravnoves {
 
@@ -17,7 +18,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
     setMaxLength(longest);
     connect(this, &QLineEdit::inputRejected, this, [this] {
         isCut_ = true;
-        sayCut(tr("Cut: at most %1 characters.").arg(maxLength()));
+        sayCut(cutText(maxLength()));
     });
     connect(this, &QLineEdit::textEdited, this, [this] {
         if (!std::exchange(isCut_, false)) {

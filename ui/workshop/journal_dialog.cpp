@@ -22,6 +22,7 @@
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
+#include "widgets/text_length.h"
 #include "workshop/checked_field.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/model/verdict.h"
@@ -105,6 +106,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     text_->setObjectName(QStringLiteral("journal_search"));
     text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
     text_->setClearButtonEnabled(true);
+    limitLength(text_, 200);
     add(tr("&Search"), text_, 1);
     row = partOf(fields, 0);
     from_ = new CheckedField(dayTrouble, this);

@@ -15,6 +15,7 @@
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/text_length.h"
 #include "workshop/model/scale_reader.h"
 #include "workshop/scale_input.h"
 
@@ -101,6 +102,7 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
     const ScaleSettings& present = reader_->settings();
     port_ = new QComboBox(this);
     port_->setEditable(true);
+    limitLength(port_->lineEdit(), 1000);
     port_->setInsertPolicy(QComboBox::NoInsert);
     port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     port_->setMinimumContentsLength(30);

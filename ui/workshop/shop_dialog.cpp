@@ -11,6 +11,7 @@
 
 #include "pictures/file_dialogs.h"
 #include "theme/theme.h"
+#include "widgets/text_length.h"
 #include "workshop/job_card.h"
 
 namespace ravnoves {
@@ -22,7 +23,7 @@ ShopDialog::ShopDialog(QWidget* parent) : QDialog(parent) {
     auto* form = new QFormLayout(this);
     name_ = new QLineEdit(shop.name, this);
     name_->setObjectName(QStringLiteral("shop_name"));
-    name_->setMaxLength(80);
+    limitLength(name_, 80);
     name_->setMinimumWidth(Theme::withText(320));
     form->addRow(tr("&Name of the shop"), name_);
     auto* row = new QHBoxLayout;

@@ -210,6 +210,16 @@ TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     }
 }
 
+TEST_P(EveryPage, EveryTextEntryHasALength) {
+    for (const QLineEdit* entry : page->findChildren<QLineEdit*>()) {
+        EXPECT_TRUE(entry->maxLength() <= 1000 || entry->isReadOnly())
+            << qPrintable(entry->objectName());
+    }
+    for (const QPlainTextEdit* entry : page->findChildren<QPlainTextEdit*>()) {
+        EXPECT_TRUE(entry->isReadOnly()) << qPrintable(entry->objectName());
+    }
+}
+
 TEST_P(EveryPage, ExplainsEveryResult) {
     onEveryTab([&] {
         for (const ResultTable* table : reachable<ResultTable>()) {

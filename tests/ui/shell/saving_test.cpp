@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
@@ -17,6 +19,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolTip>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -25,6 +28,7 @@
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "report/report_dialog.h"
+#include "processor_time.h"
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -155,6 +159,27 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_EQ(model().notes(), QString());
     model().redo();
     EXPECT_EQ(model().notes(), QStringLiteral("Measured on Monday"));
+}
+
+TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
+    press(Qt::Key_I);
+    auto* dialog = window.findChild<CaseProperties*>();
+    ASSERT_NE(dialog, nullptr);
+    auto* title = test::named<QLineEdit>(*dialog, "case_title");
+    auto* notes = test::named<QPlainTextEdit>(*dialog, "case_notes");
+    QApplication::clipboard()->setText(QString(1'000'000, QLatin1Char('7')));
+    for (QWidget* field : {static_cast<QWidget*>(title), static_cast<QWidget*>(notes)}) {
+        const test::ProcessorTime time;
+        QTest::keyClick(field, Qt::Key_V, Qt::ControlModifier);
+        EXPECT_LT(time.seconds(), 2.0);
+        EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("Cut: at most")))
+            << qPrintable(QToolTip::text());
+        QToolTip::hideText();
+    }
+    EXPECT_EQ(title->text().size(), 200);
+    EXPECT_EQ(notes->toPlainText().size(), 20'000);
+    QTest::keyClick(title, Qt::Key_Return);
+    EXPECT_EQ(model().title().size(), 200);
 }
 
 TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
