@@ -2,6 +2,7 @@
 
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <new>
 
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int settleTime = 150;  // ms
 
-/// Empty where nothing is there or it cannot be read; a pipe, which is never opened, or a folder is
+/// Empty where nothing is there, or it cannot be read or held; a pipe, which is never opened, or a folder is
 /// like no file's content.
 QByteArray digestNow(const QString& path) {
     try {
@@ -21,6 +22,8 @@ QByteArray digestNow(const QString& path) {
     } catch (const InputError&) {
         const QFileInfo info(path);
         return info.exists() && !info.isFile() ? QByteArrayLiteral("no file") : QByteArray();
+    } catch (const std::bad_alloc&) {
+        return {};
     }
 }
 

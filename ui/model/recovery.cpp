@@ -6,6 +6,7 @@
 #include <QUuid>
 #include <algorithm>
 #include <exception>
+#include <new>
 
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
@@ -154,6 +155,8 @@ bool Recovery::keep(CaseDocument* document) {
         return true;
     } catch (const InputError& error) {
         return fail(errorText(error));
+    } catch (const std::bad_alloc&) {
+        return fail(errorText(std::current_exception()));
     }
 }
 
@@ -200,7 +203,11 @@ bool Recovery::isLeft(const QString& name, Locks& locks) const {
     }
     const auto [at, isNew] = locks.try_emplace(session);
     if (isNew) {
-        auto lock = std::make_unique<QLockFile>(QDir(folder_).filePath(session + lockEnding));
+        const QString path = QDir(folder_).filePath(session + lockEnding);
+        if (const QFileInfo there(path); there.exists() && !there.isFile()) {
+            QFile::remove(path);  // a pipe, which would be waited for
+        }
+        auto lock = std::make_unique<QLockFile>(path);
         lock->setStaleLockTime(0);
         // Where nothing can be written it cannot be locked: nobody has it all the same.
         if (lock->tryLock(0) || lock->error() != QLockFile::LockFailedError) {
@@ -244,6 +251,9 @@ Recovery::Found Recovery::leftBehind() {
             found.cases << std::move(kept);
         } catch (const NewerCase&) {
             found.newer << file;
+        } catch (const std::bad_alloc&) {
+            QFile::rename(file, left.filePath());  // whole, for a machine that has the memory
+            ++found.older;
         } catch (const std::exception&) {
             const QString aside = file + damagedEnding;
             found.damaged << (QFile::rename(file, aside) ? aside : file);

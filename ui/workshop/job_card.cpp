@@ -55,6 +55,8 @@ QImage Shop::read(const QString& file) {
                    : QImage::fromData(QByteArray::fromStdString(read_text_file(fsPath(file))));
     } catch (const InputError&) {
         return {};
+    } catch (const std::bad_alloc&) {
+        return {};
     }
 }
 

@@ -1,6 +1,7 @@
 #include "workshop/model/journal.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
@@ -335,6 +336,34 @@ TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
             QFile::remove(path(name));
         }
     }
+}
+
+/// In its place, or where SQLite looks for what belongs to it: neither is waited for.
+TEST_F(JournalTest, APipeIsRefused) {
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+        const QString file = path(u"pipe.sqlite"_s);
+        if (*suffix != 0) {
+            Journal journal(file);
+            ASSERT_TRUE(journal.open());
+        }
+        const QString pipe = file + QLatin1String(suffix);
+        QFile::remove(pipe);
+        ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        Journal journal(file);
+        EXPECT_FALSE(journal.open()) << suffix;
+        EXPECT_TRUE(journal.lastError().contains(u"pipe"_s)) << qPrintable(journal.lastError());
+        Journal own(path());
+        ASSERT_TRUE(own.open());
+        EXPECT_FALSE(own.restore(file)) << suffix;
+        EXPECT_TRUE(own.lastError().contains(u"no backup"_s)) << qPrintable(own.lastError());
+        for (const char* each : {"", "-journal", "-wal", "-shm"}) {
+            QFile::remove(file + QLatin1String(each));
+        }
+    }
+    // A file of the system that makes its reader wait.
+    Journal own(path());
+    ASSERT_TRUE(own.open());
+    EXPECT_FALSE(own.restore(u"/proc/kmsg"_s));
 }
 
 TEST_F(JournalTest, AJobThatTheFileDoesNotKeepIsNotSaved) {

@@ -1,14 +1,19 @@
 // The journal's file: opened, made, checked, set aside where it is damaged.
 
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 
 #include <QDir>
 #include <QFileInfo>
 #include <QSqlDatabase>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <set>
 
+#include "case-file/text_size.h"
+#include "text/message_text.h"
 #include "workshop/model/journal.h"
 #include "workshop/model/journal_rows.h"
 
@@ -21,6 +26,29 @@ constexpr int applicationId = 0x52415650;  // "RAVP"
 
 constexpr int busyTimeout = 2000;  // ms, for another program's write
 constexpr int backupsKept = 7;
+
+/// /proc/kmsg and its like are files to who asks, and make their reader wait. Asked without opening
+/// it: a database that is opened and closed beside SQLite loses the locks that that holds.
+bool isOfTheSystem(const QString& path) {
+    struct statfs system {};
+    if (statfs(QFile::encodeName(path).constData(), &system) != 0) {
+        return false;
+    }
+    constexpr std::array kinds{PROC_SUPER_MAGIC, SYSFS_MAGIC, DEBUGFS_MAGIC, TRACEFS_MAGIC};
+    return std::find(kinds.begin(), kinds.end(), system.f_type) != kinds.end();
+}
+
+/// What would be waited for: the database, or a file that SQLite looks for beside it, that is a
+/// pipe or a device. Empty where there is none.
+QString noFileOf(const QString& path) {
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+        const QFileInfo info(path + QLatin1String(suffix));
+        if (info.exists() && !info.isDir() && (!info.isFile() || isOfTheSystem(info.filePath()))) {
+            return info.filePath();
+        }
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -98,6 +126,10 @@ bool Journal::isReady() {
 
 bool Journal::openDatabase() {
     closeDatabase();
+    if (const QString pipe = noFileOf(path_); !pipe.isEmpty()) {
+        return fail(tr("The journal %1 cannot be opened.").arg(path_),
+                    pipe + QLatin1Char(' ') + messageText(not_a_file));
+    }
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection_);
         db.setDatabaseName(path_);
@@ -423,7 +455,7 @@ std::optional<JournalRestored> Journal::restore(const QString& file,
                                                 const std::atomic<bool>* cancelled) {
     const QString cannot = tr("%1 is no backup of a journal, or is damaged.").arg(file);
     std::optional<Contents> found;
-    if (!isReady() || QFileInfo(file) == QFileInfo(path_)) {
+    if (!isReady() || QFileInfo(file) == QFileInfo(path_) || !noFileOf(file).isEmpty()) {
         fail(cannot, {});
         return std::nullopt;
     }
