@@ -14,8 +14,8 @@ namespace {
 
 constexpr int settleTime = 150;  // ms
 
-/// Empty where nothing is there, or it cannot be read or held; a pipe, which is never opened, or a folder is
-/// like no file's content.
+/// Empty where nothing is there, or it cannot be read or held; a pipe, which is never opened, or a
+/// folder is like no file's content.
 QByteArray digestNow(const QString& path) {
     try {
         return FileOnDisk::digestOf(read_text_file(fsPath(path)));

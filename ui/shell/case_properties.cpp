@@ -34,7 +34,8 @@ class NotesField final : public QPlainTextEdit {
         const QString text = source->text();
         insertPlainText(text.left(room));
         if (text.size() > room) {
-            QToolTip::showText(mapToGlobal(QPoint(0, height())), cutText(static_cast<int>(longest)), this);
+            QToolTip::showText(mapToGlobal(QPoint(0, height())), cutText(static_cast<int>(longest)),
+                               this);
         }
     }
 };

@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QToolButton>
 
+#include "model/input_differences.h"
 #include "model/variant_files.h"
 #include "page/scene_page.h"
 #include "shell/input_comparison.h"

@@ -27,8 +27,8 @@
 #include "page/refused_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
-#include "report/report_dialog.h"
 #include "processor_time.h"
+#include "report/report_dialog.h"
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -42,6 +42,8 @@
 
 namespace ravnoves {
 namespace {
+
+using namespace Qt::StringLiterals;
 
 class SavingTest : public ::testing::Test {
   protected:
@@ -398,7 +400,6 @@ TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {
 }
 
 TEST_F(SavingTest, EveryPresetsNameGoesWithItsEngine) {
-    using namespace Qt::StringLiterals;
     const QHash<QString, QString> changes{{u"balance-shaft"_s, u"crank_radius_mm=51"_s},
                                           {u"elastic-hinge"_s, u"crank_radius_mm=51"_s},
                                           {u"v8-plugs"_s, u"engine=8.74 l"_s},
