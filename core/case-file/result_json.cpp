@@ -47,7 +47,7 @@ Json json_of(std::span<const Element> elements, const Unit& unit) {
     return list;
 }
 
-Json json_of(const ResultRows& rows, const Unit& unit) {
+Json json_of(const NumberRows& rows, const Unit& unit) {
     Json list = Json::array();
     for (std::size_t at = 0; at + rows.columns <= rows.si.size(); at += rows.columns) {
         list.push_back(json_of(rows.si.subspan(at, rows.columns), unit));

@@ -99,7 +99,7 @@ void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
         elements(node, *numbers);
     } else if (const auto* integers = std::get_if<std::span<const int>>(&value)) {
         elements(node, *integers);
-    } else if (const auto* rows = std::get_if<ResultRows>(&value); rows != nullptr && node != 0) {
+    } else if (const auto* rows = std::get_if<NumberRows>(&value); rows != nullptr && node != 0) {
         for (std::size_t row = 0; (row + 1) * rows->columns <= rows->si.size(); ++row) {
             elements(inside(node, std::to_string(row)),
                      rows->si.subspan(row * rows->columns, rows->columns));

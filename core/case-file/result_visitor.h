@@ -26,7 +26,7 @@ struct ResultField {
 };
 
 /// Numbers of a list whose elements are lists of so many.
-struct ResultRows {
+struct NumberRows {
     std::span<const double> si;
     std::size_t columns;
 };
@@ -35,7 +35,7 @@ struct ResultRows {
 /// several, a list.
 using ResultValue = std::variant<std::monostate, double, long long, bool, std::string_view,
                                  const Message*, std::span<const Message>, std::span<const double>,
-                                 std::span<const int>, ResultRows>;
+                                 std::span<const int>, NumberRows>;
 
 /// Goes through the values of a scene's result in the order of its file.
 ///
@@ -88,7 +88,7 @@ class ResultVisitor {
     }
     /// A list of lists of so many numbers each.
     void rows(const ResultField& field, const std::vector<double>& si, std::size_t columns) {
-        leaf(field, ResultRows{si, columns});
+        leaf(field, NumberRows{si, columns});
     }
     /// What the result has no value for.
     void nothing(const ResultField& field) { leaf(field, {}); }
