@@ -59,7 +59,6 @@ FrontView FrontView::at_distance(double distance) const {
     FrontView view = *this;
     view.centre_distance = distance;
     view.gear_pitch_radius = distance / 2.0;
-    view.gear_module = distance / gear_teeth;
     if (tip_follows_distance) {
         view.gear_tip_radius = view.gear_pitch_radius;
     }

@@ -31,7 +31,6 @@ struct FrontView {
     double shaft_swing_radius;
     double gear_pitch_radius;  ///< l/2
     double gear_tip_radius;
-    double gear_module;  ///< l / teeth
     double clearance;
     double wall;
     int gear_teeth;

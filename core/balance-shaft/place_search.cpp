@@ -67,18 +67,14 @@ class Search {
                                        question_.limit->most * (1.0 + limit_rounding);
     }
 
-    PlaceValue ask(const Place& place) {
-        ++best_.evaluations;
-        return question_.criterion(place);
-    }
-
     /// @param known  the criterion at the place, where it has been asked for
     void offer(Place place, const PlaceValue* known = nullptr) {
         const Place wanted = place;
         if (!places_.mend(place) || !is_within_limit(place)) {
             return;
         }
-        const double value = known && place == wanted ? known->value : ask(place).value;
+        const double value =
+            known && place == wanted ? known->value : question_.criterion(place).value;
         if (value < best_.value) {
             best_.place = place;
             best_.value = value;
@@ -212,7 +208,7 @@ class Search {
             if (all.size() == 0) {
                 continue;
             }
-            const Tangent here{box.middle, ask(box.middle)};
+            const Tangent here{box.middle, question_.criterion(box.middle)};
             double bound = std::max(part.bound, here(lowest(all, here)) - here.at.bend * r * r);
             if (bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - bound);
@@ -230,7 +226,7 @@ class Search {
                 surely.cut(line);
             }
             const Place candidate = lowest_allowed(surely.size() > 0 ? surely : all, here);
-            const Tangent there{candidate, ask(candidate)};
+            const Tangent there{candidate, question_.criterion(candidate)};
             // What is better by the tangent plane alone can mostly not be built.
             const double before = best_.value;
             if (there.at.value < before && (surely.size() > 0 || before == infinite || r < small)) {
@@ -268,7 +264,7 @@ class Search {
 
     const ShaftPlaces& places_;
     const PlaceQuestion& question_;
-    PlaceFound best_{{0.0, 0.0}, infinite, 0.0, 0};
+    PlaceFound best_{{0.0, 0.0}, infinite, 0.0};
 };
 
 }  // namespace
@@ -279,7 +275,7 @@ std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQu
 
 PlaceFound lowest_place(const PlaceQuestion& question) {
     const PlaceValue at_crank = question.criterion({0.0, 0.0});
-    PlaceFound best{{0.0, 0.0}, at_crank.value, 0.0, 1};
+    PlaceFound best{{0.0, 0.0}, at_crank.value, 0.0};
     // The box holds every place that is no worse than the crank's axis; its half side is the unit.
     const double reach = (at_crank.value + question.at_crank) / question.growth * (1.0 + 1e-9);
     if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
@@ -311,7 +307,6 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
         }
         at = vertex.head<2>();
         const PlaceValue here = question.criterion(at * reach);
-        ++best.evaluations;
         if (here.value < best.value) {
             best.value = here.value;
             best.place = at * reach;

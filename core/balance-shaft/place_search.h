@@ -39,7 +39,6 @@ struct PlaceFound {
     Eigen::Vector2d place;
     double value = 0.0;
     double gap = 0.0;  ///< none is better by more than this
-    int evaluations = 0;
 };
 
 /// By branch and bound over polygons of the front view: what can be built in one lies between

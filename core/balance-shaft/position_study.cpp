@@ -131,7 +131,6 @@ BestPosition PositionStudy::Prepared::found(const PlaceFound& found) const {
     best.position = {found.place.x(), found.place.y()};
     best.criteria = criteria(best.position);
     best.gap = found.gap;
-    best.evaluations = found.evaluations;
     return best;
 }
 
@@ -164,7 +163,6 @@ BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
             distance* sum.growth, distance* sum.growth, within);
         angle = found.alpha;
         best.gap = found.gap;
-        best.evaluations = found.evaluations;
     } else {
         const bool any = shaft.force() == 0.0 || plane.opposed().norm() <= constant_torque * size;
         const ShaftPosition opposed = any ? ShaftPosition{} : position(plane.opposed());

@@ -33,7 +33,6 @@ struct BestPosition {
     ShaftPosition position;
     PositionCriteria criteria;
     double gap = 0.0;  ///< N·m: no place is better by more than this
-    int evaluations = 0;
 };
 
 /// The same among the places that can be built; empty with the reason where none can.
