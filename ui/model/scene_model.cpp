@@ -22,6 +22,12 @@ ReferenceCase& SceneModel::referenceCase() {
     return *referenceCase_;
 }
 
+void SceneModel::needParts() {
+    for (const PagePart& part : parts()) {
+        needPart(part.id);
+    }
+}
+
 SceneModel::SceneModel(QObject* parent) : QObject(parent) {
     connect(&history_, &QUndoStack::indexChanged, this, &SceneModel::historyChanged);
     connect(&history_, &QUndoStack::cleanChanged, this, &SceneModel::historyChanged);

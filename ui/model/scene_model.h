@@ -79,8 +79,10 @@ class SceneModel : public QObject {
     virtual std::span<const PagePart> parts() const { return {}; }
     /// Makes one of them of the present input and of what is chosen to be seen of it.
     virtual Content part(std::string_view /*id*/) const { return {}; }
-    /// Begins what takes longer than a frame of all that parts show; shownChanged() follows.
-    virtual void needParts() {}
+    /// Begins what takes longer than a frame of a part, where someone looks; shownChanged() follows.
+    virtual void needPart(std::string_view /*id*/) {}
+    /// The same of all.
+    void needParts();
     /// A new model of the same scene.
     /// @param runsJobs  it computes in the background what takes long, as this one does
     virtual std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const { return nullptr; }

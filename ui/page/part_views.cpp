@@ -25,6 +25,14 @@ void PartView::outdate(bool ofReference) {
 }
 
 void PartView::shown() {
+    model_->needPart(id_);
+    if (SceneModel* reference = model_->referenceCase().model()) {
+        reference->needPart(id_);
+    }
+    make();
+}
+
+void PartView::make() {
     if (std::exchange(isStale_, false)) {
         showPart(model_->part(id_));
     }
@@ -42,7 +50,7 @@ void PartView::shown() {
 void PartView::refresh() {
     isStale_ = true;
     isReferenceStale_ = true;
-    shown();
+    make();
 }
 
 std::vector<PartView*> PartView::below(const QWidget& page, bool seenAlone) {

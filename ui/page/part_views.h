@@ -42,6 +42,7 @@ class PartView {
   private:
     bool isSeen() const { return widget_->isVisibleTo(widget_->window()); }
     void outdate(bool ofReference);
+    void make();
 
     SceneModel* model_;
     std::string_view id_;
@@ -57,6 +58,8 @@ class PartPlot : public PlotView, public PartView {
   public:
     PartPlot(SceneModel* model, std::string_view id, QWidget* parent = nullptr);
 
+    /// It shows more than a figure has: none but itself can be drawn.
+    virtual bool isDrawing() const { return false; }
     void showSpread(const PartSpread& spread) override;
     void clearSpread(bool another) override;
 

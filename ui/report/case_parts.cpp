@@ -8,6 +8,7 @@
 #include <span>
 
 #include "model/background_job.h"
+#include "model/reference_case.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
 #include "pictures/figure.h"
@@ -93,8 +94,14 @@ QString tabOf(const QWidget* widget, std::span<const PagePart> parts) {
     return {};
 }
 
-void addFigure(SceneModel& model, const PagePart& part, const Figure& figure,
+void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, const Figure& figure,
                const PartSpread* spread, PageGroup& group) {
+    PartPlot* own = partPlot(page, part.id);
+    if (own != nullptr && own->isDrawing() && !own->dataAsCsv().isEmpty()) {
+        own->refresh();
+        group.figures.push_back(drawingOf(own));
+        return;
+    }
     const bool isEmpty = std::all_of(figure.curves.begin(), figure.curves.end(),
                                      [](const Figure::Curve& curve) { return curve.x.empty(); });
     if (isEmpty) {
@@ -138,6 +145,9 @@ void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
 std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
     SceneModel& model = *page.model();
     model.needParts();
+    if (SceneModel* reference = model.referenceCase().model()) {
+        reference->needParts();
+    }
     auto* bands = page.findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
     waitFor(page, patience, jobPatienceMs);
     if (bands != nullptr) {
@@ -161,7 +171,7 @@ std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
         } else if (const auto* results = std::get_if<Results>(&content)) {
             addTable(model, part, *results, spread, group);
         } else if (const auto* figure = std::get_if<Figure>(&content)) {
-            addFigure(model, part, *figure, spread, group);
+            addFigure(page, model, part, *figure, spread, group);
         }
         patience.wait();
     }

@@ -29,6 +29,15 @@ struct Figure {
         Qt::Orientation bars = Qt::Vertical;
     };
 
+    Curve& add(std::string id, plot::CurveStyle style, std::vector<double> xs,
+               std::vector<double> ys) {
+        curves.push_back({.id = std::move(id),
+                          .style = std::move(style),
+                          .x = std::move(xs),
+                          .y = std::move(ys)});
+        return curves.back();
+    }
+
     QString title = {};
     plot::Axis x = {};
     plot::Axis left = {};
