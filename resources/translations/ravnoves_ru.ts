@@ -10633,10 +10633,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Крутящий момент и его части</translation>
     </message>
     <message>
-        <source>φ, °</source>
-        <translation>φ, °</translation>
-    </message>
-    <message>
         <source>N·m</source>
         <translation>Н·м</translation>
     </message>
@@ -11333,10 +11329,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Габарит от α</translation>
     </message>
     <message>
-        <source>α, °</source>
-        <translation>α, °</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>мм</translation>
     </message>
@@ -11498,10 +11490,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Excess energy over the cycle</source>
         <translation>Избыточная энергия за цикл</translation>
-    </message>
-    <message>
-        <source>φ, °</source>
-        <translation>φ, °</translation>
     </message>
     <message>
         <source>J</source>
@@ -11731,10 +11719,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Mᵤₚₛ with gear error</source>
         <translation>Mᵤₚₛ с ошибкой зацепления</translation>
-    </message>
-    <message>
-        <source>φ, °</source>
-        <translation>φ, °</translation>
     </message>
     <message>
         <source>N·m</source>

@@ -92,13 +92,13 @@ void jobs() {
 void maps() {
     BalanceShaftModel model;
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    ShaftMapModel map(&model);
-    SpeedStudyModel speed(&model);
-    map.setWatched(true);
+    ShaftMapModel& map = *model.shaftMap();
+    SpeedStudyModel& speed = *model.speedStudy();
     check(speed.hasLoad(), "there is a load");
     for (int angle = 60; angle < 72; ++angle) {
         model.setByKey(u"shaft_angle_deg"_s, QString::number(angle));
         speed.setLoad(5.0 + 0.01 * angle);
+        model.needParts();
         QCoreApplication::processEvents();
     }
     check(comes([&] { return !map.job()->isRunning() && !speed.job()->isRunning(); }),

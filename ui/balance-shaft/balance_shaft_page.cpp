@@ -1,13 +1,27 @@
 #include "balance-shaft/balance_shaft_page.h"
 
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
 #include <QTabWidget>
 
+#include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/shaft_tabs.h"
 #include "balance-shaft/torque_source_editor.h"
+#include "page/mechanism_picture.h"
+#include "page/part_views.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
+#include "widgets/field_slider.h"
+#include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
+#include "widgets/panel.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
@@ -30,15 +44,116 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRange);
     bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
     connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
-    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showSweep);
-    connect(&Theme::instance(), &Theme::changed, this, &BalanceShaftPage::showSweep);
-    connect(model_, &BalanceShaftModel::shaftMoved, this, &BalanceShaftPage::showShaft);
-    connect(model_, &BalanceShaftModel::meansChanged, this, &BalanceShaftPage::showMeans);
+    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, &BalanceShaftPage::showVerdict);
+    }
+    connect(model_, &SceneModel::shownChanged, angle_, &FieldSlider::follow);
     connect(model_, &BalanceShaftModel::refused, this, &ScenePage::status);
+    showBest();
+    showVerdict();
+}
 
-    showSweep();
-    showShaft();
+QWidget* BalanceShaftPage::buildPlots() {
+    auto* holder = new QWidget(this);
+    QVBoxLayout* column = columnIn(holder);
+
+    auto* bar = new Panel(holder);
+    QHBoxLayout* barRow = rowIn(bar, Theme::margin, barMargins);
+    angle_ = new FieldSlider(
+        model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
+        {.label = tr("Shaft angle &α"),
+         .hint = tr("Angle from the cylinder axis to the line of centres, in the direction of "
+                    "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."),
+         .read = [this] { return model_->shaftAngleDeg(); },
+         .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
+    angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
+    barRow->addWidget(angle_, 1);
+    auto* label = new QLabel(tr("Mea&ns"), bar);
+    auto* means = new QComboBox(bar);
+    means->addItems({tr("both"), tr("cycle integral"), tr("paper's nodes")});
+    means->setAccessibleName(tr("Which means the plots show"));
+    means->setToolTip(
+        tr("The mean of Mₛ over a cycle is 0 at every α. The paper averages 25 nodes and counts "
+           "the end of the cycle twice; that alone makes its mean differ from 0."));
+    label->setBuddy(means);
+    barRow->addWidget(label);
+    barRow->addWidget(means);
+    connect(means, &QComboBox::activated, this,
+            [this](int index) { model_->setMeans(static_cast<BalanceShaftModel::Means>(index)); });
+    const auto showMeans = [this, means] {
+        means->setCurrentIndex(static_cast<int>(model_->means()));
+    };
+    connect(model_, &SceneModel::viewChanged, means, showMeans);
     showMeans();
+    column->addWidget(bar);
+
+    views_ = new ShaftTabs(model_, holder);
+    column->addWidget(views_, 1);
+    return holder;
+}
+
+QWidget* BalanceShaftPage::buildAnswer() {
+    auto* holder = new QWidget(this);
+    holder->setMinimumWidth(Theme::withText(338));
+    holder->setMaximumWidth(Theme::withText(440));
+    QVBoxLayout* column = columnIn(holder);
+
+    picture_ = new MechanismView(model_);
+    auto* picturePanel =
+        new PicturePanel(picture_, tr("Crank angle of the picture; 0 is top dead centre"), holder);
+    playAction_ = picturePanel->action();
+    column->addWidget(picturePanel, 1);
+
+    auto* answer = new Panel(holder);
+    QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
+    criteria_ = new PartTable(model_, "criteria", tr("Criteria of the three moments"), answer);
+    answerColumn->addWidget(criteria_);
+    answerColumn->addLayout(buildBest(answer));
+    quantities_ = new PartTable(model_, "quantities", tr("Forces, masses and sizes"), answer);
+    quantities_->horizontalHeader()->hide();
+    answerColumn->addWidget(quantities_);
+    auto* notes = new PartText(model_, "notes", answer);
+    answerColumn->addWidget(new Apart(notes, answer), 1);
+    column->addWidget(answer);
+    return holder;
+}
+
+QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(Theme::space);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 1);
+    const auto add = [&](int row, const char* part, const char* name, const QString& hint,
+                         void (BalanceShaftModel::*go)()) {
+        auto* label = new PartText(model_, part, parent);
+        label->setFont(Theme::font());
+        colourText(label, &Theme::text);
+        label->setToolTip(tr("Over all α that can be built, exact for the continuous cycle"));
+        auto* button = new QPushButton(tr("Go"), parent);
+        button->setObjectName(QLatin1String(name));
+        button->setMaximumWidth(Theme::withText(52));
+        button->setAccessibleName(hint);
+        button->setToolTip(hint);
+        connect(button, &QPushButton::clicked, model_, go);
+        grid->addWidget(new Apart(label, parent), row, 0);
+        grid->addWidget(button, row, 1);
+        return button;
+    };
+    goRange_ = add(0, "best-range", "go_best_range", tr("Go to the α of the least range"),
+                   &BalanceShaftModel::goToBestRange);
+    goRms_ = add(1, "best-rms", "go_best_rms", tr("Go to the α of the least RMS"),
+                 &BalanceShaftModel::goToBestRms);
+    return grid;
+}
+
+void BalanceShaftPage::showBest() {
+    const bool hasRange = model_->bestRange().shaft_angle.has_value();
+    const bool hasRms = model_->bestRms().shaft_angle.has_value();
+    goRange_->setEnabled(hasRange);
+    bestRangeAction_->setEnabled(hasRange);
+    goRms_->setEnabled(hasRms);
+    bestRmsAction_->setEnabled(hasRms);
 }
 
 void BalanceShaftPage::showVerdict() {
@@ -67,6 +182,16 @@ SceneModel* BalanceShaftPage::model() {
 
 QList<QAction*> BalanceShaftPage::sceneActions() {
     return {playAction_, bestRangeAction_, bestRmsAction_};
+}
+
+QString BalanceShaftPage::resultsAsText() const {
+    const QStringList parts{verdict_->text(),        criteria_->asText(),   quantities_->asText(),
+                            model_->bestRangeText(), model_->bestRmsText(), QString()};
+    return parts.join(QLatin1Char('\n'));
+}
+
+QString BalanceShaftPage::resultsAsCsv() const {
+    return criteria_->asCsv() + QLatin1Char('\n') + quantities_->asCsv();
 }
 
 }  // namespace ravnoves

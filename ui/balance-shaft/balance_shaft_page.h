@@ -1,26 +1,23 @@
 #pragma once
 
-#include "plot/plot_view.h"
 #include "page/scene_page.h"
-#include "widgets/field_slider.h"
 
-class QComboBox;
-class QLabel;
+class QGridLayout;
 class QPushButton;
 class QTabWidget;
 
 namespace ravnoves {
 
 class BalanceShaftModel;
-class MechanismView;
+class FieldSlider;
 class Form;
+class MechanismView;
 class ResultTable;
-class VerdictLine;
-class CycleView;
 class TorqueSourceEditor;
 class TorqueTableEditor;
+class VerdictLine;
 
-/// The balance-shaft page: inputs, α slider, plots over φ and over α, picture, results.
+/// The balance-shaft page: inputs, α slider, tabs, picture, results.
 class BalanceShaftPage : public ScenePage {
     Q_OBJECT
 
@@ -35,9 +32,6 @@ class BalanceShaftPage : public ScenePage {
 
     // For tests and for the frame benchmark.
     FieldSlider* angleSlider() const { return angle_; }
-    PlotView* momentPlot() const { return moments_; }
-    PlotView* rangePlot() const { return range_; }
-    PlotView* meanPlot() const { return means_; }
     MechanismView* picture() const { return picture_; }
     TorqueTableEditor* torqueEditor() const;
     TorqueSourceEditor* torqueSource() const { return source_; }
@@ -46,42 +40,27 @@ class BalanceShaftPage : public ScenePage {
   private:
     QTabWidget* buildInputs();
     QWidget* buildPlots();
-    QWidget* buildMoments();
     QWidget* buildAnswer();
+    QGridLayout* buildBest(QWidget* parent);
     void addEngine(Form* form);
     void addMasses(Form* form);
-    void showSweep();
+    void showBest();
     void showVerdict();
     void doVerdictAct();
-    void showShaft();
-    void showMeans();
 
     BalanceShaftModel* model_;
     TorqueSourceEditor* source_ = nullptr;
     QTabWidget* views_ = nullptr;
-    CycleView* cycle_ = nullptr;
     FieldSlider* angle_ = nullptr;
-    QComboBox* meansChoice_ = nullptr;
-    PlotView* moments_ = nullptr;
-    PlotView* range_ = nullptr;
-    PlotView* means_ = nullptr;
     MechanismView* picture_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
-    QLabel* bestRange_ = nullptr;
-    QLabel* bestRms_ = nullptr;
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
     VerdictLine* verdict_ = nullptr;
-    QLabel* notes_ = nullptr;
     QAction* playAction_ = nullptr;
     QAction* bestRangeAction_ = nullptr;
     QAction* bestRmsAction_ = nullptr;
-
-    // Curves, by plot.
-    int up_ = 0, s_ = 0, ups_ = 0;
-    int rangeCurve_ = 0, rmsCurve_ = 0, meanSTrue_ = 0, meanSPrinted_ = 0;
-    int mSTrue_ = 0, mSPrinted_ = 0, mUpsTrue_ = 0, mUpsPrinted_ = 0;
 };
 
 }  // namespace ravnoves

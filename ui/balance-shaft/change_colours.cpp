@@ -1,5 +1,7 @@
 #include "balance-shaft/change_colours.h"
 
+#include <QFontMetricsF>
+#include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +29,30 @@ QColor changeColour(double part) {
     const double size = std::min(std::abs(part), 1.0);
     return size <= 0.5 ? mixedColour(neutral, ends[0], 0.25 + 1.5 * size)
                        : mixedColour(ends[0], ends[1], 2.0 * size - 1.0);
+}
+
+void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<BarNumber>& numbers) {
+    const Theme& theme = Theme::instance();
+    painter.setPen(QPen(theme.border(), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(bar);
+    const QFontMetricsF metrics(painter.font());
+    const double row = std::ceil(metrics.height()) + 1.0;
+    std::vector<QRectF> taken;
+    for (const BarNumber& number : numbers) {
+        const double x = bar.left() + number.part * bar.width();
+        painter.setPen(QPen(theme.text(), number.isNoChange ? 2.4 : 1.0));
+        painter.drawLine(QPointF(x, number.isNoChange ? bar.top() - 1.0 : bar.bottom() - 3.0),
+                         QPointF(x, bar.bottom() + (number.isNoChange ? 2.0 : 1.0)));
+        const double wide =
+            metrics.horizontalAdvance(number.text) + metrics.averageCharWidth() + 6.0;
+        const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
+        if (std::none_of(taken.begin(), taken.end(),
+                         [&](const QRectF& other) { return other.intersects(box); })) {
+            taken.push_back(box);
+            painter.drawText(box, Qt::AlignCenter, number.text);
+        }
+    }
 }
 
 }  // namespace ravnoves

@@ -1,8 +1,13 @@
 #pragma once
 
 #include <QColor>
+#include <QRectF>
+#include <QString>
+#include <vector>
 
 #include "theme/theme.h"
+
+class QPainter;
 
 namespace ravnoves {
 
@@ -18,6 +23,16 @@ inline double colourBarHeight() {
 inline double longestColourBar() {
     return Theme::withText(460);
 }
+
+/// A number below a bar of colours, with a line in the bar.
+struct BarNumber {
+    double part;  ///< of the bar's width
+    QString text;
+    bool isNoChange = false;  ///< its line is broad
+};
+/// Frames a bar and writes its numbers, in the painter's font. One that would meet those before it
+/// in the list has its line alone.
+void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<BarNumber>& numbers);
 
 /// From one colour to another, 0…1.
 QColor mixedColour(const QColor& from, const QColor& to, double part);

@@ -9,6 +9,7 @@
 
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "model/reference_case.h"
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
@@ -42,19 +43,25 @@ MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
              "drag elsewhere to turn the crank, Space plays and pauses."),
           parent),
       model_(model) {
-    connect(model_, &BalanceShaftModel::shaftMoved, this, qOverload<>(&QWidget::update));
-    connect(model_, &BalanceShaftModel::shaftMoved, this, &ComparedFigure::pictureChanged);
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, qOverload<>(&QWidget::update));
+    }
+    followReference(model_);
+}
+
+const BalanceShaftModel* MechanismView::ghost() const {
+    return static_cast<const BalanceShaftModel*>(model_->referenceCase().model());
 }
 
 drawing::Frame MechanismView::frame() const {
     double reach = 0.0;
     double cylinderTop = 0.0;
-    for (const MechanismView* each : {this, ghost()}) {
+    for (const BalanceShaftModel* each : {static_cast<const BalanceShaftModel*>(model_), ghost()}) {
         if (each == nullptr) {
             continue;
         }
         // Room for the shaft at any α, and for the cylinder above.
-        const FrontView& sizes = each->model_->solver().front_view();
+        const FrontView& sizes = each->solver().front_view();
         const double shaftReach = sizes.centre_distance +
                                   std::max(sizes.shaft_swing_radius, sizes.gear_tip_radius) +
                                   sizes.wall;
@@ -76,7 +83,7 @@ drawing::Frame MechanismView::frame() const {
 }
 
 void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) const {
-    const BalanceShaftModel& model = *ghost()->model_;
+    const BalanceShaftModel& model = *ghost();
     const FrontView& sizes = model.solver().front_view();
     const Envelope& envelope = model.result().envelope;
     const double alpha = model.input().shaft_angle;

@@ -32,7 +32,8 @@ class MechanismView : public MechanismPicture {
     drawing::Frame frame() const;
     /// The mechanism of the reference: envelope, cylinder, swing circles and where its shaft lies.
     void paintGhost(QPainter& painter, const drawing::Frame& map) const;
-    const MechanismView* ghost() const { return static_cast<const MechanismView*>(reference()); }
+    /// Null where there is none.
+    const BalanceShaftModel* ghost() const;
 
     BalanceShaftModel* model_;
     bool draggingShaft_ = false;

@@ -12,9 +12,10 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
+#include "model/reference_case.h"
+#include "page/part_views.h"
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
-#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -23,7 +24,6 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 
@@ -79,25 +79,24 @@ QPainterPath sideOf(const RelievedShaft& shaft) {
 
 }  // namespace
 
-RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : ComparedFigure(parent) {
+RelievedShaftDrawing::RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent)
+    : ComparedFigure(parent), model_(model) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(model, &SceneModel::changed, this, &RelievedShaftDrawing::follow);
+    followReference(model);
+    follow();
 }
 
-void RelievedShaftDrawing::setShaft(const RelievedShaft& shaft) {
-    shaft_ = shaft;
+void RelievedShaftDrawing::follow() {
+    const RelievedShaft shaft = model_->relievedShaft();
     const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
     setAccessibleDescription(shaft.half_width > 0.0
                                  ? tr("Bar of %1, its middle cut %2 deep over %3.")
                                        .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
                                  : tr("No shaft of these sizes"));
     update();
-    Q_EMIT pictureChanged();
-}
-
-QSize RelievedShaftDrawing::sizeHint() const {
-    return {600, 220};
 }
 
 void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
@@ -106,21 +105,24 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
-    if (!(shaft_.half_width > 0.0)) {
+    const RelievedShaft own = model_->relievedShaft();
+    if (!(own.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
         return;
     }
-    const auto* other = static_cast<const RelievedShaftDrawing*>(reference());
-    std::vector<const RelievedShaft*> shown{&shaft_};
-    if (other != nullptr && other->shaft_.half_width > 0.0) {
-        shown.push_back(&other->shaft_);
+    std::vector<RelievedShaft> shown{own};
+    if (const auto* other =
+            static_cast<const BalanceShaftModel*>(model_->referenceCase().model())) {
+        if (const RelievedShaft shaft = other->relievedShaft(); shaft.half_width > 0.0) {
+            shown.push_back(shaft);
+        }
     }
     double radius = 0.0;  // the larger
     double half = 0.0;    // of the longer side view
-    for (const RelievedShaft* each : shown) {
-        radius = std::max(radius, each->diameter / 2.0);
-        half = std::max(half, each->length / 2.0 + stubOf(*each));
+    for (const RelievedShaft& each : shown) {
+        radius = std::max(radius, each.diameter / 2.0);
+        half = std::max(half, each.length / 2.0 + stubOf(each));
     }
     // Section at the left, a gap of one diameter, the side view.
     const double wide = 4.0 * radius + 2.0 * half;
@@ -148,31 +150,31 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 
     painter.setPen(outline);
     painter.setBrush(steel);
-    painter.drawPath(map(section).map(sectionOf(shaft_)));
-    painter.drawPath(map(side).map(sideOf(shaft_)));
+    painter.drawPath(map(section).map(sectionOf(own)));
+    painter.drawPath(map(side).map(sideOf(own)));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(removed);
-    const double angle = flatAngle(shaft_);
-    const double own = shaft_.diameter / 2.0;
-    painter.drawArc(map(section).mapRect(circleOf(shaft_)), static_cast<int>(16 * angle),
+    const double angle = flatAngle(own);
+    const double bar = own.diameter / 2.0;
+    painter.drawArc(map(section).mapRect(circleOf(own)), static_cast<int>(16 * angle),
                     static_cast<int>(16 * (180 - 2 * angle)));
-    painter.drawLine(at(side, -shaft_.length / 2.0, own), at(side, shaft_.length / 2.0, own));
+    painter.drawLine(at(side, -own.length / 2.0, bar), at(side, own.length / 2.0, bar));
     painter.setPen(axis);
-    painter.drawLine(at(section, -1.15 * own, 0.0), at(section, 1.15 * own, 0.0));
-    painter.drawLine(at(section, 0.0, 1.15 * own), at(section, 0.0, -1.15 * own));
-    const double reach = shaft_.length / 2.0 + 1.2 * stubOf(shaft_);
+    painter.drawLine(at(section, -1.15 * bar, 0.0), at(section, 1.15 * bar, 0.0));
+    painter.drawLine(at(section, 0.0, 1.15 * bar), at(section, 0.0, -1.15 * bar));
+    const double reach = own.length / 2.0 + 1.2 * stubOf(own);
     painter.drawLine(at(side, -reach, 0.0), at(side, reach, 0.0));
     // Centre of mass.
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.accent());
-    painter.drawEllipse(at(section, 0.0, -shaft_.centre_of_mass_radius), 3.5, 3.5);
+    painter.drawEllipse(at(section, 0.0, -own.centre_of_mass_radius), 3.5, 3.5);
 
     // The reference, about the same middles.
     if (shown.size() > 1) {
         painter.setPen(QPen(theme.mutedText(), 1.2, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawPath(map(section).map(sectionOf(*shown[1])));
-        painter.drawPath(map(side).map(sideOf(*shown[1])));
+        painter.drawPath(map(section).map(sectionOf(shown[1])));
+        painter.drawPath(map(side).map(sideOf(shown[1])));
         painter.setPen(theme.mutedText());
         painter.drawText(QPointF(8.0, painter.fontMetrics().ascent() + 4.0),
                          QStringLiteral("- - ") + referenceName());
@@ -184,11 +186,11 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const QPointF below(0.0, 16.0 + row / 2.0);
     const QPointF above(0.0, -8.0 - row / 2.0);
     drawing::drawCentred(painter, at(section, 0.0, -radius) + below,
-                         QStringLiteral("⌀ ") + mm(shaft_.diameter));
+                         QStringLiteral("⌀ ") + mm(own.diameter));
     drawing::drawCentred(painter, at(section, 0.0, radius) + above,
-                         QStringLiteral("h ") + mm(shaft_.depth));
+                         QStringLiteral("h ") + mm(own.depth));
     drawing::drawCentred(painter, at(side, 0.0, radius) + above,
-                         QStringLiteral("b ") + mm(shaft_.length));
+                         QStringLiteral("b ") + mm(own.length));
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
@@ -201,23 +203,19 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
 
     auto* answerPanel = new Panel(this);
     QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
-    verdict_ = copyableCaption("", answerPanel);
+    verdict_ = new PartText(model, "relief-verdict", answerPanel);
     answerColumn->addWidget(verdict_);
-    table_ = new ResultTable(tr("Sizes and masses of the shaft"), answerPanel);
-    table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
-    answerColumn->addWidget(table_, 1);
+    answerColumn->addWidget(
+        new PartTable(model, "relief", tr("Sizes and masses of the shaft"), answerPanel), 1);
     upper->add(answerPanel, 1);
 
-    drawing_ = new RelievedShaftDrawing(this);
+    auto* drawing = new RelievedShaftDrawing(model, this);
     constexpr int leastDrawing = 150;
-    drawing_->setMinimumHeight(Theme::withText(leastDrawing));
-    column->addWidget(drawing_, 1);
+    drawing->setMinimumHeight(Theme::withText(leastDrawing));
+    column->addWidget(drawing, 1);
 
-    connect(model, &SceneModel::changed, this, [this] {
-        if (isVisible()) {
-            showShaft();
-        }
-    });
+    connect(model, &SceneModel::changed, this, &RelievedShaftView::showFeasible);
+    showFeasible();
 }
 
 QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
@@ -260,18 +258,10 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     return panel;
 }
 
-void RelievedShaftView::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    showShaft();
-}
-
-void RelievedShaftView::showShaft() {
-    const RelievedShaft shaft = model_->shaft();
-    table_->setRows(model_->rows());
-    verdict_->setText(model_->verdict());
-    colourText(verdict_, shaft.feasible ? &Theme::text : &Theme::warning);
-    export_->setEnabled(shaft.feasible);
-    drawing_->setShaft(shaft);
+void RelievedShaftView::showFeasible() {
+    const bool isFeasible = model_->shaft().feasible;
+    colourText(verdict_, isFeasible ? &Theme::text : &Theme::warning);
+    export_->setEnabled(isFeasible);
 }
 
 void RelievedShaftView::chooseFile() {

@@ -2,10 +2,8 @@
 
 #include <QWidget>
 
-#include "balance-shaft/relieved_shaft.h"
 #include "page/compared_figure.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
@@ -13,7 +11,6 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 class RelievedShaftModel;
-class ResultTable;
 
 /// Section and side view of a shaft with a relieved middle, to scale, with its main sizes; dashed,
 /// the reference's.
@@ -21,16 +18,17 @@ class RelievedShaftDrawing : public ComparedFigure {
     Q_OBJECT
 
   public:
-    explicit RelievedShaftDrawing(QWidget* parent = nullptr);
+    explicit RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    void setShaft(const balance_shaft::RelievedShaft& shaft);
-    QSize sizeHint() const override;
+    QSize sizeHint() const override { return {600, 220}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    balance_shaft::RelievedShaft shaft_;
+    void follow();
+
+    BalanceShaftModel* model_;
 };
 
 /// The form, the answer and the drawing of RelievedShaftModel.
@@ -40,19 +38,14 @@ class RelievedShaftView : public QWidget {
   public:
     explicit RelievedShaftView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-  protected:
-    void showEvent(QShowEvent* event) override;
-
   private:
     QWidget* buildForm(BalanceShaftModel* model);
-    void showShaft();
+    void showFeasible();
     void chooseFile();
 
     RelievedShaftModel* model_;
-    ResultTable* table_;
     QLabel* verdict_;
     QPushButton* export_;
-    RelievedShaftDrawing* drawing_;
 };
 
 }  // namespace ravnoves

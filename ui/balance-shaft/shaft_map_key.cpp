@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "balance-shaft/change_colours.h"
-#include "balance-shaft/shaft_map_signs.h"
+#include "balance-shaft/shaft_map_drawing.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -65,7 +65,7 @@ std::vector<ShaftMapKey::Entry> ShaftMapKey::entries() const {
     const ShaftMapModel::Marker* hollow = nullptr;
     for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
         if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion) {
-            addSign(marker->name, *marker);
+            addSign(marker->name(), *marker);
         } else if (hollow == nullptr) {
             hollow = &*marker;
         }
@@ -105,7 +105,7 @@ QString ShaftMapKey::signsInWords() const {
             (marker.criterion == ShaftMapModel::Criterion::Range ? QStringLiteral("◆ ")
              : marker.criterion == ShaftMapModel::Criterion::Rms ? QStringLiteral("● ")
                                                                  : QStringLiteral("▲ ")) +
-            marker.name;
+            marker.name();
         if (marker.isBuildable && !signs.contains(name)) {
             signs << name;
         }
@@ -128,7 +128,6 @@ void ShaftMapKey::paint(QPainter& painter, double top) const {
 }
 
 void ShaftMapKey::paintColours(QPainter& painter, double top) const {
-    const Theme& theme = Theme::instance();
     const std::vector<double>& levels = map_.levels();
     const std::vector<QRgb> colours = bandColours(levels);
     const double whole = std::min(size_.width() - 2.0 * Theme::margin, longestColourBar());
@@ -139,32 +138,15 @@ void ShaftMapKey::paintColours(QPainter& painter, double top) const {
             QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5, colourBarHeight()),
             QColor(colours[i]));
     }
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(bar);
-    const QFontMetricsF metrics(painter.font());
-    const double row = std::ceil(metrics.height()) + 1.0;
-    std::vector<QRectF> taken;
     // No change first: its number stands in any case.
-    std::vector<std::size_t> order;
+    std::vector<BarNumber> numbers;
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        levels[i] == 0.0 ? order.insert(order.begin(), i) : order.insert(order.end(), i);
+        const bool isNoChange = levels[i] == 0.0;
+        numbers.insert(isNoChange ? numbers.begin() : numbers.end(),
+                       {static_cast<double>(i + 1) / static_cast<double>(colours.size()),
+                        levelText(levels[i]), isNoChange});
     }
-    for (const std::size_t i : order) {
-        const double x = bar.left() + each * static_cast<double>(i + 1);
-        const bool zero = levels[i] == 0.0;
-        painter.setPen(QPen(theme.text(), zero ? 2.4 : 1.0));
-        painter.drawLine(QPointF(x, zero ? top - 1.0 : bar.bottom() - 3.0),
-                         QPointF(x, bar.bottom() + (zero ? 2.0 : 1.0)));
-        const QString text = levelText(levels[i]);
-        const double wide = metrics.horizontalAdvance(text) + metrics.averageCharWidth() + 6.0;
-        const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
-        if (std::none_of(taken.begin(), taken.end(),
-                         [&](const QRectF& other) { return other.intersects(box); })) {
-            taken.push_back(box);
-            painter.drawText(box, Qt::AlignCenter, text);
-        }
-    }
+    paintBarNumbers(painter, bar, numbers);
 }
 
 }  // namespace ravnoves

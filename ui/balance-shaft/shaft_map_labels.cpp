@@ -7,8 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "balance-shaft/place_scale.h"
-#include "balance-shaft/shaft_map_signs.h"
+#include "balance-shaft/shaft_map_drawing.h"
 #include "numerics/constants.h"
 #include "text/number_text.h"
 #include "theme/theme.h"

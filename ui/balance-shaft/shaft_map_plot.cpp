@@ -5,11 +5,9 @@
 #include <cmath>
 
 #include "balance-shaft/model/shaft_map_text.h"
-#include "balance-shaft/place_scale.h"
-#include "balance-shaft/shaft_map_engine.h"
+#include "balance-shaft/shaft_map_drawing.h"
 #include "balance-shaft/shaft_map_key.h"
-#include "balance-shaft/shaft_map_layers.h"
-#include "balance-shaft/shaft_map_signs.h"
+#include "model/reference_case.h"
 #include "numerics/units.h"
 #include "pictures/picture_file.h"
 #include "plot/plot_painter.h"
@@ -18,27 +16,28 @@
 
 namespace ravnoves {
 
-ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget* parent)
-    : PlotView(QString(), parent), model_(model), map_(map) {
+ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
+    : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
-    setEqualScale(true);
-    setYAxis(Side::Left, {tr("y, mm")});
     setToolTip(
         tr("The engine from the front, to scale. Drag the shaft's axis, or move it by the arrow "
            "keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down "
            "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
-    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showMap);
+    setPaintsGhosts();
+    connect(map_, &ShaftMapModel::mapChanged, this, [this] {
+        chosen_.reset();
+        showImage();
+    });
     connect(map_, &ShaftMapModel::staleChanged, this, [this] {
         overCurvesChanged();
         setFaded(map_->isStale());
     });
-    setPaintsGhosts();
-    connect(this, &PlotView::referenceChanged, this, &ShaftMapPlot::followReference);
     connect(map_, &ShaftMapModel::moved, this, &ShaftMapPlot::showShaft);
     connect(model_, &SceneModel::rested, this, &ShaftMapPlot::showShaft);
     connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
     connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
-    showMap();
+    setFaded(map_->isStale());
+    showImage();
 }
 
 void ShaftMapPlot::showShaft() {
@@ -61,30 +60,6 @@ QString ShaftMapPlot::csv(const CsvFormat& format) const {
     return shaft_map_text::fieldCsv(*map_, format);
 }
 
-void ShaftMapPlot::showMap() {
-    switch (map_->criterion()) {
-        case ShaftMapModel::Criterion::Range:
-            setTitle(tr("Range against no shaft, %"));
-            break;
-        case ShaftMapModel::Criterion::Rms:
-            setTitle(tr("RMS against no shaft, %"));
-            break;
-        case ShaftMapModel::Criterion::Both:
-            setTitle(tr("Weighted sum against no shaft, %"));
-            break;
-    }
-    chosen_.reset();
-    leadReference();
-    const ShaftMap* map = map_->map();
-    const double view = map != nullptr ? map->view / units::mm : 100.0;
-    if (view != view_) {
-        view_ = view;
-        setXAxis({tr("x, mm"), -view, view});
-        setYRange(Side::Left, -view, view);
-    }
-    showImage();
-}
-
 void ShaftMapPlot::showImage() {
     const ShaftMap* map = map_->map();
     if (map == nullptr || map_->changes().empty()) {
@@ -101,25 +76,8 @@ void ShaftMapPlot::showImage() {
 // The reference.
 
 const ShaftMapModel* ShaftMapPlot::referenceMap() const {
-    const auto* other = qobject_cast<const ShaftMapPlot*>(reference());
-    return other != nullptr && data().referenceShown ? other->map_ : nullptr;
-}
-
-void ShaftMapPlot::followReference() {
-    disconnect(followed_);
-    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference())) {
-        followed_ = connect(other->map_, &ShaftMapModel::mapChanged, this,
-                            &ShaftMapPlot::referenceMapChanged);
-    }
-    leadReference();
-    Q_EMIT referenceMapChanged();
-}
-
-void ShaftMapPlot::leadReference() {
-    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference())) {
-        other->map_->setCriterion(map_->criterion());
-        other->map_->setWeight(map_->weight());
-    }
+    const auto* other = static_cast<const BalanceShaftModel*>(model_->referenceCase().model());
+    return other != nullptr && data().referenceShown ? other->shaftMap() : nullptr;
 }
 
 QString ShaftMapPlot::placeWords(const ShaftMapModel::Position& position, int decimals) const {

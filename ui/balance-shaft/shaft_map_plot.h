@@ -1,10 +1,8 @@
 #pragma once
 
-#include <QPixmap>
-
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/shaft_map_labels.h"
-#include "plot/plot_view.h"
+#include "page/part_views.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -16,11 +14,13 @@ namespace ravnoves {
 /// Mouse: the handle is dragged, Escape brings it back; a double click goes to the place or the
 /// marker under it; all else as in any plot. Keys: arrows move the shaft by 0.1 mm, with Shift by
 /// 1 mm; Page up and down go through the markers, Enter goes to the one chosen.
-class ShaftMapPlot : public PlotView {
+class ShaftMapPlot : public PartPlot {
     Q_OBJECT
 
   public:
-    ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget* parent = nullptr);
+    explicit ShaftMapPlot(BalanceShaftModel* model, QWidget* parent = nullptr);
+
+    bool isDrawing() const override { return true; }
 
     /// Both axes have one scale, so a map that is low is small.
     QSize minimumSizeHint() const override {
@@ -43,8 +43,6 @@ class ShaftMapPlot : public PlotView {
   Q_SIGNALS:
     /// What is under the pointer, in words; empty where it left.
     void hovered(const QString& text);
-    /// The map of the reference is another one, or there is none.
-    void referenceMapChanged();
 
   protected:
     void paintGround(QPainter& painter) override;
@@ -64,12 +62,8 @@ class ShaftMapPlot : public PlotView {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    void showMap();
     void showShaft();
     void showImage();
-    /// The reference's map is by the criterion of this one.
-    void leadReference();
-    void followReference();
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
@@ -79,14 +73,12 @@ class ShaftMapPlot : public PlotView {
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
-    double view_ = 0.0;
     bool dragging_ = false;
     bool gripped_ = false;  ///< the button pressed on the handle is still down
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     ShaftMapLabels labels_;
-    ShaftMapModel::Position freeFor_;   ///< of the shaft, where no number stands
-    QMetaObject::Connection followed_;  ///< the reference's map
+    ShaftMapModel::Position freeFor_;  ///< of the shaft, where no number stands
 };
 
 }  // namespace ravnoves

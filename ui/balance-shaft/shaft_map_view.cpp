@@ -9,18 +9,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
-#include "balance-shaft/model/shown_curves.h"
 #include "balance-shaft/shaft_map_plot.h"
+#include "balance-shaft/shaft_tabs.h"
+#include "model/reference_case.h"
 #include "numerics/units.h"
-#include "plot/plot_view.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
-#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form.h"
@@ -35,33 +32,10 @@ namespace {
 constexpr int wideFrom = 860;  ///< designed pixels that map and charts need beside each other
 constexpr int sideWidth = 340;
 
-using Measure = double ShaftMap::Criteria::*;
-
-std::vector<double> valuesOf(const std::vector<ShaftMap::Place>& places, Measure measure) {
-    std::vector<double> values;
-    values.reserve(places.size());
-    for (const ShaftMap::Place& place : places) {
-        values.push_back(place.criteria.*measure);
-    }
-    return values;
-}
-
-/// With gaps where there is no place.
-std::vector<double> valuesOf(const std::vector<std::optional<ShaftMap::Place>>& places,
-                             Measure measure) {
-    std::vector<double> values;
-    values.reserve(places.size());
-    for (const auto& place : places) {
-        values.push_back(place ? place->criteria.*measure
-                               : std::numeric_limits<double>::quiet_NaN());
-    }
-    return values;
-}
-
 }  // namespace
 
 ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), map_(new ShaftMapModel(model, this)) {
+    : QWidget(parent), model_(model), map_(model->shaftMap()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
@@ -77,7 +51,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     auto* frontColumn = new QVBoxLayout(front);
     frontColumn->setContentsMargins(0, 0, 0, 0);
     frontColumn->setSpacing(Theme::gap);
-    plot_ = new ShaftMapPlot(model_, map_, front);
+    plot_ = new ShaftMapPlot(model_, front);
     frontColumn->addWidget(plot_, 1);
     words_ = copyableCaption("shaft_map_words", front);
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
@@ -97,7 +71,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     buildCharts();
 
     connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
-    connect(plot_, &ShaftMapPlot::referenceMapChanged, this, [this] {
+    connect(plot_, &PlotView::referenceChanged, this, [this] {
         fitWords();
         showWords();
     });
@@ -105,6 +79,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     connect(map_, &ShaftMapModel::staleChanged, this, &ShaftMapView::showStale);
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
+            map_->need();  // the button goes by it, whatever tab is in front
             showPresent();
             showWords(map_->isAtBest() ? QString() : plot_->placeWords(map_->present()));
         }
@@ -190,60 +165,26 @@ QWidget* ShaftMapView::buildLimits() {
 }
 
 void ShaftMapView::buildCharts() {
-    using Shape = PlotView::Shape;
-    distances_ = new PlotView(tr("Best α of each l; thick: can be built"), tabs_);
-    distances_->setObjectName(QStringLiteral("distances"));
-    distances_->setXAxis({tr("l, mm"), 0.0, 200.0});
-    distances_->setYAxis(PlotView::Side::Left, {tr("N·m")});
-    distances_->setYAxis(PlotView::Side::Right, {tr("width × height, cm²")});
-    distances_->setPickable(true);
-    distances_->setToolTip(
+    const auto add = [this](std::string_view part, const char* name, const QString& hint) {
+        auto* chart = new PartPlot(model_, part, tabs_);
+        chart->setObjectName(QLatin1String(name));
+        chart->setPickable(true);
+        chart->setToolTip(hint);
+        chart->installEventFilter(this);
+        return chart;
+    };
+    distances_ = add(
+        "distances", "distances",
         tr("Least range and least RMS of each centre distance, each at its best α: thin of all, "
            "thick of those that can be built. Size is that of the box at the α of the criterion "
            "chosen. Click to go to an l at its best α."));
-    range_ = distances_->addCurve(
-        {.name = tr("least range"), .colour = 2, .width = 1.2, .toolTip = tr("At its best α")});
-    rms_ = distances_->addCurve(
-        {.name = tr("least RMS"), .colour = 3, .width = 1.2, .toolTip = tr("At its best α")});
-    size_ = distances_->addCurve({.name = tr("size"),
-                                  .colour = 4,
-                                  .side = PlotView::Side::Right,
-                                  .width = 1.2,
-                                  .pen = Qt::DashLine,
-                                  .toolTip = tr("Width × height of the box, right axis")});
-    rangeBuilt_ = distances_->addCurve({.name = tr("least range, can be built"),
-                                        .colour = 2,
-                                        .width = 3.4,
-                                        .inLegend = false,
-                                        .gaps = true});
-    rmsBuilt_ = distances_->addCurve({.name = tr("least RMS, can be built"),
-                                      .colour = 3,
-                                      .width = 3.4,
-                                      .inLegend = false,
-                                      .gaps = true});
     connect(distances_, &PlotView::picked, this,
             [this](double x) { map_->goToDistance(x * units::mm); });
 
-    sizes_ = new PlotView(QString(), tabs_);
-    sizes_->setObjectName(QStringLiteral("sizes"));
-    sizes_->setXAxis({tr("width × height, cm²"), 0.0, 1.0});
-    sizes_->setPickable(true);
-    sizes_->setToolTip(
-        tr("Places that can be built and that no other beats in range, RMS and size at once, "
-           "each to one part in a million. Click to go to one."));
-    front_ = sizes_->addCurve({.name = tr("nothing better"),
-                               .colour = 0,
-                               .shape = Shape::Rings,
-                               .toolTip = tr("In range, RMS and size at once")});
-    efficient_ = sizes_->addCurve({.name = tr("by this criterion"),
-                                   .colour = 3,
-                                   .shape = Shape::Points,
-                                   .toolTip = tr("Nothing better in this criterion and in size")});
-    present_ = sizes_->addCurve({.name = tr("present place"), .colour = 7, .shape = Shape::Points});
+    sizes_ = add("front", "sizes",
+                 tr("Places that can be built and that no other beats in range, RMS and size at "
+                    "once, each to one part in a million. Click to go to one."));
     connect(sizes_, &PlotView::pickedAt, this, &ShaftMapView::pickSize);
-    for (PlotView* chart : {distances_, sizes_}) {
-        chart->installEventFilter(this);
-    }
 }
 
 /// A click or a drag in a chart is one step of the history.
@@ -261,7 +202,7 @@ void ShaftMapView::arrange() {
     }
     wide_ = wide;
     if (wide) {
-        for (PlotView* chart : {distances_, sizes_}) {
+        for (PartPlot* chart : {distances_, sizes_}) {
             sideColumn_->addWidget(chart, 1);  // takes it out of the tabs
             chart->show();
         }
@@ -279,13 +220,7 @@ QSize ShaftMapView::minimumSizeHint() const {
 
 void ShaftMapView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    map_->setWatched(true);
     showPresent();
-}
-
-void ShaftMapView::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    map_->setWatched(false);
 }
 
 void ShaftMapView::resizeEvent(QResizeEvent* event) {
@@ -296,7 +231,8 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
 
 void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
-    const int rows = (isNarrow ? 5 : 3) + (plot_->reference() == nullptr ? 0 : isNarrow ? 3 : 1);
+    const bool isCompared = model_->referenceCase().model() != nullptr;
+    const int rows = (isNarrow ? 5 : 3) + (!isCompared ? 0 : isNarrow ? 3 : 1);
     wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 
@@ -311,8 +247,6 @@ void ShaftMapView::showMap() {
     best_->setAccessibleDescription(why);
     showStale();
     showWords();
-    showDistances();
-    showSizes();
     showPresent();
 }
 
@@ -334,142 +268,25 @@ void ShaftMapView::showWords(const QString& hovered) {
     words_->setToolTip(text);
 }
 
-void ShaftMapView::showDistances() {
-    const ShaftMap* map = map_->map();
-    if (map == nullptr) {
-        return;
-    }
-    const ShaftMap::Distances& of = map->distances;
-    std::vector<double> x;
-    for (const double distance : of.distance) {
-        x.push_back(distance / units::mm);
-    }
-    const bool byRms = map_->criterion() == ShaftMapModel::Criterion::Rms;
-    if (distances_->xInterval().second != map->view / units::mm && !distances_->isZoomed()) {
-        distances_->setXAxis({tr("l, mm"), 0.0, map->view / units::mm});
-    }
-    constexpr Measure range = &ShaftMap::Criteria::range;
-    constexpr Measure rms = &ShaftMap::Criteria::rms;
-    distances_->setCurve(range_, x, valuesOf(of.range, range));
-    distances_->setCurve(rms_, x, valuesOf(of.rms, rms));
-    distances_->setCurve(rangeBuilt_, x, valuesOf(of.rangeBuilt, range));
-    distances_->setCurve(rmsBuilt_, x, valuesOf(of.rmsBuilt, rms));
-    // The size of where a click goes.
-    std::vector<double> size;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const auto& built = byRms ? of.rmsBuilt[i] : of.rangeBuilt[i];
-        size.push_back((built   ? *built
-                        : byRms ? of.rms[i]
-                                : of.range[i])
-                           .criteria.size /
-                       units::cm2);
-    }
-    distances_->setCurve(size_, x, std::move(size));
-    std::vector<PlotView::Mark> marks;
-    const auto mark = [&](const auto& built, const auto& all, Measure measure, int colour) {
-        const auto& best = built ? built : all;
-        if (best) {
-            const double at = best->position.centre_distance() / units::mm;
-            marks.push_back({at, best->criteria.*measure, shownDigits(at * units::mm, units::mm, 1),
-                             colour, PlotView::Side::Left, true});
-        }
-    };
-    mark(map->buildable.range, map->best.range, range, 2);
-    mark(map->buildable.rms, map->best.rms, rms, 3);
-    distances_->setMarks(std::move(marks));
-}
-
-void ShaftMapView::showSizes() {
-    const bool byRms = map_->criterion() == ShaftMapModel::Criterion::Rms;
-    const bool both = map_->criterion() == ShaftMapModel::Criterion::Both;
-    sizes_->setTitle(byRms  ? tr("RMS against size")
-                     : both ? tr("Weighted sum against size")
-                            : tr("Range against size"));
-    sizes_->setYAxis(PlotView::Side::Left, {tr("change, %")});
-    const ShaftMap* map = map_->map();
-    std::vector<double> x;
-    std::vector<double> y;
-    QStringList texts;
-    std::vector<double> bestX;
-    std::vector<double> bestY;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; map != nullptr && i < map->front.size(); ++i) {
-        const balance_shaft::FrontPosition& place = map->front[i];
-        const auto change = map_->change(place.criteria);
-        if (!change) {
-            continue;
-        }
-        x.push_back(place.criteria.size / units::cm2);
-        y.push_back(100.0 * *change);
-        texts << shaft_map_text::placeLines(*map_, place.position, 1).join(QLatin1Char('\n'));
-        if (*change < least) {  // sizes ascend
-            least = *change;
-            bestX.push_back(x.back());
-            bestY.push_back(y.back());
-        }
-    }
-    if (!x.empty()) {
-        const auto [low, high] = std::minmax_element(x.begin(), x.end());
-        const double pad = std::max(0.04 * (*high - *low), 1e-3 * *high);
-        sizeReach_ = {*low - pad, *high + pad};
-    }
-    sizes_->setCurve(front_, std::move(x), std::move(y));
-    sizes_->setPointTexts(front_, texts);
-    sizes_->setCurve(efficient_, std::move(bestX), std::move(bestY));
-    showPresentSize();
-}
-
 void ShaftMapView::showPresent() {
-    const double present = model_->input().centre_distance / units::mm;
     distance_->follow();
-    distances_->setPresentX(present);
     plot_->setAccessibleDescription(plot_->placeWords(map_->present()));
-    showPresentSize();
-}
-
-/// The axis holds the present place too, and its point is hollow where it cannot be built.
-void ShaftMapView::showPresentSize() {
-    const balance_shaft::Envelope& box = model_->result().envelope;
-    const auto change = map_->change(
-        {model_->result().M_ups.range, model_->result().M_ups.rms, box.width() * box.height()});
-    if (!change) {
-        sizes_->setCurve(present_, {}, {});
-        return;
-    }
-    const double area = boxArea(box);
-    const auto [low, high] = sizeReach_;
-    const double pad = 0.04 * (high - low);
-    const std::pair reach(std::min(low, area - pad), std::max(high, area + pad));
-    if (reach != sizes_->xInterval() && !sizes_->isZoomed()) {
-        sizes_->setXAxis({tr("width × height, cm²"), reach.first, reach.second});
-    }
-    const PlotView::Shape shape =
-        model_->result().is_buildable ? PlotView::Shape::Points : PlotView::Shape::Rings;
-    if (sizes_->data().curve(present_).style.shape != shape) {
-        sizes_->setCurveStyle(present_, {.name = tr("present place"), .colour = 7, .shape = shape});
-    }
-    sizes_->setCurve(present_, {area}, {100.0 * *change});
 }
 
 /// Goes to the place whose point lies nearest on the screen.
 void ShaftMapView::pickSize(double size, double change) {
     const ShaftMap* map = map_->map();
-    if (map == nullptr || map->front.empty()) {
+    if (map == nullptr || map->front.empty() || !sizes_->data().find("front")) {
         return;
     }
-    const QPointF clicked = sizes_->toPixel(size, change);
-    const auto distance = [&](const balance_shaft::FrontPosition& place) {
-        const QPointF away = sizes_->toPixel(place.criteria.size / units::cm2,
-                                             100.0 * map_->change(place.criteria).value_or(0.0)) -
-                             clicked;
-        return std::hypot(away.x(), away.y());
-    };
-    const auto nearest =
-        std::min_element(map->front.begin(), map->front.end(),
-                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const balance_shaft::FrontPosition& nearest =
+        map->front[nearestPoint(*sizes_, "front", size, change)];
+    const QPointF away = sizes_->toPixel(nearest.criteria.size / units::cm2,
+                                         100.0 * map_->change(nearest.criteria).value_or(0.0)) -
+                         sizes_->toPixel(size, change);
     constexpr double reach = 40.0;  // pixels
-    if (distance(*nearest) <= reach) {
-        map_->moveTo(map_->shortened(nearest->position, map_->criterion()));
+    if (std::hypot(away.x(), away.y()) <= reach) {
+        map_->moveTo(map_->shortened(nearest.position, map_->criterion()));
     }
 }
 

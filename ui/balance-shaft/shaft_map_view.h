@@ -13,7 +13,7 @@ class QVBoxLayout;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class PlotView;
+class PartPlot;
 class ShaftMapModel;
 class ShaftMapPlot;
 
@@ -28,8 +28,6 @@ class ShaftMapView : public QWidget {
 
     ShaftMapModel* mapModel() const { return map_; }
     ShaftMapPlot* plot() const { return plot_; }
-    PlotView* distancePlot() const { return distances_; }
-    PlotView* sizePlot() const { return sizes_; }
     FieldSlider* distanceSlider() const { return distance_; }
     QComboBox* criterionChoice() const { return criterion_; }
     ValueSlider* weightSlider() const { return weight_; }
@@ -42,7 +40,6 @@ class ShaftMapView : public QWidget {
 
   protected:
     void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -52,10 +49,7 @@ class ShaftMapView : public QWidget {
     void buildCharts();
     void arrange();
     void showMap();
-    void showDistances();
-    void showSizes();
     void showPresent();
-    void showPresentSize();
     void showStale();
     bool nothingIsBuilt() const;  ///< though there is something to balance
     void showWords(const QString& hovered = {});
@@ -76,12 +70,9 @@ class ShaftMapView : public QWidget {
     QWidget* side_;
     QVBoxLayout* sideColumn_;
     ShaftMapPlot* plot_;
-    PlotView* distances_;
-    PlotView* sizes_;
-    int rangeBuilt_ = 0, rmsBuilt_ = 0, range_ = 0, rms_ = 0, size_ = 0;
-    int front_ = 0, efficient_ = 0, present_ = 0;
-    std::pair<double, double> sizeReach_{0.0, 1.0};  ///< of the front, cm²
-    std::optional<bool> wide_;                       ///< the charts stand beside the map
+    PartPlot* distances_;
+    PartPlot* sizes_;
+    std::optional<bool> wide_;  ///< the charts stand beside the map
 };
 
 }  // namespace ravnoves

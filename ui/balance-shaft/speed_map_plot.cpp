@@ -6,7 +6,6 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "balance-shaft/change_colours.h"
 #include "plot/model/contour_lines.h"
@@ -17,26 +16,30 @@
 
 namespace ravnoves {
 
-SpeedMapPlot::SpeedMapPlot(QWidget* parent) : PlotView(tr("Map over α and speed"), parent) {
-    setXAxis({tr("α, °"), 0.0, 360.0, true});
-    setYAxis(Side::Left, {tr("n, min⁻¹")});
+SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
+    : PartPlot(model, "speed-map", parent), study_(model->speedStudy()) {
     setPickable(true);
+    connect(this, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
+    connect(study_, &SpeedStudyModel::mapChanged, this, &SpeedMapPlot::showMap);
     connect(&Theme::instance(), &Theme::changed, this, &SpeedMapPlot::showMap);
-}
-
-void SpeedMapPlot::setMap(std::optional<SpeedStudyModel::Map> map) {
-    map_ = std::move(map);
     showMap();
 }
 
 void SpeedMapPlot::showMap() {
     borders_.clear();
-    if (!map_) {
+    setToolTip(
+        map() == nullptr
+            ? QString()
+            : SpeedWords::tr("The criterion with the shaft over that without it at the same speed: "
+                             "blue is less, orange is more, paled cannot be built. Along the thick "
+                             "line, 1.0, the shaft changes nothing. Click to set α and, with a "
+                             "computed torque, the speed."));
+    if (map() == nullptr) {
         setImage({}, {});
         return;
     }
     // 360° is 0° again, so that the lines reach both ends of the axis.
-    const SpeedStudyModel::Map& map = *map_;
+    const SpeedStudyModel::Map& map = study_->map();
     const auto columns = static_cast<std::size_t>(map.angles) + 1;
     const auto rows = static_cast<std::size_t>(map.speeds);
     std::vector<double> values;
@@ -70,88 +73,56 @@ void SpeedMapPlot::showMap() {
 
 // The bar: what helps to the left of 1, what harms to its right, each side on its own scale.
 
-std::vector<SpeedMapPlot::Tick> SpeedMapPlot::ticks() const {
-    std::vector<Tick> ticks;
-    if (!map_) {
-        return ticks;
-    }
-    if (map_->least < 1.0) {
-        ticks.push_back({-1.0, map_->least});
-        ticks.push_back({-0.5, (map_->least + 1.0) / 2.0});
-    }
-    ticks.push_back({0.0, 1.0});
-    if (map_->most > 1.0) {
-        ticks.push_back({0.5, (map_->most + 1.0) / 2.0});
-        ticks.push_back({1.0, map_->most});
-    }
-    return ticks;
+std::pair<double, double> SpeedMapPlot::barEnds() const {
+    const double first = map()->least < 1.0 ? -1.0 : 0.0;
+    return {first, map()->most > 1.0 ? 1.0 : std::max(0.0, first + 0.5)};
 }
 
-QStringList SpeedMapPlot::barTexts() const {
-    QStringList texts;
-    for (const Tick& tick : ticks()) {
-        texts << fixedNumber(tick.value, 2, QLocale());
+std::vector<BarNumber> SpeedMapPlot::barNumbers() const {
+    std::vector<BarNumber> numbers;
+    if (map() == nullptr) {
+        return numbers;
     }
-    return texts;
+    const auto [first, last] = barEnds();
+    const auto add = [&](double part, double value) {
+        numbers.push_back(
+            {(part - first) / (last - first), fixedNumber(value, 2, QLocale()), part == 0.0});
+    };
+    // What is no change first, then the ends: what has no room beside them is left out.
+    add(0.0, 1.0);
+    for (const double size : {1.0, 0.5}) {
+        if (map()->least < 1.0) {
+            add(-size, std::lerp(1.0, map()->least, size));
+        }
+        if (map()->most > 1.0) {
+            add(size, std::lerp(1.0, map()->most, size));
+        }
+    }
+    return numbers;
 }
 
 double SpeedMapPlot::keyHeight() const {
-    return map_ ? colourBarHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 6.0
-                : 0.0;
+    return map() != nullptr
+               ? colourBarHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 6.0
+               : 0.0;
 }
 
 void SpeedMapPlot::paintBar(QPainter& painter) const {
-    const Theme& theme = Theme::instance();
-    const std::vector<Tick> marks = ticks();
-    const double first = marks.front().part;
-    const double last = std::max(marks.back().part, first + 0.5);
+    const auto [first, last] = barEnds();
     const double top = keyTop();
     const double width = std::min(this->width() - 4.0 * Theme::margin, longestColourBar());
     const QRectF bar(2.0 * Theme::margin, top, width, colourBarHeight());
-    const auto x = [&](double part) {
-        return bar.left() + (part - first) / (last - first) * bar.width();
-    };
     for (int pixel = 0; pixel < static_cast<int>(bar.width()); ++pixel) {
         const double part = first + (last - first) * (pixel + 0.5) / bar.width();
         painter.fillRect(QRectF(bar.left() + pixel, top, 1.5, colourBarHeight()),
                          changeColour(part));
     }
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(bar);
     painter.setFont(Theme::font(Theme::smallSize));
-    const double row = QFontMetricsF(painter.font()).height() + 1.0;
-    const QStringList texts = barTexts();
-    const QFontMetricsF metrics(painter.font());
-    // What is no change first, then the ends: what has no room beside them is left out.
-    std::vector<std::size_t> order(marks.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) {
-            const double part = std::abs(marks[i].part);
-            return part == 0.0 ? 0 : part == 1.0 ? 1 : 2;
-        };
-        return rank(a) < rank(b);
-    });
-    std::vector<QRectF> taken;
-    for (const std::size_t i : order) {
-        const bool isOne = marks[i].part == 0.0;
-        painter.setPen(QPen(theme.text(), isOne ? 2.4 : 1.0));
-        painter.drawLine(QPointF(x(marks[i].part), isOne ? top - 1.0 : bar.bottom() - 3.0),
-                         QPointF(x(marks[i].part), bar.bottom() + 2.0));
-        const QString& text = texts[static_cast<qsizetype>(i)];
-        const double wide = metrics.horizontalAdvance(text) + metrics.averageCharWidth() + 4.0;
-        const QRectF box(x(marks[i].part) - wide / 2.0, bar.bottom() + 2.0, wide, row);
-        if (std::none_of(taken.begin(), taken.end(),
-                         [&](const QRectF& other) { return other.intersects(box); })) {
-            taken.push_back(box);
-            painter.drawText(box, Qt::AlignCenter, text);
-        }
-    }
+    paintBarNumbers(painter, bar, barNumbers());
 }
 
 void SpeedMapPlot::paintGround(QPainter& painter) {
-    if (!map_) {
+    if (map() == nullptr) {
         return;
     }
     painter.save();
@@ -184,10 +155,10 @@ void SpeedMapPlot::paintGround(QPainter& painter) {
 }
 
 QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
-    if (!map_) {
+    if (map() == nullptr) {
         return {};
     }
-    const double value = map_->valueAt(angleDeg, speed);
+    const double value = map()->valueAt(angleDeg, speed);
     const QLocale locale;
     const double change = 100.0 * (value - 1.0);
     return tr("α %1°, n %2: %3 of that without a shaft, %4")
@@ -199,7 +170,7 @@ QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
 
 bool SpeedMapPlot::event(QEvent* event) {
     // Over the chart what is under the pointer stays; elsewhere stands how to read the map.
-    if (event->type() == QEvent::ToolTip && map_ &&
+    if (event->type() == QEvent::ToolTip && map() != nullptr &&
         plotArea().contains(static_cast<QHelpEvent*>(event)->pos())) {
         return true;
     }
@@ -222,18 +193,19 @@ void SpeedMapPlot::stopReading() {
 }
 
 QString SpeedMapPlot::csv(const CsvFormat& format) const {
-    if (!map_) {
+    if (map() == nullptr) {
         return {};
     }
     const auto number = [&format](double value) { return format.number(value); };
     const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
     QString text = format.field(speed.text) + format.separator + format.field(tr("α, °")) +
                    format.separator + format.field(title()) + QLatin1Char('\n');
-    for (int s = 0; s < map_->speeds; ++s) {
-        for (int a = 0; a < map_->angles; ++a) {
-            text += number(speed.factor * (map_->lowest + s * map_->speedStep())) +
-                    format.separator + number(360.0 * a / map_->angles) + format.separator +
-                    number(map_->value(s, a)) + QLatin1Char('\n');
+    const SpeedStudyModel::Map& map = study_->map();
+    for (int s = 0; s < map.speeds; ++s) {
+        for (int a = 0; a < map.angles; ++a) {
+            text += number(speed.factor * (map.lowest + s * map.speedStep())) + format.separator +
+                    number(360.0 * a / map.angles) + format.separator + number(map.value(s, a)) +
+                    QLatin1Char('\n');
         }
     }
     return text;

@@ -1,24 +1,24 @@
 #pragma once
 
+#include "balance-shaft/change_colours.h"
 #include "balance-shaft/model/speed_study_model.h"
-#include "plot/plot_view.h"
+#include "page/part_views.h"
 
 namespace ravnoves {
 
 /// The map of SpeedStudyModel over α and speed, with a bar of its colours and their values, the
 /// line along which the shaft changes nothing, and what is under the pointer in words.
-class SpeedMapPlot : public PlotView {
+class SpeedMapPlot : public PartPlot {
     Q_OBJECT
 
   public:
-    explicit SpeedMapPlot(QWidget* parent = nullptr);
+    explicit SpeedMapPlot(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    /// Nothing to show without a map.
-    void setMap(std::optional<SpeedStudyModel::Map> map);
+    bool isDrawing() const override { return true; }
     /// The lines at 1.0, in α (°) and speed (min⁻¹).
     const std::vector<QPolygonF>& borders() const { return borders_; }
-    /// The numbers at the bar.
-    QStringList barTexts() const;
+    /// Those at the bar, the weightiest first.
+    std::vector<BarNumber> barNumbers() const;
     /// α, speed and value at a place of the chart; empty without a map.
     QString wordsAt(double angleDeg, double speed) const;
     /// The field under the picture.
@@ -36,15 +36,16 @@ class SpeedMapPlot : public PlotView {
     void stopReading() override;
 
   private:
-    struct Tick {
-        double part;  ///< of changeColour()
-        double value;
-    };
-    std::vector<Tick> ticks() const;
+    /// Of the bar, as parts of changeColour().
+    std::pair<double, double> barEnds() const;
     void paintBar(QPainter& painter) const;
     void showMap();
+    /// Null: there is none.
+    const SpeedStudyModel::Map* map() const {
+        return study_->isSolved() ? &study_->map() : nullptr;
+    }
 
-    std::optional<SpeedStudyModel::Map> map_;
+    SpeedStudyModel* study_;
     std::vector<QPolygonF> borders_;
 };
 

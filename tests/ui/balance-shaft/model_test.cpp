@@ -8,18 +8,26 @@
 #include <cmath>
 
 #include "balance-shaft/fields.h"
-#include "balance-shaft/model/forces_model.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
-#include "balance-shaft/model/shown_curves.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
+#include "model/reference_case.h"
 
 namespace ravnoves {
 namespace {
+
+Figure figureOf(const SceneModel& model, std::string_view part) {
+    return std::get<Figure>(model.part(part));
+}
+
+const Figure::Curve& curveOf(const Figure& figure, std::string_view id) {
+    return *std::find_if(figure.curves.begin(), figure.curves.end(),
+                         [&](const Figure::Curve& curve) { return curve.id == id; });
+}
 
 TEST(BalanceShaftModel, AShaftBeyondTheCircleMovesAsFarAsItsSliderGoes) {
     BalanceShaftModel model;
@@ -56,7 +64,7 @@ TEST(BalanceShaftModel, AnAngleThatDiffersHasItsUnit) {
 
 TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     BalanceShaftModel model;
-    QSignalSpy moved(&model, &BalanceShaftModel::shaftMoved);
+    QSignalSpy moved(&model, &SceneModel::shownChanged);
     QSignalSpy changed(&model, &SceneModel::changed);
     model.setShaftAngleDeg(240.0);
     EXPECT_EQ(moved.size(), 1);
@@ -140,6 +148,10 @@ TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     EXPECT_FALSE(rows[2].last().text.contains(QStringLiteral("better")));
 }
 
+QString verdictOf(const BalanceShaftModel& model) {
+    return std::get<Notes>(model.part("relief-verdict")).lines.front().second;
+}
+
 TEST(RelievedShaftModel, FindsOneSizeOfThree) {
     using Sized = RelievedShaftModel::Sized;
     using Sizes = balance_shaft::RelievedShaftSizes;
@@ -148,14 +160,15 @@ TEST(RelievedShaftModel, FindsOneSizeOfThree) {
     EXPECT_EQ(relief.sized(), Sized::Depth);
     EXPECT_FALSE(relief.isGiven(&Sizes::depth));
     EXPECT_TRUE(relief.isGiven(&Sizes::length));
-    EXPECT_EQ(relief.rows().size(), 8);
-    for (const ResultRow& row : relief.rows()) {
+    const ResultRows rows = std::get<Results>(model.part("relief")).rows;
+    EXPECT_EQ(rows.size(), 8);
+    for (const ResultRow& row : rows) {
         EXPECT_FALSE(row.tip.isEmpty()) << row.front().text.toStdString();
     }
     // A bar that is surely thick enough.
     relief.setSize(balance_shaft::field::bar_diameter, &Sizes::diameter, 80.0 * units::mm);
     EXPECT_NEAR(model.solver().front_view().shaft_swing_radius, 40.0 * units::mm, 1e-12);
-    ASSERT_TRUE(relief.shaft().feasible) << relief.verdict().toStdString();
+    ASSERT_TRUE(relief.shaft().feasible) << verdictOf(model).toStdString();
     EXPECT_NEAR(relief.shaft().unbalance, relief.shaft().required, 1e-9 * relief.shaft().required);
     EXPECT_EQ(relief.sizeOf(&Sizes::diameter), 80.0 * units::mm);
     EXPECT_NE(relief.exportDxf(QStringLiteral("/dev/null/shaft.dxf")), QString());
@@ -164,14 +177,14 @@ TEST(RelievedShaftModel, FindsOneSizeOfThree) {
 TEST(RelievedShaftModel, TheFirstOneIsTheHalfDiscOfTheMap) {
     BalanceShaftModel model;
     const RelievedShaftModel relief(&model);
-    ASSERT_TRUE(relief.shaft().feasible) << relief.verdict().toStdString();
+    ASSERT_TRUE(relief.shaft().feasible) << verdictOf(model).toStdString();
     EXPECT_FALSE(model.input().relieved_shaft);
     const auto swing = [&] { return model.solver().front_view().shaft_swing_radius; };
     EXPECT_NEAR(relief.shaft().diameter / 2.0, swing(), 1e-12);
     // From then on the bar is what map and clearances take.
     model.editField("/envelope/shaft_swing_radius_mm", 10.0, QStringLiteral("R"));
     EXPECT_FALSE(relief.shaft().feasible);
-    EXPECT_TRUE(relief.verdict().contains(QStringLiteral("swing circle")));
+    EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("swing circle")));
     EXPECT_NE(relief.exportDxf(QStringLiteral("/dev/null/shaft.dxf")), QString());
 }
 
@@ -196,14 +209,14 @@ TEST(RelievedShaftModel, WhatWasFoundBecomesWhatIsGiven) {
 TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     BalanceShaftModel model;
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    SpeedStudyModel study(&model);
+    SpeedStudyModel& study = *model.speedStudy();
     study.setBand(&balance_shaft::SpeedBand::from, 2000.0 * units::rpm);
     study.setBand(&balance_shaft::SpeedBand::to, 4000.0 * units::rpm);
     model.edit(QStringLiteral("coarse"), [](auto& input) { input.speed_band->speeds = 5; });
     EXPECT_FALSE(study.isSolved());
     EXPECT_EQ(study.answer(), QString());
     const auto solve = [&] {
-        study.solve();
+        study.need();
         return QTest::qWaitFor([&] { return !study.job()->isRunning(); }, 20000);
     };
     ASSERT_TRUE(solve());
@@ -213,7 +226,7 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     EXPECT_NEAR(curves.speed.front(), 2000.0, 1e-9);
     EXPECT_NEAR(curves.speed.back(), 4000.0, 1e-9);
     // The map is the criterion against the engine without a shaft: solved alone at one place.
-    const SpeedStudyModel::Map map = study.map();
+    const SpeedStudyModel::Map map = study.map();  // a copy: it goes with the criterion
     EXPECT_EQ(map.angles * map.speeds, static_cast<int>(map.relative.size()));
     auto input = model.input();
     input.angular_speed = curves.speed[2] * units::rpm;
@@ -227,17 +240,17 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     study.goToLeastBad();
     EXPECT_NEAR(model.shaftAngleDeg(), study.leastBadDeg(), 1e-9);
     const QString answer = study.answer();
-    study.setCriterion(SpeedStudyModel::Criterion::rms);
+    model.setSpeedCriterion(SpeedStudyModel::Criterion::rms);
     EXPECT_NE(study.answer(), answer);
     EXPECT_NE(study.map().least, map.least);
-    study.setCriterion(SpeedStudyModel::Criterion::range);
+    model.setSpeedCriterion(SpeedStudyModel::Criterion::range);
 
     // The shaft's angle solves nothing anew; neither does an input that comes back meanwhile.
     model.setShaftAngleDeg(10.0);
-    study.solve();
+    study.need();
     EXPECT_FALSE(study.job()->isRunning());
     study.setBand(&balance_shaft::SpeedBand::to, 5000.0 * units::rpm);
-    study.solve();
+    study.need();
     EXPECT_TRUE(study.job()->isRunning());
     model.history()->undo();
     ASSERT_TRUE(solve());
@@ -252,60 +265,98 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     EXPECT_FALSE(study.hasLoad());
 }
 
-TEST(ForcesModel, LociAreThoseOfTheRows) {
+TEST(BalanceShaftParts, LociAreThoseOfTheRows) {
     BalanceShaftModel model;
     model.editField("/crank_share", 0.3, QStringLiteral("share"));
-    const ForcesModel forces(&model);
-    const ForcesModel::Loci loci = forces.loci();
+    const Figure figure = figureOf(model, "force-locus");
     double across = 0.0;
     double along = 0.0;
-    for (std::size_t i = 0; i < loci.first.x.size(); ++i) {
-        across = std::max(across, std::abs(loci.first.x[i]));
-        along = std::max(along, std::abs(loci.first.y[i]));
-        for (const auto* locus : {&loci.first, &loci.both, &loci.withShaft}) {
-            EXPECT_LE(std::abs(locus->x[i]), loci.across);
-            EXPECT_GE(locus->y[i], loci.lowest);
-            EXPECT_LE(locus->y[i], loci.highest);
+    for (const Figure::Curve& locus : figure.curves) {
+        for (std::size_t i = 0; i < locus.x.size(); ++i) {
+            if (locus.id == "first") {
+                across = std::max(across, std::abs(locus.x[i]));
+                along = std::max(along, std::abs(locus.y[i]));
+            }
+            EXPECT_LE(std::abs(locus.x[i]), figure.x.max);
+            EXPECT_GE(locus.y[i], figure.leftRange->first);
+            EXPECT_LE(locus.y[i], figure.leftRange->second);
         }
     }
     const double force = model.result().inertia_force_1_max / 1000.0;
     EXPECT_NEAR(across, 0.3 * force, 1e-3 * force);
     EXPECT_NEAR(along, 0.7 * force, 1e-3 * force);
-    EXPECT_EQ(forces.forceRows().size(), 6);
-    EXPECT_EQ(ForcesModel::gearRows(forces.gearError()).size(), 6);
+    for (const char* table : {"forces", "gears"}) {
+        EXPECT_EQ(std::get<Results>(model.part(table)).rows.size(), 6) << table;
+    }
 }
 
-TEST(ShownCurves, AreInTheUnitsOfTheirAxes) {
+TEST(BalanceShaftParts, AreInTheUnitsOfTheirAxes) {
     BalanceShaftModel model;
-    EXPECT_TRUE(shownCycle(model.result()).torque.empty());
+    EXPECT_TRUE(figureOf(model, "torque").curves.empty());
+    EXPECT_TRUE(figureOf(model, "indicator").curves.empty());
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     const auto& curves = model.result().curves;
-    const ShownCycle cycle = shownCycle(model.result());
+    const Figure torque = figureOf(model, "torque");
+    const std::vector<double>& total = curveOf(torque, "total").y;
     for (std::size_t i = 0; i < curves.M_gas.size(); i += 7) {
-        EXPECT_NEAR(cycle.torque[i], curves.M_gas[i] + curves.M_inertia[i], 1e-9);
+        EXPECT_NEAR(total[i], curves.M_gas[i] + curves.M_inertia[i], 1e-9);
     }
-    EXPECT_NEAR(cycle.pressure[100], curves.pressure[100] / 1e5, 1e-12);
-    EXPECT_NEAR(cycle.largestVolume * 1e-6,
+    const Figure indicator = figureOf(model, "indicator");
+    EXPECT_NEAR(indicator.curves[0].y[100], curves.pressure[100] / 1e5, 1e-12);
+    EXPECT_EQ(figureOf(model, "pressure").curves[0].y, indicator.curves[0].y);
+    EXPECT_NEAR(indicator.x.max / 1.03 * 1e-6,
                 *std::max_element(curves.volume.begin(), curves.volume.end()), 1e-15);
-    const ShownOrders orders = shownOrders(model.result());
-    EXPECT_EQ(orders.order.at(1), 1.0);
-    EXPECT_EQ(orders.with.at(1), model.result().spectrum_M_ups[1].amplitude);
+    const Figure orders = figureOf(model, "orders");
+    EXPECT_EQ(curveOf(orders, "M_ups").x.at(1), 1.0);
+    EXPECT_EQ(curveOf(orders, "M_ups").y.at(1), model.result().spectrum_M_ups[1].amplitude);
 
     const auto& study = model.envelopeStudy();
-    const ShownSizes sizes = shownSizes(study);
-    ASSERT_EQ(sizes.angle.size(), study.area.size() + 1);
-    EXPECT_EQ(sizes.angle.back(), 360.0);
-    EXPECT_EQ(sizes.width.back(), sizes.width.front());
-    EXPECT_NEAR(sizes.area[5], sizes.width[5] * sizes.height[5] / 100.0, 1e-9);
+    const Figure sizes = figureOf(model, "sizes");
+    const Figure::Curve& width = curveOf(sizes, "width");
+    ASSERT_EQ(width.x.size(), study.area.size() + 1);
+    EXPECT_EQ(width.x.back(), 360.0);
+    EXPECT_EQ(width.y.back(), width.y.front());
+    const Figure range = figureOf(model, "range-over-size");
+    const Figure::Curve& all = curveOf(range, "all");
+    EXPECT_NEAR(all.x[5], width.y[5] * curveOf(sizes, "height").y[5] / 100.0, 1e-9);
+    const Figure::Curve& built = curveOf(range, "built");
     for (std::size_t i = 0; i < study.area.size(); ++i) {
-        EXPECT_EQ(std::isnan(sizes.builtRange[i]), !study.buildable[i]);
+        EXPECT_EQ(std::isnan(built.y[i]), !study.buildable[i]);
     }
-    ASSERT_FALSE(sizes.marked.empty());
-    for (std::size_t i = 1; i < sizes.marked.size(); ++i) {
-        EXPECT_GE(sizes.marked[i].angle - sizes.marked[i - 1].angle, 15.0);
+    ASSERT_FALSE(range.marks->empty());
+    for (std::size_t i = 1; i < range.marks->size(); ++i) {
+        const auto angle = [&](std::size_t mark) {
+            return (*range.marks)[mark].text.chopped(1).toDouble();
+        };
+        EXPECT_GE(angle(i) - angle(i - 1), 15.0);
     }
     model.setShaftAngleDeg(90.0);
-    EXPECT_NEAR(boxArea(model.result().envelope), sizes.area[180], 1e-6);
+    const Figure moved = figureOf(model, "range-over-size");
+    EXPECT_NEAR(curveOf(moved, "present").x[0], all.x[180], 1e-6);
+}
+
+// What a variant's curves are made of: the same parts of a model of its own.
+TEST(BalanceShaftParts, OfTheReferenceAreThoseOfItsInput) {
+    BalanceShaftModel model;
+    model.setMeans(BalanceShaftModel::Means::PrintedNodes);
+    model.keepVariant(QStringLiteral("old"));
+    const Figure before = figureOf(model, "moments");
+    model.edit(QStringLiteral("r"), [](auto& input) { input.crank_radius *= 1.2; });
+    model.setShaftAngleDeg(200.0);
+    auto* other = static_cast<BalanceShaftModel*>(model.referenceCase().model());
+    ASSERT_NE(other, nullptr);
+    const Figure was = figureOf(*other, "moments");
+    ASSERT_EQ(was.curves.size(), 3U);
+    for (std::size_t i = 0; i < was.curves.size(); ++i) {
+        EXPECT_EQ(was.curves[i].y, before.curves[i].y) << was.curves[i].id;
+        const bool isTable = was.curves[i].id == "M_up";  // which follows no radius
+        EXPECT_EQ(was.curves[i].y == figureOf(model, "moments").curves[i].y, isTable);
+    }
+    // What is chosen to be seen is chosen for both.
+    EXPECT_EQ(other->means(), BalanceShaftModel::Means::PrintedNodes);
+    model.setPlaceCriterion({PlaceCriterion::Kind::Both, 0.3});
+    EXPECT_EQ(other->placeCriterion(), model.placeCriterion());
+    EXPECT_EQ(figureOf(*other, "places").title, figureOf(model, "places").title);
 }
 
 }  // namespace

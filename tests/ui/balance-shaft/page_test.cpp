@@ -23,8 +23,10 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
+#include "widgets/field_slider.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 
@@ -68,7 +70,7 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
     EXPECT_NE(columnsOf(), before);
     EXPECT_NEAR(*page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
     // The plot shows the new M_s.
-    EXPECT_NEAR(*page.momentPlot()->valueAt(1, 0.0),
+    EXPECT_NEAR(*partPlot(page, "moments")->valueAt(1, 0.0),
                 model->result().moment_amplitude * std::sin(model->input().shaft_angle), 1e-6);
 }
 
@@ -223,7 +225,7 @@ TEST_F(BalanceShaftPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
 }
 
 TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
-    for (PlotView* plot : {page.rangePlot(), page.meanPlot()}) {
+    for (PlotView* plot : {partPlot(page, "range"), partPlot(page, "means")}) {
         QTest::mouseClick(plot, Qt::LeftButton, {},
                           plot->toPixel(200.0, 0.0).toPoint().x() > 0
                               ? QPoint(plot->toPixel(200.0, 0).toPoint().x(),
@@ -235,7 +237,7 @@ TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
 }
 
 TEST_F(BalanceShaftPageTest, MouseOverThePlotTurnsTheCrank) {
-    PlotView* plot = page.momentPlot();
+    PlotView* plot = partPlot(page, "moments");
     const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
                    plot->plotArea().center().toPoint().y());
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
@@ -261,7 +263,7 @@ TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
 
 TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {
     const auto& stretch = model->result().buildable.stretches.at(0);
-    for (const PlotView* plot : {page.rangePlot(), page.meanPlot()}) {
+    for (const PlotView* plot : {partPlot(page, "range"), partPlot(page, "means")}) {
         ASSERT_EQ(plot->bands().size(), 2U);
         EXPECT_EQ(plot->bands()[0].from, 0.0);
         EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
@@ -275,8 +277,8 @@ TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {
     }
     EXPECT_TRUE(said);
     type(field("clearance_mm"), QStringLiteral("50"));
-    ASSERT_EQ(page.rangePlot()->bands().size(), 1U);
-    EXPECT_EQ(page.rangePlot()->bands()[0].to, 360.0);
+    ASSERT_EQ(partPlot(page, "range")->bands().size(), 1U);
+    EXPECT_EQ(partPlot(page, "range")->bands()[0].to, 360.0);
 }
 
 TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
@@ -525,15 +527,20 @@ TEST_F(BalanceShaftPageTest, ImportNamesFileLineAndColumn) {
 }
 
 TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
-    model->setMeans(BalanceShaftModel::Means::CycleIntegral);
-    EXPECT_TRUE(page.meanPlot()->isCurveShown(0));
-    EXPECT_FALSE(page.meanPlot()->isCurveShown(2));
-    model->setMeans(BalanceShaftModel::Means::PrintedNodes);
-    EXPECT_FALSE(page.meanPlot()->isCurveShown(0));
-    EXPECT_TRUE(page.meanPlot()->isCurveShown(2));
+    const PlotView* plot = partPlot(page, "means");
+    const auto at90 = [&](const char* curve) {
+        const auto number = plot->data().find(curve);
+        return number ? plot->valueAt(static_cast<int>(*number), 90.0) : std::nullopt;
+    };
     // The paper's artefact: 17.2 N·m from a pure sine at α = 90°.
-    EXPECT_NEAR(*page.meanPlot()->valueAt(2, 90.0), 17.22, 0.01);
-    EXPECT_NEAR(*page.meanPlot()->valueAt(0, 90.0), 0.0, 1e-9);
+    EXPECT_NEAR(*at90("printed-M_s"), 17.22, 0.01);
+    EXPECT_NEAR(*at90("M_s"), 0.0, 1e-9);
+    model->setMeans(BalanceShaftModel::Means::CycleIntegral);
+    EXPECT_TRUE(at90("M_s"));
+    EXPECT_FALSE(at90("printed-M_s"));
+    model->setMeans(BalanceShaftModel::Means::PrintedNodes);
+    EXPECT_FALSE(at90("M_s"));
+    EXPECT_TRUE(at90("printed-M_s"));
 }
 
 TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRefusedInWords) {

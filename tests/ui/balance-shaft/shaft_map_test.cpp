@@ -18,11 +18,11 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
-#include "balance-shaft/shaft_map_signs.h"
+#include "balance-shaft/shaft_map_drawing.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
 #include "model/background_job.h"
-#include "shell/comparison.h"
+#include "page/part_views.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/value_slider.h"
@@ -52,6 +52,8 @@ class ShaftMapTest : public ::testing::Test {
         showTabOf(view);
         map = view->mapModel();
         plot = view->plot();
+        distances = partPlot(page, "distances");
+        sizes = partPlot(page, "front");
         wait();
         plot->setFocus();
     }
@@ -74,6 +76,8 @@ class ShaftMapTest : public ::testing::Test {
     ShaftMapView* view = nullptr;
     ShaftMapModel* map = nullptr;
     ShaftMapPlot* plot = nullptr;
+    PartPlot* distances = nullptr;
+    PartPlot* sizes = nullptr;
 };
 
 TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
@@ -340,7 +344,6 @@ TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
 }
 
 TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
-    const Comparison comparison(&page);
     model->keepVariant(QStringLiteral("old"));
     model->edit(QStringLiteral("Radius"),
                 [](balance_shaft::Input& input) { input.crank_radius *= 1.2; });
@@ -348,6 +351,7 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return plot->referenceMap() != nullptr && plot->referenceMap()->map() != nullptr; },
         60'000));
+    QApplication::processEvents();
     const ShaftMapModel& other = *plot->referenceMap();
     EXPECT_TRUE(plot->data().hasGhosts());  // hence its entry in the legend
     EXPECT_NE(other.best()->criteria.range, map->best()->criteria.range);
@@ -386,14 +390,13 @@ TEST_F(ShaftMapTest, ASecondSliderSetsTheDistance) {
 }
 
 TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
-    view->charts()->setCurrentWidget(view->distancePlot());
+    view->charts()->setCurrentWidget(distances);
     QApplication::processEvents();
-    PlotView* chart = view->distancePlot();
-    EXPECT_NEAR(*chart->valueAt(0, 90.0), map->map()->study.best_range_at(90 * mm).criteria.range,
-                3.0);
-    QTest::mouseClick(
-        chart, Qt::LeftButton, {},
-        QPoint(chart->toPixel(90.0, 0.0).toPoint().x(), chart->plotArea().center().toPoint().y()));
+    EXPECT_NEAR(*distances->valueAt(0, 90.0),
+                map->map()->study.best_range_at(90 * mm).criteria.range, 3.0);
+    QTest::mouseClick(distances, Qt::LeftButton, {},
+                      QPoint(distances->toPixel(90.0, 0.0).toPoint().x(),
+                             distances->plotArea().center().toPoint().y()));
     EXPECT_NEAR(length(), 90 * mm, 1 * mm);
     // The best α of those that can be built there: no other is better.
     const PositionStudy& study = map->map()->study;
@@ -411,16 +414,14 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     EXPECT_GE(range, least - 0.5);
     EXPECT_EQ(model->history()->count(), 1);
 
-    view->charts()->setCurrentWidget(view->sizePlot());
+    view->charts()->setCurrentWidget(sizes);
     QApplication::processEvents();
     const auto& front = map->map()->front;
     ASSERT_GT(front.size(), 3U);
     const balance_shaft::FrontPosition& place = front[front.size() / 2];
     QTest::mouseClick(
-        view->sizePlot(), Qt::LeftButton, {},
-        view->sizePlot()
-            ->toPixel(place.criteria.size / 1e-4, 100.0 * *map->change(place.criteria))
-            .toPoint());
+        sizes, Qt::LeftButton, {},
+        sizes->toPixel(place.criteria.size / 1e-4, 100.0 * *map->change(place.criteria)).toPoint());
     EXPECT_NEAR(*map->change(map->map()->study.at(map->present())), *map->change(place.criteria),
                 0.02);
     EXPECT_TRUE(model->result().is_buildable);
@@ -449,7 +450,7 @@ TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
         // Where there is room the charts stand beside the map.
         const bool isWide = view->width() >= 860;  // the page may have folded
         EXPECT_EQ(view->charts()->count(), isWide ? 2 : 4);
-        EXPECT_EQ(view->sizePlot()->isVisible(), isWide);
+        EXPECT_EQ(sizes->isVisible(), isWide);
     }
 }
 
@@ -605,7 +606,7 @@ TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
 }
 
 TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
-    EXPECT_FALSE(view->sizePlot()->isFaded());
+    EXPECT_FALSE(sizes->isFaded());
     model->edit(QStringLiteral("Close"), [](balance_shaft::Input& input) {
         input.place_limits.centre_distance_max = 30 * mm;
     });
@@ -613,17 +614,17 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
     EXPECT_FALSE(view->bestButton()->isEnabled());
     EXPECT_TRUE(view->bestButton()->toolTip().contains(QStringLiteral("No place of the shaft")))
         << view->bestButton()->toolTip().toStdString();
-    EXPECT_TRUE(view->sizePlot()->isFaded());  // it says so in its middle
+    EXPECT_TRUE(sizes->isFaded());  // it says so in its middle
     EXPECT_FALSE(model->result().is_buildable);
     EXPECT_TRUE(model->result().buildable.stretches.empty());
     model->undo();
     wait();
     EXPECT_TRUE(view->bestButton()->isEnabled());
-    EXPECT_FALSE(view->sizePlot()->isFaded());
+    EXPECT_FALSE(sizes->isFaded());
 }
 
 TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
-    for (const PlotView* chart : {view->distancePlot(), view->sizePlot()}) {
+    for (const PlotView* chart : {distances, sizes}) {
         for (int i = 0; i < chart->curveCount(); ++i) {
             EXPECT_FALSE(chart->curveName(i).isEmpty()) << i;
         }

@@ -12,7 +12,6 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/cycle_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_table_editor.h"
@@ -50,12 +49,12 @@ TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
     choose(2);
     ASSERT_EQ(model->input().torque.kind, Kind::cycle);
     EXPECT_NEAR(model->result().M_up.mean, mean, 1e-6 * std::abs(mean));
-    EXPECT_FALSE(model->cycleRows().isEmpty());
+    EXPECT_FALSE(model->cycle().rows.isEmpty());
     // Back again, the table is as it was.
     choose(0);
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_NEAR(model->result().M_up.range, 1208.0, 1e-9);
-    EXPECT_TRUE(model->cycleRows().isEmpty());
+    EXPECT_TRUE(model->cycle().rows.isEmpty());
 }
 
 TEST_F(TorqueSourceTest, InertiaTorqueFollowsTheSpeedAndGasTorqueDoesNot) {

@@ -14,12 +14,8 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/envelope_view.h"
-#include "balance-shaft/flywheel_view.h"
-#include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/speed_study_model.h"
-#include "balance-shaft/orders_view.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_map_plot.h"
@@ -28,7 +24,9 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "events.h"
 #include "model/background_job.h"
+#include "page/part_views.h"
 #include "pictures/file_dialogs.h"
+#include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
@@ -52,6 +50,18 @@ class BalanceShaftViewsTest : public ::testing::Test {
         return view;
     }
 
+    /// Brings the tab of a part to the front.
+    PartPlot* openPlot(std::string_view part) {
+        PartPlot* plot = partPlot(page, part);
+        showTabOf(plot);
+        QApplication::processEvents();
+        return plot;
+    }
+    void waitForStudy() {
+        QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning(), 20000);
+    }
+    QString answer() const { return model->speedStudy()->answer(); }
+
     BalanceShaftPage page;
     BalanceShaftModel* model = nullptr;
 };
@@ -70,12 +80,12 @@ TEST_F(BalanceShaftViewsTest, NotesOfAnyHeightComeToRest) {
 }
 
 TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
-    auto* view = open<OrdersView>();
-    const double before = *view->plot()->valueAt(1, 1.0);
-    const double half = *view->plot()->valueAt(1, 0.5);
+    const PlotView* plot = openPlot("orders");
+    const double before = *plot->valueAt(1, 1.0);
+    const double half = *plot->valueAt(1, 0.5);
     model->setShaftAngleDeg(200.0);
-    EXPECT_NE(*view->plot()->valueAt(1, 1.0), before);
-    EXPECT_EQ(*view->plot()->valueAt(1, 0.5), half);
+    EXPECT_NE(*plot->valueAt(1, 1.0), before);
+    EXPECT_EQ(*plot->valueAt(1, 0.5), half);
 }
 
 TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRefused) {
@@ -102,11 +112,10 @@ TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRefused) {
 }
 
 TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {
-    auto* view = open<FlywheelView>();
+    const PlotView* plot = openPlot("energy");
     EXPECT_FALSE(model->input().flywheel);
-    auto* inertia = view->findChild<NumberField*>(QStringLiteral("inertia_kg_m2"));
-    auto* fluctuation = view->findChild<NumberField*>(QStringLiteral("fluctuation"));
-    ASSERT_TRUE(inertia && fluctuation);
+    auto* inertia = test::named<NumberField>(page, "inertia_kg_m2");
+    auto* fluctuation = test::named<NumberField>(page, "fluctuation");
     const auto type = [](NumberField* field, const char* text) {
         field->setFocus();
         field->selectAll();
@@ -123,13 +132,13 @@ TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {
     EXPECT_NEAR(*model->result().flywheel.inertia, 0.4 * found / 0.01, 1e-9);
     // The extremes of the curve are those of the result.
     const auto& wheel = model->result().flywheel;
-    EXPECT_NEAR(*view->plot()->valueAt(0, std::round(wheel.max_angle / degree)), wheel.max_energy,
+    EXPECT_NEAR(*plot->valueAt(0, std::round(wheel.max_angle / degree)), wheel.max_energy,
                 0.01 * wheel.excess_work);
     fluctuation->selectAll();
     QTest::keyClick(fluctuation, Qt::Key_Delete);
     QTest::keyClick(fluctuation, Qt::Key_Return);
     EXPECT_FALSE(model->input().flywheel);
-    EXPECT_EQ(view->table()->rowCount(), model->flywheelRows().size());
+    EXPECT_EQ(std::get<Results>(model->part("flywheel")).rows.size(), 6);
 }
 
 TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
@@ -146,16 +155,15 @@ TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     choose(2);
     EXPECT_EQ(model->input().strokes, 2);
-    EXPECT_EQ(page.momentPlot()->xInterval().second, 360.0);
-    auto* view = open<FlywheelView>();
-    EXPECT_EQ(view->plot()->xInterval().second, 360.0);
+    EXPECT_EQ(partPlot(page, "moments")->xInterval().second, 360.0);
+    EXPECT_EQ(openPlot("energy")->xInterval().second, 360.0);
     model->crank()->turnTo(400.0);
     EXPECT_EQ(model->crank()->degrees(), 40.0);
-    EXPECT_FALSE(open<OrdersView>()->plot()->valueAt(1, 0.4)) << "half orders are of four strokes";
+    EXPECT_FALSE(openPlot("orders")->valueAt(1, 0.4)) << "half orders are of four strokes";
     // The table brings its own cycle back.
     EXPECT_EQ(model->setTorqueKind(balance_shaft::TorqueSource::Kind::table), QString());
     EXPECT_EQ(model->input().strokes, 4);
-    EXPECT_EQ(page.momentPlot()->xInterval().second, 720.0);
+    EXPECT_EQ(openPlot("moments")->xInterval().second, 720.0);
 }
 
 TEST_F(BalanceShaftViewsTest, ATableThatRepeatsATurnCanBeHalvedAndDoubled) {
@@ -170,25 +178,30 @@ TEST_F(BalanceShaftViewsTest, ATableThatRepeatsATurnCanBeHalvedAndDoubled) {
 }
 
 TEST_F(BalanceShaftViewsTest, ShareSliderTurnsTheEllipseIntoALine) {
-    auto* view = open<ForcesView>();
-    QTest::keyClick(view->shareSlider()->slider(), Qt::Key_Home);
+    openPlot("force-locus");
+    auto* slider = test::named<QSlider>(page, "crank_share_slider");
+    QTest::keyClick(slider, Qt::Key_Home);
     EXPECT_EQ(model->input().crank_share, 0.0);
-    QTest::keyClick(view->shareSlider()->slider(), Qt::Key_End);
+    QTest::keyClick(slider, Qt::Key_End);
     EXPECT_EQ(model->input().crank_share, 1.0);
-    EXPECT_FALSE(view->grab().isNull());
+    EXPECT_FALSE(page.grab().isNull());
     model->history()->undo();
-    EXPECT_NEAR(view->shareSlider()->value(), model->input().crank_share, 1e-9);
+    EXPECT_NEAR(*test::named<NumberField>(page, "crank_share")->value(), model->input().crank_share,
+                1e-9);
 }
 
 TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
-    auto* view = open<ForcesView>();
-    auto* shifted = test::named<NumberField>(*view, "shifted_teeth");
+    const PlotView* plot = openPlot("gear-moment");
+    auto* shifted = test::named<NumberField>(page, "shifted_teeth");
     shifted->setFocus();
     QTest::keyClick(shifted, Qt::Key_Up);
     EXPECT_EQ(model->input().gears.shifted_teeth, 1);
     QTest::keyClick(shifted, Qt::Key_Return);
-    const double right = *view->gearPlot()->valueAt(2, 100.0);
-    const double wrong = *view->gearPlot()->valueAt(3, 100.0);
+    const auto at100 = [&](const char* curve) {
+        return *plot->valueAt(static_cast<int>(*plot->data().find(curve)), 100.0);
+    };
+    const double right = at100("right");
+    const double wrong = at100("wrong");
     const double amplitude = model->result().moment_amplitude;
     const double alpha = model->input().shaft_angle;
     EXPECT_NEAR(wrong - right,
@@ -197,9 +210,9 @@ TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
 }
 
 TEST_F(BalanceShaftViewsTest, GearsThatCannotBeAreRefusedInTheirField) {
-    auto* view = open<ForcesView>();
-    auto* teeth = test::named<NumberField>(*view, "teeth");
-    auto* shifted = test::named<NumberField>(*view, "shifted_teeth");
+    openPlot("gear-moment");
+    auto* teeth = test::named<NumberField>(page, "teeth");
+    auto* shifted = test::named<NumberField>(page, "shifted_teeth");
     const auto type = [](NumberField* field, const char* text) {
         field->setFocus();
         field->selectAll();
@@ -245,34 +258,30 @@ TEST_F(BalanceShaftViewsTest, TheBandOfSpeedsIsAForm) {
 
 TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     // The printed table does not belong to its masses: the page says so instead of a curve.
-    auto* view = open<SpeedView>();
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
-    EXPECT_TRUE(view->answer().contains(QStringLiteral("does not belong")))
-        << view->answer().toStdString();
+    PartPlot* angles = openPlot("best-angles");
+    PartPlot* map = partPlot(page, "speed-map");
+    waitForStudy();
+    EXPECT_TRUE(answer().contains(QStringLiteral("does not belong"))) << answer().toStdString();
     // A computed cycle follows the speed.
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
-    EXPECT_TRUE(view->answer().contains(QStringLiteral("Least bad")))
-        << view->answer().toStdString();
+    waitForStudy();
+    EXPECT_TRUE(answer().contains(QStringLiteral("Least bad"))) << answer().toStdString();
     const double speed = model->input().angular_speed / units::rpm;
-    const auto best = view->anglePlot()->valueAt(1, speed);
+    const auto best = angles->valueAt(1, speed);
     ASSERT_TRUE(best.has_value());
     // Between the band's speeds the curve is a straight line; the optimum is flat.
     EXPECT_NEAR(*best, *model->bestRms().shaft_angle / degree, 0.5);
     // What cannot be built is shaded along α, which runs upwards in one plot.
     const auto& stretch = model->result().buildable.stretches.at(0);
-    for (const PlotView* plot : {view->anglePlot(), static_cast<PlotView*>(view->mapPlot())}) {
+    for (const PlotView* plot : {angles, map}) {
         ASSERT_EQ(plot->bands().size(), 2U);
         EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
     }
-    EXPECT_EQ(view->anglePlot()->bands()[0].orientation, Qt::Vertical);
-    EXPECT_TRUE(view->answer().contains(QStringLiteral("cannot be built")))
-        << view->answer().toStdString();
+    EXPECT_EQ(angles->bands()[0].orientation, Qt::Vertical);
+    EXPECT_TRUE(answer().contains(QStringLiteral("cannot be built"))) << answer().toStdString();
     // A click into the map sets the angle.
-    QTRY_VERIFY_WITH_TIMEOUT(
-        view->mapPlot()->plotArea().contains(view->mapPlot()->toPixel(200.0, speed)), 5000);
-    const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
-    QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(map->plotArea().contains(map->toPixel(200.0, speed)), 5000);
+    QTest::mouseClick(map, Qt::LeftButton, {}, map->toPixel(200.0, speed).toPoint());
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
 }
 
@@ -312,21 +321,22 @@ TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
     EXPECT_FALSE(load->isEnabled());
     ASSERT_TRUE(model->result().indicated.has_value());
     EXPECT_NEAR(*shown->value(), model->result().indicated->imep / units::bar, 0.005);
-    EXPECT_TRUE(SpeedStudyModel(model).gasAtEverySpeed().contains(QStringLiteral("trace")));
+    EXPECT_TRUE(model->speedStudy()->gasAtEverySpeed().contains(QStringLiteral("trace")));
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     auto* view = open<SpeedView>();
-    const QString empty = view->mapPlot()->title();
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    const PlotView* map = partPlot(page, "speed-map");
+    const QString empty = map->title();
+    waitForStudy();
     auto* rebuild = test::named<QPushButton>(*view, "rebuild_torque_here");
     ASSERT_TRUE(rebuild->isVisible());
-    EXPECT_FALSE(view->answer().contains(QStringLiteral("below")));
+    EXPECT_FALSE(answer().contains(QStringLiteral("below")));
     QTest::mouseClick(rebuild, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning() && !rebuild->isVisible(), 20000);
-    EXPECT_TRUE(view->answer().contains(QStringLiteral("Least bad")))
-        << view->answer().toStdString();
-    EXPECT_NE(view->mapPlot()->title(), empty);
+    QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning() && !rebuild->isVisible(),
+                             20000);
+    EXPECT_TRUE(answer().contains(QStringLiteral("Least bad"))) << answer().toStdString();
+    EXPECT_NE(map->title(), empty);
     // The rebuilt numbers are shown shorter than they are.
     const QAbstractItemModel* table = page.torqueEditor()->view()->model();
     for (int row = 0; row < table->rowCount(); ++row) {
@@ -336,19 +346,18 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     EXPECT_GT(table->index(1, 1).data(Qt::EditRole).toString().size(), 10);
     // An empty map says nothing about its values.
     model->history()->undo();
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning() && rebuild->isVisible(), 20000);
-    EXPECT_EQ(view->mapPlot()->title(), empty);
+    QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning() && rebuild->isVisible(),
+                             20000);
+    EXPECT_EQ(map->title(), empty);
 }
 
 TEST_F(BalanceShaftViewsTest, TheChangeIsWholeAndIsComparedWithNothing) {
-    BalanceShaftPage other;
     test::showAt(page, {1175, 700});  // of a window of 1280×800
     auto* here = page.findChild<ResultTable*>();
-    auto* there = other.findChild<ResultTable*>();
     const int change = here->columnCount() - 1;
-    other.viewModel()->setShaftAngleDeg(100.0);
     EXPECT_FALSE(here->horizontalScrollBar()->isVisible());
-    here->setReference(there, QStringLiteral("B"));
+    model->keepVariant(QStringLiteral("B"));
+    model->setShaftAngleDeg(100.0);
     QApplication::processEvents();
     EXPECT_FALSE(here->horizontalScrollBar()->isVisible());
     EXPECT_FALSE(here->differenceAt(0, change - 1).isEmpty());
@@ -359,12 +368,13 @@ TEST_F(BalanceShaftViewsTest, TheChangeIsWholeAndIsComparedWithNothing) {
 
 TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    auto* view = open<SpeedView>();
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
-    SpeedMapPlot* plot = view->mapPlot();
+    auto* plot = static_cast<SpeedMapPlot*>(openPlot("speed-map"));
+    waitForStudy();
     // The bar goes from the least to the most, with 1 among its numbers.
-    EXPECT_TRUE(plot->barTexts().contains(QStringLiteral("1.00")));
-    EXPECT_GE(plot->barTexts().size(), 3);
+    const std::vector<BarNumber> numbers = plot->barNumbers();
+    ASSERT_GE(numbers.size(), 3U);
+    EXPECT_EQ(numbers[0].text, QStringLiteral("1.00"));
+    EXPECT_TRUE(numbers[0].isNoChange);
     // Along the line 1.0 the shaft changes nothing: the solver's own answer at its points.
     ASSERT_FALSE(plot->borders().empty());
     const QPolygonF& border = plot->borders().front();
@@ -389,27 +399,35 @@ TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
 
 TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    auto* view = open<SpeedView>();
+    const PlotView* angles = openPlot("best-angles");
     for (int i = 0; i < 20; ++i) {
         model->edit(QStringLiteral("Speed"),
                     [i](balance_shaft::Input& input) { input.angular_speed = (200.0 + i) * 1.0; });
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
-    const auto [low, high] = view->anglePlot()->xInterval();
+    waitForStudy();
+    const auto [low, high] = angles->xInterval();
     EXPECT_NEAR(high, 1.1 * 219.0 / units::rpm, 1.0);
     EXPECT_LT(low, high);
 }
 
 TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
-    auto* view = open<EnvelopeView>();
-    EXPECT_EQ(view->sizePlot()->bands().size(), 2U);
-    EXPECT_EQ(view->paretoPlot()->curveName(1), QStringLiteral("can be built"));
+    PartPlot* sizes = openPlot("sizes");
+    PartPlot* range = partPlot(page, "range-over-size");
+    EXPECT_EQ(sizes->bands().size(), 2U);
+    EXPECT_EQ(range->curveName(1), QStringLiteral("can be built"));
     model->setShaftAngleDeg(90.0);
-    EXPECT_NEAR(*view->sizePlot()->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
-    QTest::mouseClick(view->sizePlot(), Qt::LeftButton, {},
-                      QPoint(view->sizePlot()->toPixel(180.0, 0.0).toPoint().x(),
-                             view->sizePlot()->plotArea().center().toPoint().y()));
+    EXPECT_NEAR(*sizes->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
+    QTest::mouseClick(
+        sizes, Qt::LeftButton, {},
+        QPoint(sizes->toPixel(180.0, 0.0).toPoint().x(), sizes->plotArea().center().toPoint().y()));
     EXPECT_NEAR(model->shaftAngleDeg(), 180.0, 1.0);
+    // A click into the other one goes to the α whose point lies there.
+    const PlotCurve& all = range->data().curves[*range->data().find("all")];
+    const QPointF place = range->toPixel(all.x[100], all.y[100]);
+    QTest::mouseClick(range, Qt::LeftButton, {}, place.toPoint());
+    const PlotCurve& present = range->data().curves[*range->data().find("present")];
+    EXPECT_LT(QLineF(range->toPixel(present.x[0], present.y[0]), place).length(), 3.0);
+    EXPECT_NE(model->shaftAngleDeg(), 180.0);
 }
 
 TEST_F(BalanceShaftViewsTest, RemediesMakeTheTorqueFit) {

@@ -9,6 +9,8 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
@@ -78,6 +80,60 @@ bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) 
         return false;
     }
     return true;
+}
+
+void BalanceShaftModel::takeView(const SceneModel& other) {
+    if (const auto* model = qobject_cast<const BalanceShaftModel*>(&other)) {
+        setMeans(model->means());
+        setPlaceCriterion(model->placeCriterion());
+        setSpeedCriterion(model->speedCriterion());
+    }
+}
+
+void BalanceShaftModel::setMeans(Means means) {
+    if (std::exchange(means_, means) != means) {
+        Q_EMIT viewChanged();
+    }
+}
+
+void BalanceShaftModel::setPlaceCriterion(const PlaceCriterion& criterion) {
+    if (!(std::exchange(placeCriterion_, criterion) == criterion)) {
+        if (shaftMap_ != nullptr) {
+            shaftMap_->showCriterion();
+        }
+        Q_EMIT viewChanged();
+    }
+}
+
+void BalanceShaftModel::setSpeedCriterion(SpeedCriterion criterion) {
+    if (std::exchange(speedCriterion_, criterion) != criterion) {
+        if (speedStudy_ != nullptr) {
+            speedStudy_->showCriterion();
+        }
+        Q_EMIT viewChanged();
+    }
+}
+
+void BalanceShaftModel::needPart(std::string_view id) {
+    if (id == "places" || id == "distances" || id == "front") {
+        shaftMap()->need();
+    } else if (id == "best-angles" || id == "speed-map" || id == "least-bad") {
+        speedStudy()->need();
+    }
+}
+
+ShaftMapModel* BalanceShaftModel::shaftMap() {
+    if (shaftMap_ == nullptr) {
+        shaftMap_ = new ShaftMapModel(this);
+    }
+    return shaftMap_;
+}
+
+SpeedStudyModel* BalanceShaftModel::speedStudy() {
+    if (speedStudy_ == nullptr) {
+        speedStudy_ = new SpeedStudyModel(this);
+    }
+    return speedStudy_;
 }
 
 QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind) {
@@ -198,11 +254,6 @@ QString BalanceShaftModel::setStrokes(int strokes) {
     });
 }
 
-void BalanceShaftModel::taken() {
-    Q_EMIT shaftMoved();
-    crank_.setCycle(cycleDeg());
-}
-
 double BalanceShaftModel::shaftAngleDeg() const {
     return input().shaft_angle / degree;
 }
@@ -232,18 +283,11 @@ void BalanceShaftModel::applyShaftAngle(double radians) {
     clear_vector_state();
     solver().move_shaft(radians, solvedInPlace().result);
     countSolution();
-    Q_EMIT shaftMoved();
+    Q_EMIT shownChanged();
 }
 
 void BalanceShaftModel::pickShaftAngleDeg(double angle) {
     setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
-}
-
-void BalanceShaftModel::setMeans(Means means) {
-    if (means != means_) {
-        means_ = means;
-        Q_EMIT meansChanged();
-    }
 }
 
 const Optimum& BalanceShaftModel::bestRange() const {
@@ -429,12 +473,13 @@ ResultRow ownRow(const QString& name, double value, int decimals, const QString&
 
 }  // namespace
 
-ResultRows BalanceShaftModel::cycleRows() const {
+Results BalanceShaftModel::cycle() const {
+    Results results{{CycleWords::tr("Cycle"), CycleWords::tr("Value"), CycleWords::tr("Unit")}};
     if (!result().indicated) {
-        return {};
+        return results;
     }
     const balance_shaft::IndicatedCycle& cycle = *result().indicated;
-    ResultRows rows{
+    results.rows = {
         ownRow(tr("Indicated mean effective pressure"), cycle.imep / units::bar, 3, tr("bar"),
                tr("Work of a cycle over the displacement")),
         ownRow(tr("Indicated work per cycle"), cycle.work, 1, tr("J"), tr("∮ (p − p₀) dV")),
@@ -450,17 +495,18 @@ ResultRows BalanceShaftModel::cycleRows() const {
                  tr("Piston area times stroke")),
     };
     if (cycle.clearance) {
-        rows << shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2,
-                         tr("Displacement over the compression ratio less 1"));
+        results.rows << shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2,
+                                 tr("Displacement over the compression ratio less 1"));
     }
     if (cycle.heat) {
-        rows << ownRow(tr("Heat per cycle"), *cycle.heat, 1, tr("J"),
-                       tr("Released by the combustion, entered or found for the mean pressure"));
+        results.rows << ownRow(
+            tr("Heat per cycle"), *cycle.heat, 1, tr("J"),
+            tr("Released by the combustion, entered or found for the mean pressure"));
     }
-    return rows;
+    return results;
 }
 
-ResultRows BalanceShaftModel::flywheelRows() const {
+Results BalanceShaftModel::flywheel() const {
     const balance_shaft::Flywheel& wheel = result().flywheel;
     const auto row = [](const QString& name, const std::optional<double>& value, const Unit& unit,
                         int digits, const QString& tip) {
@@ -476,7 +522,9 @@ ResultRows BalanceShaftModel::flywheelRows() const {
     const auto swing = wheel.fluctuation
                            ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0)
                            : std::nullopt;
-    return {
+    Results results{
+        {FlywheelWords::tr("Flywheel"), FlywheelWords::tr("Value"), FlywheelWords::tr("Unit")}};
+    results.rows = {
         ownRow(tr("Excess work ΔE"), wheel.excess_work, 1, tr("J"),
                tr("Largest less smallest ∫ (Mᵢ − mean) dφ over the cycle")),
         row(tr("Fluctuation δ"), wheel.fluctuation, units::none, 4,
@@ -490,6 +538,7 @@ ResultRows BalanceShaftModel::flywheelRows() const {
         ownRow(tr("Slowest at crank angle"), wheel.min_angle / degree, 1, angle,
                tr("Where the excess energy is smallest")),
     };
+    return results;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/model/place_criterion.h"
+#include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/solver.h"
@@ -16,6 +17,9 @@
 #include "text/result_row.h"
 
 namespace ravnoves {
+
+class ShaftMapModel;
+class SpeedStudyModel;
 
 /// What CaseModel knows of the scene.
 struct BalanceShaftScene {
@@ -57,8 +61,15 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     explicit BalanceShaftModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("balance-shaft"); }
+    std::span<const PagePart> parts() const override { return shaftParts(); }
+    Content part(std::string_view id) const override { return shaftPart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
+        return std::make_unique<BalanceShaftModel>();  // its jobs run where someone looks
+    }
+    void needPart(std::string_view id) override;
     Json resultJson() const override;
     bool setViewOption(const QString& key, const QString& value) override;
+    void takeView(const SceneModel& other) override;
 
     const balance_shaft::Result& result() const { return solved().result; }
     const balance_shaft::Solver& solver() const { return solved().solver; }
@@ -84,6 +95,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
                     bool isDrag = false);
 
     double shaftAngleDeg() const;  ///< α
+    /// Moves the shaft and the result in place: shownChanged(), not changed().
     void setShaftAngleDeg(double angle);
     /// By a hand in a picture: to a tenth of a degree.
     void pickShaftAngleDeg(double angle);
@@ -99,10 +111,19 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Means means() const { return means_; }
     void setMeans(Means means);
 
-    /// What the map of places judges by; ShaftMapModel changes it.
-    PlaceCriterion& placeCriterion() { return placeCriterion_; }
-    /// What SpeedStudyModel shows its map by.
-    balance_shaft::SpeedStudy::Criterion& speedCriterion() { return speedCriterion_; }
+    /// What the map of places judges by.
+    const PlaceCriterion& placeCriterion() const { return placeCriterion_; }
+    void setPlaceCriterion(const PlaceCriterion& criterion);
+    /// What the map over α and speed shows.
+    using SpeedCriterion = balance_shaft::SpeedStudy::Criterion;
+    SpeedCriterion speedCriterion() const { return speedCriterion_; }
+    void setSpeedCriterion(SpeedCriterion criterion);
+
+    // What takes longer than a frame, computed while someone looks; made when first asked for.
+    ShaftMapModel* shaftMap();
+    SpeedStudyModel* speedStudy();
+    const ShaftMapModel* shaftMap() const { return shaftMap_; }        ///< null: not asked for
+    const SpeedStudyModel* speedStudy() const { return speedStudy_; }  ///< likewise
 
     /// The best of the angles that can be built; of all where none can.
     const balance_shaft::Optimum& bestRange() const;
@@ -129,10 +150,10 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results criteria() const;
     Results quantities() const;
-    /// Work, pressures and power of a computed torque; empty for a table.
-    ResultRows cycleRows() const;
+    /// Work, pressures and power of a computed torque; without rows for a table.
+    Results cycle() const;
     /// Excess work, fluctuation and moment of inertia.
-    ResultRows flywheelRows() const;
+    Results flywheel() const;
     /// Best α for range and RMS as sentences: of what can be built, and what another would gain.
     QString bestRangeText() const;
     QString bestRmsText() const;
@@ -144,19 +165,16 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     std::optional<Verdict> verdictShown() const override { return verdict(); }
     std::vector<std::string> usualObjects() const override { return {"/envelope"}; }
 
-  Q_SIGNALS:
-    /// α is new, and what follows it.
-    void shaftMoved();
-    void meansChanged();
-
   private:
-    void taken() override;
+    void taken() override { crank_.setCycle(cycleDeg()); }
     void applyShaftAngle(double radians);
 
     CrankAngle crank_{60.0, input().cycle_deg()};
     Means means_ = Means::Both;
     PlaceCriterion placeCriterion_;
-    balance_shaft::SpeedStudy::Criterion speedCriterion_ = {};
+    SpeedCriterion speedCriterion_ = {};
+    ShaftMapModel* shaftMap_ = nullptr;
+    SpeedStudyModel* speedStudy_ = nullptr;
 };
 
 extern template class CaseModel<BalanceShaftScene>;

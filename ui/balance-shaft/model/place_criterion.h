@@ -18,6 +18,8 @@ struct PlaceCriterion {
     Kind kind = Kind::Range;
     double weight = 0.5;  ///< share of the range in the weighted sum, 0…1; the RMS has the rest
 
+    bool operator==(const PlaceCriterion&) const = default;
+
     /// Whether the engine without a shaft has anything to be judged against.
     static bool judges(const Study& study);
     /// Change against the engine without a shaft as a fraction: −0.1 is 10 % less; where it

@@ -1,5 +1,6 @@
 #include "balance-shaft/model/relieved_shaft_model.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 #include "balance-shaft/fields.h"
@@ -13,6 +14,14 @@ namespace ravnoves {
 using balance_shaft::Input;
 using balance_shaft::RelievedShaft;
 using balance_shaft::RelievedShaftSizes;
+
+namespace {
+
+struct ReliefWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::RelievedShaftView)
+};
+
+}  // namespace
 
 RelievedShaftModel::RelievedShaftModel(BalanceShaftModel* model, QObject* parent)
     : QObject(parent), model_(model) {}
@@ -73,8 +82,7 @@ void RelievedShaftModel::setDensity(double density) {
     });
 }
 
-ResultRows RelievedShaftModel::rows() const {
-    const RelievedShaft found = shaft();
+Results RelievedShaftModel::results(const RelievedShaft& found) {
     const auto row = [](const QString& name, double si, int decimals, const Unit& unit,
                         const QString& tip) {
         ResultRow made = shownRow(name, si, unit, decimals, tip);
@@ -84,7 +92,8 @@ ResultRows RelievedShaftModel::rows() const {
         return made;
     };
     using units::mm;
-    return {
+    Results results{{ReliefWords::tr("Shaft"), ReliefWords::tr("Value"), ReliefWords::tr("Unit")}};
+    results.rows = {
         row(tr("unbalance needed, m₁ ρ₁"), found.required, 0, units::gram_mm,
             tr("What both counterweights have by equation (1)")),
         row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm,
@@ -103,12 +112,12 @@ ResultRows RelievedShaftModel::rows() const {
             tr("The shortest relief that can have the unbalance with this bar: with half of it "
                "milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.")),
     };
+    return results;
 }
 
-QString RelievedShaftModel::verdict() const {
-    return shaft().feasible
-               ? (tr("Feasible.") + QLatin1Char(' ') + messageText(shaft().note)).trimmed()
-               : messageText(shaft().reason);
+QString RelievedShaftModel::verdict(const RelievedShaft& found) {
+    return found.feasible ? (tr("Feasible.") + QLatin1Char(' ') + messageText(found.note)).trimmed()
+                          : messageText(found.reason);
 }
 
 QString RelievedShaftModel::exportDxf(const QString& path) const {

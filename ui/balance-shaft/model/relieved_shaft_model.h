@@ -32,8 +32,9 @@ class RelievedShaftModel : public QObject {
     void setSize(const Field& field, Size size, double metres);
     void setDensity(double density);
 
-    ResultRows rows() const;
-    QString verdict() const;
+    // What is shown of any.
+    static Results results(const balance_shaft::RelievedShaft& shaft);
+    static QString verdict(const balance_shaft::RelievedShaft& shaft);
     /// Section and side view, real size.
     /// @return an empty string, or what went wrong
     QString exportDxf(const QString& path) const;

@@ -27,15 +27,30 @@ Input withoutPlace(Input input) {
 
 }  // namespace
 
-ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
-    : QObject(parent),
-      model_(model),
-      job_(new BackgroundJob(this)),
-      criterion_(model->placeCriterion()) {
+QString ShaftMapModel::Marker::name() const {
+    switch (criterion) {
+        case Criterion::Range:
+            return isBuildable ? tr("least range") : tr("least range, cannot be built");
+        case Criterion::Rms:
+            return isBuildable ? tr("least RMS") : tr("least RMS, cannot be built");
+        default:
+            return isBuildable ? tr("least sum") : tr("least sum, cannot be built");
+    }
+}
+
+ShaftMapModel::ShaftMapModel(BalanceShaftModel* model)
+    : QObject(model), model_(model), job_(new BackgroundJob(this)), seenAt_(present()) {
     job_->setPatience(500, 30);
-    connect(model_, &SceneModel::changed, this, [this] { follow(); });
-    connect(model_, &SceneModel::broughtIn, this, [this] { follow(true); });
-    connect(model_, &BalanceShaftModel::shaftMoved, this, &ShaftMapModel::moved);
+    const auto move = [this] {
+        seenAt_ = present();
+        Q_EMIT moved();
+    };
+    connect(model_, &SceneModel::changed, this, move);
+    connect(model_, &SceneModel::shownChanged, this, [this, move] {
+        if (!(present() == seenAt_)) {
+            move();
+        }
+    });
     connect(job_, &BackgroundJob::runningChanged, this, &ShaftMapModel::staleChanged);
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
         map_.reset();
@@ -48,30 +63,26 @@ bool ShaftMapModel::isStale() const {
     return job_->isRunning();
 }
 
-void ShaftMapModel::setWatched(bool watched) {
-    watched_ = watched;
-    follow();
+bool ShaftMapModel::fits() const {
+    const double distance = model_->input().centre_distance;
+    constexpr double tooWide = 1.5;
+    return distance <= map_->view &&
+           (model_->isEditing() || map_->view <= tooWide * map_->viewFor(distance));
+}
+
+void ShaftMapModel::need() {
+    const bool isSame = mapped_ && *mapped_ == withoutPlace(model_->input());
+    const bool rests = held_ || model_->isMoved() || job_->isRunning();
+    if (!isSame || (map_ && !rests && !fits())) {
+        mapped_ = withoutPlace(model_->input());
+        start();
+    }
 }
 
 void ShaftMapModel::setHeld(bool held) {
     held_ = held;
-    follow(true);
-}
-
-void ShaftMapModel::follow(bool mayShrink) {
-    if (!watched_) {
-        return;
-    }
-    const Input& input = model_->input();
-    const bool same = mapped_ && *mapped_ == withoutPlace(input);
-    const auto fits = [&] {
-        constexpr double tooWide = 1.5;
-        return input.centre_distance <= map_->view &&
-               (!mayShrink || map_->view <= tooWide * map_->viewFor(input.centre_distance));
-    };
-    if (!same || (map_ && !held_ && !job_->isRunning() && !fits())) {
-        mapped_ = withoutPlace(input);
-        start();
+    if (!held) {
+        need();
     }
 }
 
@@ -99,6 +110,7 @@ void ShaftMapModel::showMap() {
         addMarker(Criterion::Rms, false, map_->best.rms);
     }
     showCriterion();
+    Q_EMIT model_->shownChanged();
 }
 
 void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
@@ -107,26 +119,14 @@ void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
     if (!best || (!isBuildable && this->isBuildable(best->position))) {
         return;
     }
-    QString name;
-    switch (criterion) {
-        case Criterion::Range:
-            name = isBuildable ? tr("least range") : tr("least range, cannot be built");
-            break;
-        case Criterion::Rms:
-            name = isBuildable ? tr("least RMS") : tr("least RMS, cannot be built");
-            break;
-        case Criterion::Both:
-            name = isBuildable ? tr("least sum") : tr("least sum, cannot be built");
-            break;
-    }
     // What is best lies on the edge of what can be built: with a few digits it would be beyond.
     const Position place = shortened(best->position, criterion);
-    markers_.push_back({criterion, isBuildable, place, map_->study.at(place), name});
+    markers_.push_back({criterion, isBuildable, place, map_->study.at(place)});
 }
 
 ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by,
                                                  bool keepsDistance) const {
-    return PlaceCriterion{by, criterion_.weight}.shortened(map_->study, exact, keepsDistance);
+    return PlaceCriterion{by, weight()}.shortened(map_->study, exact, keepsDistance);
 }
 
 bool ShaftMapModel::isAtBest() const {
@@ -141,34 +141,27 @@ std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
     if (!map_ || !PlaceCriterion::judges(map_->study)) {
         return std::nullopt;
     }
-    return criterion_.change(map_->study, criteria.range, criteria.rms);
+    return model_->placeCriterion().change(map_->study, criteria.range, criteria.rms);
 }
 
 void ShaftMapModel::setCriterion(Criterion criterion) {
-    if (criterion != criterion_.kind) {
-        criterion_.kind = criterion;
-        showCriterion();
-    }
+    model_->setPlaceCriterion({criterion, weight()});
 }
 
 void ShaftMapModel::setWeight(double weight) {
-    weight = std::clamp(weight, 0.0, 1.0);
-    if (weight != criterion_.weight) {
-        criterion_.weight = weight;
-        showCriterion();
-    }
+    model_->setPlaceCriterion({criterion(), std::clamp(weight, 0.0, 1.0)});
 }
 
 void ShaftMapModel::showCriterion() {
     std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
     contours_ = {};
     if (change({})) {
-        if (criterion_.kind == Criterion::Both) {
-            const double rangeWeight = criterion_.rangeWeight(map_->study);
+        if (criterion() == Criterion::Both) {
+            const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
             addMarker(Criterion::Both, true, map_->study.best_sum_buildable(rangeWeight));
             addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
         }
-        contours_ = changeContours(*map_, criterion_);
+        contours_ = changeContours(*map_, model_->placeCriterion());
     }
     Q_EMIT mapChanged();
 }
@@ -176,7 +169,7 @@ void ShaftMapModel::showCriterion() {
 const ShaftMapModel::Marker* ShaftMapModel::best() const {
     const Marker* found = nullptr;
     for (const Marker& marker : markers_) {
-        if (marker.criterion == criterion_.kind && (found == nullptr || marker.isBuildable)) {
+        if (marker.criterion == criterion() && (found == nullptr || marker.isBuildable)) {
             found = &marker;
         }
     }
@@ -248,10 +241,10 @@ void ShaftMapModel::goToDistance(double metres) {
     if (!map_ || !(metres > 0.0)) {
         return;
     }
-    const double weight = criterion_.rangeWeight(map_->study);
-    const auto built = map_->study.best_buildable_at(metres, weight);
-    const Position best = (built ? *built : map_->study.best_at(metres, weight)).position;
-    moveTo(shortened(best, criterion_.kind, true));
+    const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
+    const auto built = map_->study.best_buildable_at(metres, rangeWeight);
+    const Position best = (built ? *built : map_->study.best_at(metres, rangeWeight)).position;
+    moveTo(shortened(best, criterion(), true));
 }
 
 double ShaftMapModel::largestDistance() const {

@@ -35,15 +35,17 @@ class ShaftMapModel : public QObject {
         bool isBuildable;
         Position position;
         Criteria criteria;
-        QString name;  ///< for the legend
+
+        QString name() const;  ///< for the legend
     };
 
-    explicit ShaftMapModel(BalanceShaftModel* model, QObject* parent = nullptr);
+    /// Belongs to the model.
+    explicit ShaftMapModel(BalanceShaftModel* model);
 
     BackgroundJob* job() const { return job_; }
-    /// Makes the map anew where it is not that of the input and someone looks.
-    void setWatched(bool watched);
-    /// What the map shows stays as wide as it is while the shaft is dragged over it.
+    /// Makes the map anew where it is not that of the input. What it shows stays as wide as it is
+    /// while a slider moves the shaft, or a hand holds it.
+    void need();
     void setHeld(bool held);
     /// The map made last, or null; isStale() where a newer one is on the way.
     const ShaftMap* map() const { return map_.get(); }
@@ -51,11 +53,13 @@ class ShaftMapModel : public QObject {
     /// Why there is no map; empty where there is one or it is on the way.
     QString trouble() const { return trouble_; }
 
-    Criterion criterion() const { return criterion_.kind; }
+    Criterion criterion() const { return model_->placeCriterion().kind; }
     void setCriterion(Criterion criterion);
     /// Share of the range in the weighted sum, 0…1; the RMS has the rest.
-    double weight() const { return criterion_.weight; }
+    double weight() const { return model_->placeCriterion().weight; }
     void setWeight(double weight);
+    /// The model's criterion is another.
+    void showCriterion();
     /// Change of the criterion against the engine without a shaft, as a fraction; nothing where
     /// that has none.
     std::optional<double> change(const Criteria& criteria) const;
@@ -94,26 +98,25 @@ class ShaftMapModel : public QObject {
     void mapChanged();
     /// A newer map is on the way, or is no longer.
     void staleChanged();
+    /// The shaft is elsewhere, or the case is another.
     void moved();
 
   private:
-    /// A shaft outside of what is shown needs a larger map.
-    void follow(bool mayShrink = false);
+    /// The shaft is within what is shown, and that is not much wider than it needs to be.
+    bool fits() const;
     void start();
     void showMap();
-    void showCriterion();
     void placeShaft(double centreDistance, double shaftAngle);
     void addMarker(Criterion criterion, bool isBuildable,
                    const std::optional<balance_shaft::BestPosition>& best);
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
-    bool watched_ = false;
     bool held_ = false;
     std::shared_ptr<const ShaftMap> map_;
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
     QString trouble_;
-    PlaceCriterion& criterion_;  ///< the model's, which outlives the page
+    Position seenAt_;  ///< of the shaft, when it last moved
     ChangeContours contours_;
     std::vector<Marker> markers_;
 };

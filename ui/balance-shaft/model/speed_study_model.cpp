@@ -44,17 +44,12 @@ double SpeedStudyModel::Map::part(int speed, int angle) const {
     return change < 0.0 ? change / (1.0 - least) : change / std::max(most - 1.0, 1e-12);
 }
 
-SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model, QObject* parent)
-    : QObject(parent),
-      model_(model),
-      job_(new BackgroundJob(this)),
-      criterion_(model->speedCriterion()) {
-    connect(model_, &SceneModel::changed, this, [this] { stale_ = true; });
+SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model)
+    : QObject(model), model_(model), job_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) { take({}, why); });
 }
 
-SpeedBand SpeedStudyModel::band() const {
-    const Input& input = model_->input();
+SpeedBand SpeedStudyModel::bandOf(const Input& input) {
     return input.speed_band.value_or(
         SpeedBand{0.3 * input.angular_speed, 1.1 * input.angular_speed});
 }
@@ -66,9 +61,9 @@ void SpeedStudyModel::setBand(double SpeedBand::*end, double speed) {
     });
 }
 
-void SpeedStudyModel::setCriterion(Criterion criterion) {
-    criterion_ = criterion;
-    Q_EMIT studied();
+void SpeedStudyModel::showCriterion() {
+    map_ = study_.map ? std::optional(mapOf(*study_.map)) : std::nullopt;
+    Q_EMIT mapChanged();
 }
 
 SpeedStudyModel::Study SpeedStudyModel::studyOf(const Input& input, const SpeedBand& band,
@@ -91,16 +86,20 @@ SpeedStudyModel::Study SpeedStudyModel::studyOf(const Input& input, const SpeedB
     return result;
 }
 
-void SpeedStudyModel::solve() {
-    if (!std::exchange(stale_, false)) {
+void SpeedStudyModel::need() {
+    if (std::exchange(seen_, model_->solutions()) == model_->solutions()) {
         return;
     }
     Input input = model_->input();
     input.shaft_angle = 0.0;  // the study does not depend on it
+    if (wanted_ == input) {
+        return;
+    }
+    wanted_ = input;
     if (solvedInput_ == input) {
         job_->cancel();  // of an input that was there in between
         trouble_.clear();
-        Q_EMIT studied();
+        Q_EMIT model_->shownChanged();
         return;
     }
     job_->start([this, input, range = band()](const BackgroundJob::Progress& progress) {
@@ -115,7 +114,7 @@ void SpeedStudyModel::solve() {
 void SpeedStudyModel::cancel() {
     job_->cancel();
     trouble_ = tr("Cancelled. Any change of the input solves again.");
-    Q_EMIT studied();
+    Q_EMIT model_->shownChanged();
 }
 
 void SpeedStudyModel::take(Study study, const QString& trouble) {
@@ -124,7 +123,8 @@ void SpeedStudyModel::take(Study study, const QString& trouble) {
     if (!trouble.isEmpty()) {
         solvedInput_.reset();
     }
-    Q_EMIT studied();
+    showCriterion();
+    Q_EMIT model_->shownChanged();
 }
 
 SpeedStudyModel::Curves SpeedStudyModel::curves() const {
@@ -139,13 +139,13 @@ SpeedStudyModel::Curves SpeedStudyModel::curves() const {
     return curves;
 }
 
-SpeedStudyModel::Map SpeedStudyModel::map() const {
+SpeedStudyModel::Map SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
     const auto& points = study_.study->points();
-    const std::vector<double>& angles = study_.map->shaft_angle_deg;
+    const std::vector<double>& angles = studied.shaft_angle_deg;
     Map map;
     map.angles = static_cast<int>(angles.size());
     map.speeds = static_cast<int>(points.size());
-    map.relative = byRange() ? study_.map->range : study_.map->rms;
+    map.relative = byRange() ? studied.range : studied.rms;
     for (std::size_t i = 0; i < map.relative.size(); ++i) {
         const SpeedStudy::Point& point = points[i / angles.size()];
         const double without = byRange() ? point.range_without : point.rms_without;

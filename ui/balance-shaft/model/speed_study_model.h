@@ -47,28 +47,30 @@ class SpeedStudyModel : public QObject {
         double part(int speed, int angle) const;
     };
 
-    explicit SpeedStudyModel(BalanceShaftModel* model, QObject* parent = nullptr);
+    /// Belongs to the model.
+    explicit SpeedStudyModel(BalanceShaftModel* model);
 
     BackgroundJob* job() const { return job_; }
     /// Of the input; without one from idling to a little above the speed entered.
-    balance_shaft::SpeedBand band() const;
+    static balance_shaft::SpeedBand bandOf(const balance_shaft::Input& input);
+    balance_shaft::SpeedBand band() const { return bandOf(model_->input()); }
     /// @param end  one of the band's two ends; the speed is in rad/s
     void setBand(double balance_shaft::SpeedBand::*end, double speed);
-    Criterion criterion() const { return criterion_; }
-    void setCriterion(Criterion criterion);
+    /// The model's criterion is another.
+    void showCriterion();
 
     /// Begins to solve where what it depends on has changed since.
-    void solve();
+    void need();
     void cancel();
     /// False before the first study, and where none can be made of this input.
-    bool isSolved() const { return study_.map.has_value(); }
+    bool isSolved() const { return map_.has_value(); }
     /// None can be made of this input; answer() says why.
     bool isRefused() const { return study_.study != nullptr && !isSolved(); }
 
     // Of what is solved.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
-    Map map() const;
+    const Map& map() const { return *map_; }
     /// α that is least bad by the criterion, °.
     double leastBadDeg() const { return leastBad().shaft_angle / degree; }
     void goToLeastBad();
@@ -87,8 +89,8 @@ class SpeedStudyModel : public QObject {
     void setLoad(double load);  ///< part of a drag; nothing without a load
 
   Q_SIGNALS:
-    /// There is something else to show.
-    void studied();
+    /// The map is another, or none.
+    void mapChanged();
 
   private:
     using LeastBad = balance_shaft::SpeedStudy::LeastBad;
@@ -106,16 +108,18 @@ class SpeedStudyModel : public QObject {
 
     static Study studyOf(const balance_shaft::Input& input, const balance_shaft::SpeedBand& band,
                          const std::function<bool(double)>& progress);
-    bool byRange() const { return criterion_ == Criterion::range; }
+    bool byRange() const { return model_->speedCriterion() == Criterion::range; }
     const LeastBad& leastBad() const { return byRange() ? study_.best.range : study_.best.rms; }
     void take(Study study, const QString& trouble);
+    Map mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
-    Criterion& criterion_;  ///< the model's, which outlives the page
     Study study_;
-    QString trouble_;  ///< why the last run gave nothing
-    bool stale_ = true;
+    std::optional<Map> map_;                      ///< by the criterion
+    QString trouble_;                             ///< why the last run gave nothing
+    int seen_ = -1;                               ///< solution of the model
+    std::optional<balance_shaft::Input> wanted_;  ///< what is solved, or will be
     std::optional<balance_shaft::Input> solvedInput_;
 };
 

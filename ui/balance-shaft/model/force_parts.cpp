@@ -1,0 +1,191 @@
+// The forces on the engine without and with a shaft, what a gear fitted some teeth out and its play
+// do, and the shaft with a relieved middle.
+
+#include <algorithm>
+#include <array>
+
+#include "balance-shaft/crank_balance.h"
+#include "balance-shaft/gear_error.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/relieved_shaft_model.h"
+#include "numerics/constants.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+namespace shaft_parts {
+
+namespace {
+
+using balance_shaft::CrankBalance;
+using balance_shaft::ForceLocus;
+using balance_shaft::GearError;
+
+/// The words of the rows.
+struct RowWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ForcesModel)
+};
+
+GearError gearError(const BalanceShaftModel& model) {
+    return balance_shaft::gear_error(model.solver(), model.input().shaft_angle);
+}
+
+Figure forceLocus(const BalanceShaftModel& model) {
+    const CrankBalance balance = balance_shaft::crank_balance(model.solver());
+    const auto room = [](double force) { return 1.15 * force / units::kN; };
+    const double along = std::max(balance.along, balance.with_shaft);
+    Figure figure;
+    figure.title = ForceWords::tr("Force on the engine");
+    figure.x = {.title = ForceWords::tr("across, kN"),
+                .min = -room(balance.across),
+                .max = room(balance.across)};
+    figure.left = {.title = ForceWords::tr("along, kN")};
+    figure.leftRange =
+        std::pair(-room(std::max(along, balance.second_order)), room(along + balance.second_order));
+    figure.equalScale = true;
+    const auto add = [&](const char* id, plot::CurveStyle style, ForceLocus locus) {
+        for (std::vector<double>* newtons : {&locus.x, &locus.y}) {
+            for (double& value : *newtons) {
+                value = value / units::kN;
+            }
+        }
+        style.turn = 360.0;
+        figure.add(id, std::move(style), std::move(locus.x), std::move(locus.y));
+    };
+    add("both",
+        {.name = ForceWords::tr("crank only, 1st + 2nd"),
+         .colour = 4,
+         .pen = Qt::DashLine,
+         .toolTip = ForceWords::tr("First and second order without a shaft")},
+        balance_shaft::crank_only_locus_with_second_order(balance));
+    add("first",
+        {.name = ForceWords::tr("crank only, 1st"),
+         .colour = 1,
+         .width = 2.0,
+         .toolTip = ForceWords::tr("First order without a shaft: an ellipse")},
+        balance_shaft::crank_only_locus(balance));
+    add("shaft",
+        {.name = ForceWords::tr("with shaft"),
+         .colour = 2,
+         .width = 2.0,
+         .toolTip = ForceWords::tr("With the shaft the first order is a point; the second order "
+                                   "along the cylinder stays")},
+        balance_shaft::shaft_locus(balance));
+    return figure;
+}
+
+Results forces(const BalanceShaftModel& model) {
+    const CrankBalance balance = balance_shaft::crank_balance(model.solver());
+    const auto row = [](const QString& name, double value, const QString& tip,
+                        const Unit& unit = units::newton) {
+        return shownRow(name, value, unit, 0, tip);
+    };
+    Results results{{ForceWords::tr("Force"), ForceWords::tr("Value"), ForceWords::tr("Unit")}};
+    results.rows = {
+        row(RowWords::tr("1st order, P"), balance.first_order,
+            RowWords::tr("First-order inertia force, mⱼ r ω²")),
+        row(RowWords::tr("along, (1 − κ) P"), balance.along,
+            RowWords::tr("Half-axis of the ellipse along the cylinder")),
+        row(RowWords::tr("across, κ P"), balance.across,
+            RowWords::tr("Half-axis of the ellipse across the cylinder")),
+        row(RowWords::tr("1st with shaft"), balance.with_shaft,
+            RowWords::tr("First order that the shaft's two counterweights leave")),
+        row(RowWords::tr("2nd order, λ mⱼ r ω²"), balance.second_order,
+            RowWords::tr("Second order along the cylinder; stays with and without a shaft")),
+        row(RowWords::tr("on crank, κ mⱼ r"), balance.counterweight_moment,
+            RowWords::tr("Static moment of the counterweight on the crank"), units::gram_mm)};
+    return results;
+}
+
+Figure gearMoment(const BalanceShaftModel& model) {
+    const GearError error = gearError(model);
+    const balance_shaft::Result& result = model.result();
+    Figure figure = overCycle(model, ForceWords::tr("Mᵤₚₛ with gear error"), ForceWords::tr("N·m"));
+    figure.leftRange = std::pair(result.M_up.min - result.moment_amplitude,
+                                 result.M_up.max + result.moment_amplitude);
+    plot::CurveStyle play{
+        .name = ForceWords::tr("play, low"), .colour = 3, .width = 1.0, .pen = Qt::DotLine};
+    if (error.play > 0.0) {
+        play.inLegend = false;
+        figure.add("low", play, error.crank_angle_deg, error.M_ups_low);
+        play.inLegend = true;
+        play.name = ForceWords::tr("play");
+        play.toolTip = ForceWords::tr("Band that the play of the gears leaves");
+        figure.add("high", play, error.crank_angle_deg, error.M_ups_high);
+    }
+    figure.add("right",
+               {.name = ForceWords::tr("right"),
+                .colour = 0,
+                .width = 2.4,
+                .toolTip = ForceWords::tr("Shaft in its right place")},
+               result.curves.crank_angle_deg, result.curves.M_ups);
+    figure.add("wrong",
+               {.name = ForceWords::tr("k teeth out"),
+                .colour = 7,
+                .width = 1.6,
+                .pen = Qt::DashLine,
+                .toolTip = ForceWords::tr("Shaft k teeth out")},
+               error.crank_angle_deg, error.M_ups);
+    return figure;
+}
+
+Results gears(const BalanceShaftModel& model) {
+    const GearError error = gearError(model);
+    const auto angle = [](double radians, int digits) {
+        return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
+    };
+    const auto moments = [](double one, const QString& pattern, double other, int digits) {
+        return ResultCell::two(pattern, shownCell(one, units::N_m, digits),
+                               shownCell(other, units::N_m, digits));
+    };
+    const QString to = QStringLiteral("%1 → %2");
+    const QString momentUnit = shownUnit(units::N_m).name;
+    const QString degrees = QStringLiteral("°");
+    Results results{{ForceWords::tr("Gears"), ForceWords::tr("Value"), ForceWords::tr("Unit")}};
+    results.rows = {
+        {{RowWords::tr("phase error"), angle(error.phase_error, 2), degrees},
+         RowWords::tr("360° k / z")},
+        shownRow(RowWords::tr("force left"), error.residual_force, units::newton, 0,
+                 RowWords::tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
+        {{RowWords::tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
+         RowWords::tr("ΔMᵤₚₛ, shaft in its right place → k teeth out")},
+        {{RowWords::tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
+         RowWords::tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out")},
+        {{RowWords::tr("play, ±"), angle(error.play, 3), degrees},
+         RowWords::tr("The shaft wanders this far to either side: play / l")},
+        {{RowWords::tr("range in play"),
+          moments(error.play_range_low, QStringLiteral("%1…%2"), error.play_range_high, 0),
+          momentUnit},
+         RowWords::tr("Least and largest ΔMᵤₚₛ while the shaft wanders")}};
+    return results;
+}
+
+Results relief(const BalanceShaftModel& model) {
+    return RelievedShaftModel::results(model.relievedShaft());
+}
+
+Notes reliefVerdict(const BalanceShaftModel& model) {
+    const balance_shaft::RelievedShaft shaft = model.relievedShaft();
+    return {{{shaft.feasible ? Severity::note : Severity::warning,
+              RelievedShaftModel::verdict(shaft)}}};
+}
+
+constexpr std::array forceMakers{
+    PartMaker<BalanceShaftModel>{{.id = "force-locus", .tab = "forces"}, made<forceLocus>},
+    PartMaker<BalanceShaftModel>{{.id = "gear-moment", .tab = "forces"}, made<gearMoment>},
+    PartMaker<BalanceShaftModel>{{.id = "forces", .tab = "forces"}, made<forces>},
+    PartMaker<BalanceShaftModel>{{.id = "gears", .tab = "forces"}, made<gears>},
+    PartMaker<BalanceShaftModel>{{.id = "relief", .tab = "relieved"}, made<relief>},
+    PartMaker<BalanceShaftModel>{{.id = "relief-verdict", .tab = "relieved"}, made<reliefVerdict>},
+};
+
+}  // namespace
+
+}  // namespace shaft_parts
+
+ShaftPartMakers forceParts() {
+    return shaft_parts::forceMakers;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,221 @@
+// Where the shaft goes: the plots of the map of its places.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/model/shaft_map_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+namespace shaft_parts {
+
+namespace {
+
+/// The words of the map itself.
+struct PlacesWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapPlot)
+};
+
+using Kind = PlaceCriterion::Kind;
+using Measure = double ShaftMap::Criteria::*;
+using Place = std::optional<ShaftMap::Place>;
+
+/// Null: none is there.
+const ShaftMap* mapOf(const BalanceShaftModel& model) {
+    return model.shaftMap() != nullptr ? model.shaftMap()->map() : nullptr;
+}
+
+/// With gaps where there is no place.
+template <typename Places>
+std::vector<double> valuesOf(const Places& places, Measure measure, double unit = 1.0) {
+    std::vector<double> values;
+    values.reserve(places.size());
+    for (const Place place : places) {
+        values.push_back(place ? place->criteria.*measure / unit
+                               : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+}
+
+Figure places(const BalanceShaftModel& model) {
+    const ShaftMap* map = mapOf(model);
+    const double view = map != nullptr ? map->view / units::mm : 100.0;
+    Figure figure;
+    switch (model.placeCriterion().kind) {
+        case Kind::Range:
+            figure.title = PlacesWords::tr("Range against no shaft, %");
+            break;
+        case Kind::Rms:
+            figure.title = PlacesWords::tr("RMS against no shaft, %");
+            break;
+        case Kind::Both:
+            figure.title = PlacesWords::tr("Weighted sum against no shaft, %");
+            break;
+    }
+    figure.x = {.title = PlacesWords::tr("x, mm"), .min = -view, .max = view};
+    figure.left = {.title = PlacesWords::tr("y, mm")};
+    figure.leftRange = std::pair(-view, view);
+    figure.equalScale = true;
+    return figure;
+}
+
+Figure distances(const BalanceShaftModel& model) {
+    Figure figure;
+    figure.title = MapWords::tr("Best α of each l; thick: can be built");
+    figure.x = {.title = MapWords::tr("l, mm"), .min = 0.0, .max = 200.0};
+    figure.left = {.title = MapWords::tr("N·m")};
+    figure.right = {.title = MapWords::tr("width × height, cm²")};
+    figure.presentX = model.input().centre_distance / units::mm;
+    figure.marks.emplace();
+    const ShaftMap* map = mapOf(model);
+    if (map == nullptr) {
+        return figure;
+    }
+    figure.x.max = map->view / units::mm;
+    const ShaftMap::Distances& of = map->distances;
+    std::vector<double> x;
+    for (const double distance : of.distance) {
+        x.push_back(distance / units::mm);
+    }
+    const auto add = [&](const char* id, plot::CurveStyle style, std::vector<double> values) {
+        figure.add(id, std::move(style), x, std::move(values));
+    };
+    constexpr Measure range = &ShaftMap::Criteria::range;
+    constexpr Measure rms = &ShaftMap::Criteria::rms;
+    add("range",
+        {.name = MapWords::tr("least range"),
+         .colour = 2,
+         .width = 1.2,
+         .toolTip = MapWords::tr("At its best α")},
+        valuesOf(of.range, range));
+    add("RMS",
+        {.name = MapWords::tr("least RMS"),
+         .colour = 3,
+         .width = 1.2,
+         .toolTip = MapWords::tr("At its best α")},
+        valuesOf(of.rms, rms));
+    // The size of where a click goes.
+    const bool byRms = model.placeCriterion().kind == Kind::Rms;
+    std::vector<Place> best;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Place& built = byRms ? of.rmsBuilt[i] : of.rangeBuilt[i];
+        best.push_back(built ? built : byRms ? of.rms[i] : of.range[i]);
+    }
+    add("size",
+        {.name = MapWords::tr("size"),
+         .colour = 4,
+         .side = plot::Side::Right,
+         .width = 1.2,
+         .pen = Qt::DashLine,
+         .toolTip = MapWords::tr("Width × height of the box, right axis")},
+        valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
+    const auto addBuilt = [&](const char* id, const QString& name, int colour,
+                              const std::vector<Place>& built, Measure measure) {
+        add(id, {.name = name, .colour = colour, .width = 3.4, .inLegend = false, .gaps = true},
+            valuesOf(built, measure));
+    };
+    addBuilt("range-built", MapWords::tr("least range, can be built"), 2, of.rangeBuilt, range);
+    addBuilt("RMS-built", MapWords::tr("least RMS, can be built"), 3, of.rmsBuilt, rms);
+    const auto mark = [&](const Place& built, const Place& all, Measure measure, int colour) {
+        if (const Place& found = built ? built : all) {
+            const double l = found->position.centre_distance();
+            figure.marks->push_back({.x = l / units::mm,
+                                     .y = found->criteria.*measure,
+                                     .text = shownDigits(l, units::mm, 1),
+                                     .colour = colour,
+                                     .ring = true});
+        }
+    };
+    mark(map->buildable.range, map->best.range, range, 2);
+    mark(map->buildable.rms, map->best.rms, rms, 3);
+    return figure;
+}
+
+Figure front(const BalanceShaftModel& model) {
+    Figure figure;
+    switch (model.placeCriterion().kind) {
+        case Kind::Range:
+            figure.title = MapWords::tr("Range against size");
+            break;
+        case Kind::Rms:
+            figure.title = MapWords::tr("RMS against size");
+            break;
+        case Kind::Both:
+            figure.title = MapWords::tr("Weighted sum against size");
+            break;
+    }
+    figure.x = {.title = MapWords::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
+    figure.left = {.title = MapWords::tr("change, %")};
+    const ShaftMapModel* places = model.shaftMap();
+    if (mapOf(model) == nullptr || !places->change({})) {
+        return figure;
+    }
+    const auto change = [&](const ShaftMap::Criteria& of) { return 100.0 * *places->change(of); };
+    Figure::Curve all;
+    Figure::Curve efficient;
+    std::vector<ShaftMap::Position> positions;
+    double least = std::numeric_limits<double>::infinity();
+    for (const balance_shaft::FrontPosition& place : mapOf(model)->front) {
+        positions.push_back(place.position);
+        all.x.push_back(place.criteria.size / units::cm2);
+        all.y.push_back(change(place.criteria));
+        if (all.y.back() < least) {  // sizes ascend
+            least = all.y.back();
+            efficient.x.push_back(all.x.back());
+            efficient.y.push_back(least);
+        }
+    }
+    // The axis holds the present place too, whose point is hollow where it cannot be built.
+    const balance_shaft::Result& result = model.result();
+    const ShaftMap::Criteria now{result.M_ups.range, result.M_ups.rms,
+                                 result.envelope.width() * result.envelope.height()};
+    const double area = now.size / units::cm2;
+    const auto ends = std::minmax_element(all.x.begin(), all.x.end());
+    const double low = all.x.empty() ? area : *ends.first;
+    const double high = all.x.empty() ? area : *ends.second;
+    const double pad = std::max(0.04 * (high - low), 1e-3 * high);
+    figure.x.min = std::min(low, area) - pad;
+    figure.x.max = std::max(high, area) + pad;
+    Figure::Curve& shown = figure.add("front",
+                                      {.name = MapWords::tr("nothing better"),
+                                       .colour = 0,
+                                       .shape = plot::Shape::Rings,
+                                       .toolTip = MapWords::tr("In range, RMS and size at once")},
+                                      std::move(all.x), std::move(all.y));
+    shown.text = [places, positions = std::move(positions)](std::size_t point) {
+        return shaft_map_text::placeLines(*places, positions[point], 1).join(QLatin1Char('\n'));
+    };
+    figure.add("efficient",
+               {.name = MapWords::tr("by this criterion"),
+                .colour = 3,
+                .shape = plot::Shape::Points,
+                .toolTip = MapWords::tr("Nothing better in this criterion and in size")},
+               std::move(efficient.x), std::move(efficient.y));
+    figure.add("present",
+               {.name = MapWords::tr("present place"),
+                .colour = 7,
+                .shape = result.is_buildable ? plot::Shape::Points : plot::Shape::Rings},
+               {area}, {change(now)});
+    return figure;
+}
+
+constexpr std::array mapMakers{
+    PartMaker<BalanceShaftModel>{{.id = "places", .tab = "map", .hasBand = false}, made<places>},
+    PartMaker<BalanceShaftModel>{{.id = "distances", .tab = "map", .hasBand = false},
+                                 made<distances>},
+    PartMaker<BalanceShaftModel>{{.id = "front", .tab = "map", .hasBand = false}, made<front>},
+};
+
+}  // namespace
+
+}  // namespace shaft_parts
+
+ShaftPartMakers mapParts() {
+    return shaft_parts::mapMakers;
+}
+
+}  // namespace ravnoves

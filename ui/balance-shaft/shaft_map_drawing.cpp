@@ -1,0 +1,368 @@
+#include "balance-shaft/shaft_map_drawing.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "balance-shaft/change_colours.h"
+#include "balance-shaft/mechanism.h"
+#include "numerics/constants.h"
+#include "pictures/model/pixel.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
+#include "plot/plot_painter.h"
+#include "theme/theme.h"
+#include "widgets/drawing.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
+
+}  // namespace
+
+QString levelText(double fraction) {
+    const double percent = 100.0 * fraction;
+    QString text = QLocale().toString(std::abs(percent), 'g', 4);
+    if (percent < 0.0) {
+        text.prepend(QChar(0x2212));
+    } else if (percent > 0.0) {
+        text.prepend(QLatin1Char('+'));
+    }
+    return text;
+}
+
+double glyphRadius() {
+    return 5.5 * strokeScale();
+}
+
+QColor faint(QColor colour, double alpha) {
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+std::vector<QRgb> bandColours(const std::vector<double>& levels) {
+    const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
+    const auto above = std::ssize(levels) - below;
+    std::vector<QRgb> colours;
+    for (std::ptrdiff_t i = below + 1; i >= 1; --i) {
+        colours.push_back(
+            changeColour(-static_cast<double>(i) / static_cast<double>(below + 1)).rgb());
+    }
+    for (std::ptrdiff_t i = 1; i <= above; ++i) {
+        colours.push_back(changeColour(static_cast<double>(i) / static_cast<double>(above)).rgb());
+    }
+    return colours;
+}
+
+QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
+                  const std::vector<double>& levels) {
+    const std::vector<QRgb> colours = bandColours(levels);
+    const int width = static_cast<int>(field.columns - 1) * imageScale + 1;
+    const int height = static_cast<int>(field.rows - 1) * imageScale + 1;
+    QImage image(width, height, QImage::Format_RGB32);
+    std::vector<double> row(field.columns);
+    for (int y = 0; y < height; ++y) {
+        const int up = height - 1 - y;
+        const auto lower = std::min(static_cast<std::size_t>(up / imageScale), field.rows - 2);
+        const double t = static_cast<double>(up) / imageScale - static_cast<double>(lower);
+        const double* at = values.data() + lower * field.columns;
+        for (std::size_t i = 0; i < field.columns; ++i) {
+            row[i] = at[i] + t * (at[i + field.columns] - at[i]);
+        }
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        std::size_t band = 0;
+        for (int x = 0; x < width; ++x) {
+            const auto left = std::min(static_cast<std::size_t>(x / imageScale), field.columns - 2);
+            const double s = static_cast<double>(x) / imageScale - static_cast<double>(left);
+            const double value = row[left] + s * (row[left + 1] - row[left]);
+            while (band > 0 && value < levels[band - 1]) {
+                --band;
+            }
+            while (band < levels.size() && value >= levels[band]) {
+                ++band;
+            }
+            line[x] = colours[band];
+        }
+    }
+    return image;
+}
+
+namespace {
+
+/// What is best in the range is a diamond, in the RMS a disc, in the sum a triangle.
+QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
+                   double r = glyphRadius()) {
+    QPainterPath shape;
+    if (marker.criterion == ShaftMapModel::Criterion::Range) {
+        shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
+                                   at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
+                                   at + QPointF(0, -1.25 * r)});
+    } else if (marker.criterion == ShaftMapModel::Criterion::Rms) {
+        shape.addEllipse(at, r, r);
+    } else {
+        shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
+                                   at + QPointF(-1.15 * r, 0.9 * r), at + QPointF(0, -1.2 * r)});
+    }
+    return shape;
+}
+
+/// Each dash a line of its own: a dashed ellipse takes ten times as long, at every step of a drag.
+void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, double dash = 5.6,
+                      double period = 8.4) {
+    const double turn = two_pi * radius;
+    if (!(turn > period)) {
+        return;
+    }
+    const auto count = static_cast<int>(turn / period);
+    constexpr int most = 2000;  // the rest is far outside
+    const int drawn = std::min(count, most);
+    const double step = two_pi / drawn;
+    const double half = 0.5 * step * dash / period;
+    QList<QLineF> dashes;
+    dashes.reserve(drawn);
+    for (int i = 0; i < drawn; ++i) {
+        const double at = i * step;
+        const auto point = [&](double angle) {
+            return middle + radius * QPointF(std::cos(angle), std::sin(angle));
+        };
+        dashes.append(QLineF(point(at - half), point(at + half)));
+    }
+    painter.drawLines(dashes);
+}
+
+}  // namespace
+
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
+    const Theme& theme = Theme::instance();
+    const QPainterPath shape = glyph(at, marker);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.panel(), 4.5));
+    painter.drawPath(shape);
+    painter.setPen(QPen(theme.text(), 1.8));
+    painter.setBrush(marker.isBuildable ? theme.text() : theme.panel());
+    painter.drawPath(shape);
+}
+
+namespace {
+
+constexpr double apart = 7.0;  // lines of a hatch, pixels
+
+/// One period of a hatch in each direction on this ground; none where a pixel of the device does
+/// not divide it.
+QBrush hatchTile(double ratio, const QColor& ground) {
+    const double pixels = apart * ratio;
+    if (pixels != std::floor(pixels)) {
+        return {};
+    }
+    // Its middle has whole lines of all that reach into it.
+    QImage around(QSize(3, 3) * static_cast<int>(pixels), QImage::Format_ARGB32_Premultiplied);
+    around.setDevicePixelRatio(ratio);
+    around.fill(ground);
+    QPainter painter(&around);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawHatch(painter, {0.0, 0.0, 3.0 * apart, 3.0 * apart});
+    painter.end();
+    const int side = static_cast<int>(pixels);
+    QImage tile = around.copy(side, side, side, side);
+    tile.setDevicePixelRatio(1.0);
+    QBrush brush(tile);
+    brush.setTransform(QTransform::fromScale(1.0 / ratio, 1.0 / ratio));
+    return brush;
+}
+
+}  // namespace
+
+void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
+                 const QColor& ground) {
+    const QBrush tile =
+        paintsPixels(painter) ? hatchTile(painter.deviceTransform().m11(), ground) : QBrush();
+    if (tile.style() != Qt::NoBrush) {
+        painter.fillPath(path, tile);
+        return;
+    }
+    painter.save();
+    painter.fillPath(path, ground);
+    painter.setClipPath(path, Qt::IntersectClip);
+    drawHatch(painter, box);
+    painter.restore();
+}
+
+void drawHatch(QPainter& painter, const QRectF& box) {
+    painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
+    const auto first = static_cast<int>(std::floor((box.left() - box.bottom()) / apart));
+    for (int i = first; i * apart < box.right() - box.top(); ++i) {
+        const double c = i * apart;
+        painter.drawLine(QPointF(box.top() + c, box.top()),
+                         QPointF(box.bottom() + c, box.bottom()));
+    }
+}
+
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale,
+                 const QRectF& area) {
+    const Theme& theme = Theme::instance();
+    QPainterPath path;
+    LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
+    for (const QPolygonF& line : blocked) {
+        QPolygonF edge = scale.line(line);
+        path.addPolygon(edge);
+        path.closeSubpath();
+        // Round its corners, the first of them, too.
+        edge << edge.value(0) << edge.value(1);
+        edges.lines.push_back(std::move(edge));
+    }
+    if (path.isEmpty()) {
+        return;
+    }
+    fillHatched(painter, path, area, faint(theme.panel(), 0.38));
+    painter.setBrush(Qt::NoBrush);
+    paintLines(painter, {edges});
+}
+
+void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
+                   const PlaceScale& scale) {
+    if (other.map() == nullptr) {
+        return;
+    }
+    // Wide and pale, as ghosts of curves are.
+    const Theme& theme = Theme::instance();
+    const auto wide = [&](double alpha, double width) {
+        return QPen(faint(theme.text(), alpha), strokeScale() * width, Qt::SolidLine, Qt::FlatCap,
+                    Qt::BevelJoin);
+    };
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(wide(0.18, 4.0));
+    for (const QPolygonF& line : other.map()->blocked) {
+        painter.drawPolygon(scale.line(line));
+    }
+    painter.setPen(wide(0.34, 6.0));
+    for (const ShaftMapModel::Contour& contour : other.contours()) {
+        for (const QPolygonF& line : contour.lines) {
+            if (contour.level == 0.0) {
+                painter.drawPolyline(scale.line(line));
+            }
+        }
+    }
+    for (const ShaftMapModel::Marker& marker : other.markers()) {
+        if (marker.criterion == criterion) {
+            const QPainterPath shape =
+                glyph(scale.at(marker.position), marker, 1.25 * glyphRadius());
+            painter.setPen(wide(0.34, 4.0));
+            painter.drawPath(shape);
+            painter.setPen(QPen(theme.panel(), 1.4 * strokeScale()));
+            painter.drawPath(shape);
+        }
+    }
+}
+
+std::vector<QPolygonF> drawContours(QPainter& painter,
+                                    const std::vector<ShaftMapModel::Contour>& contours,
+                                    const PlaceScale& scale) {
+    const Theme& theme = Theme::instance();
+    std::vector<QPolygonF> longest(contours.size());
+    std::vector<LinesOfPen> all;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const bool zero = contours[i].level == 0.0;
+        std::vector<QPolygonF> lines;
+        lines.reserve(contours[i].lines.size());
+        for (const QPolygonF& metres : contours[i].lines) {
+            lines.push_back(scale.line(metres));
+            if (lines.back().size() > longest[i].size()) {
+                longest[i] = lines.back();
+            }
+        }
+        all.push_back({zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
+                       std::move(lines)});
+    }
+    painter.setBrush(Qt::NoBrush);
+    paintLines(painter, all);
+    return longest;
+}
+
+void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale) {
+    // Those of the criterion shown lie on top.
+    for (const bool shown : {false, true}) {
+        for (const ShaftMapModel::Marker& marker : map.markers()) {
+            if ((marker.criterion == map.criterion()) == shown) {
+                drawGlyph(painter, scale.at(marker.position), marker);
+            }
+        }
+    }
+}
+
+void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceScale& scale) {
+    const Theme& theme = Theme::instance();
+    const balance_shaft::FrontView& sizes = model.solver().front_view();
+    const auto pose = balance_shaft::mechanism_pose(
+        model.solver(), model.crank()->degrees() * degree, model.input().shaft_angle);
+    const double k = scale.perMetre();
+    const auto at = [&](double x, double y) { return scale.at(x, y); };
+    const QColor line = faint(theme.text(), 0.75);
+    const QColor metal = faint(drawing::metal(), 0.72);
+    const QPointF crank = at(0, 0);
+    const QPointF pin = at(pose.crankpin.x, pose.crankpin.y);
+    const QPointF piston = at(pose.piston_pin.x, pose.piston_pin.y);
+
+    const double e = sizes.offset;
+    const double bore = sizes.cylinder_bore;
+    const double wall = std::max(sizes.cylinder_wall, 2.0 / k);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(metal);
+    for (const double side : {-1.0, 1.0}) {
+        painter.drawRect(QRectF(at(e + side * bore / 2, sizes.cylinder_top),
+                                at(e + side * (bore / 2 + wall), sizes.cylinder_bottom))
+                             .normalized());
+    }
+    const double height = 0.75 * bore;
+    const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
+    painter.setBrush(faint(drawing::brightMetal(), 0.72));
+    painter.drawRoundedRect(QRectF(at(e - bore / 2, top), at(e + bore / 2, top - height)), 3, 3);
+    painter.setPen(QPen(line, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    drawDashedCircle(painter, crank, sizes.crank_swing_radius * k, 2.0, 4.0);
+    const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
+    drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
+    drawing::drawBar(painter, crank, pin, thick, metal, line);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(theme.panel());
+    for (const QPointF& joint : {crank, pin, piston}) {
+        paintDisc(painter, joint, 0.24 * thick + 1.5);
+    }
+}
+
+void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMapModel& map,
+               const ShaftMapModel* other, const PlaceScale& scale) {
+    const Theme& theme = Theme::instance();
+    const balance_shaft::FrontView& sizes = model.solver().front_view();
+    const auto present = map.present();
+    const double k = scale.perMetre();
+    const QPointF crank = scale.at(0.0, 0.0);
+    const QPointF axis = scale.at(present);
+    const bool canBeBuilt =
+        map.map() != nullptr ? map.isBuildable(present) : model.result().is_buildable;
+    const QColor colour = canBeBuilt ? theme.accent() : theme.error();
+    painter.setBrush(Qt::NoBrush);
+    if (other != nullptr) {
+        const auto was = other->present();
+        painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
+        drawDashedCircle(painter, crank, was.centre_distance() * k);
+        paintDisc(painter, scale.at(was), shaftHandleRadius);
+    }
+    painter.setPen(QPen(theme.accent(), 1.4));
+    drawDashedCircle(painter, crank, present.centre_distance() * k);
+    painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
+    painter.drawLine(crank, axis);
+    const double swing = sizes.shaft_swing_radius * k;
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(faint(colour, 0.1));
+    paintDisc(painter, axis, swing);
+    painter.setPen(QPen(theme.panel(), 1.6));
+    painter.setBrush(colour);
+    paintDisc(painter, axis, shaftHandleRadius);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QRectF>
+#include <vector>
+
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/position_study.h"
+#include "numerics/units.h"
+#include "plot/plot_view.h"
+
+class QPainter;
+
+/// What the map of the places of the shaft is drawn with, from below; sizes in pixels.
+namespace ravnoves {
+
+/// Where places (m) are drawn in a plot whose axes are in mm and of one scale.
+class PlaceScale {
+  public:
+    explicit PlaceScale(const PlotView& plot) : plot_(plot) {}
+
+    QPointF at(double x, double y) const { return plot_.toPixel(x / units::mm, y / units::mm); }
+    QPointF at(const balance_shaft::ShaftPosition& position) const {
+        return at(position.x, position.y);
+    }
+    QPolygonF line(const QPolygonF& metres) const {
+        QPolygonF drawn;
+        drawn.reserve(metres.size());
+        for (const QPointF& point : metres) {
+            drawn << at(point.x(), point.y());
+        }
+        return drawn;
+    }
+    /// Pixels of a metre.
+    double perMetre() const {
+        return (plot_.toPixel(1.0, 0.0).x() - plot_.toPixel(0.0, 0.0).x()) / units::mm.to_si;
+    }
+
+  private:
+    const PlotView& plot_;
+};
+
+// Signs, colours, hatches.
+
+/// A level of change in percent, without its unit: as many digits as that round number has.
+QString levelText(double fraction);
+/// Radius of a marker's sign.
+double glyphRadius();
+QColor faint(QColor colour, double alpha);
+/// Colours of the stretches between the levels.
+std::vector<QRgb> bandColours(const std::vector<double>& levels);
+/// The field as bands of colour, each step of the grid drawn several pixels wide.
+QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
+                  const std::vector<double>& levels);
+/// A marker's sign.
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
+void drawHatch(QPainter& painter, const QRectF& box);
+/// What of a box lies in a path, hatched on this ground.
+void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
+                 const QColor& ground);
+
+// Over the colours, what rests while the shaft moves.
+
+/// Where the shaft cannot be built: hatched.
+/// @param area  the chart's, pixels
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale,
+                 const QRectF& area);
+/// Of a reference: what cannot be built, no change and the best places by a criterion, pale.
+void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
+                   const PlaceScale& scale);
+/// @return the longest line of each, in pixels, for its number
+std::vector<QPolygonF> drawContours(QPainter& painter,
+                                    const std::vector<ShaftMapModel::Contour>& contours,
+                                    const PlaceScale& scale);
+void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale);
+
+// The engine from the front.
+
+/// Of the shaft's axis, by which it is dragged; pixels.
+inline constexpr double shaftHandleRadius = 6.5;
+
+/// Cylinder, piston, rod and crank at the angle of the crank.
+void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceScale& scale);
+/// The shaft with the circle of its l, red where it cannot be built.
+/// @param other  where it is in the reference; null: none
+void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMapModel& map,
+               const ShaftMapModel* other, const PlaceScale& scale);
+
+}  // namespace ravnoves

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "widgets/page_columns.h"
+
+class QVBoxLayout;
+
+namespace ravnoves {
+
+class BalanceShaftModel;
+class Form;
+class PartPlot;
+class PlotView;
+
+/// The tabs of the balance-shaft page: moments, map, cycle, speed, size, orders, flywheel, forces,
+/// relief.
+class ShaftTabs : public FittedTabs {
+    Q_OBJECT
+
+  public:
+    explicit ShaftTabs(BalanceShaftModel* model, QWidget* parent = nullptr);
+
+  private:
+    PartPlot* addPlot(std::string_view part, QWidget* parent);
+    /// Over φ, whose cursor turns the crank.
+    PartPlot* addCyclePlot(std::string_view part, QWidget* parent);
+    /// Over α, where a click moves the shaft.
+    PartPlot* addAnglePlot(std::string_view part, QWidget* parent);
+    /// A panel with a table.
+    QWidget* addTable(std::string_view part, const QString& name, QWidget* parent);
+    QWidget* buildMoments();
+    QWidget* buildCycle();
+    QWidget* buildSize();
+    QWidget* buildOrders();
+    QWidget* buildFlywheel();
+    Form* buildFlywheelForm(QWidget* parent);
+    QWidget* buildForces();
+
+    BalanceShaftModel* model_;
+};
+
+/// The point of a curve that is drawn next to a place of the chart.
+std::size_t nearestPoint(const PlotView& plot, std::string_view curve, double x, double y);
+
+}  // namespace ravnoves
