@@ -15,6 +15,7 @@ void visit_fields(FieldVisitor& visitor, GuideWish& wish) {
     visitor.number(field::wanted_relief, wish.relief);
     visitor.number(field::outer_diameter, wish.outer_diameter);
     visitor.number(field::smallest_spring_length, wish.smallest_spring_length);
+    visitor.number(field::preload_margin, wish.preload_margin, GuideWish{}.preload_margin);
 }
 
 void visit_fields(FieldVisitor& visitor, MotionWish& wish) {

@@ -310,6 +310,13 @@ inline constexpr Field smallest_spring_length{
     .if_empty = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
     .placeholder = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
 };
+inline constexpr Field preload_margin{
+    .key = "preload_margin_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 1e3),
+    .label = CORE_TEXT("elastic-hinge", "Preload &margin"),
+    .hint = CORE_TEXT("elastic-hinge", "Preload beyond the minimum that the guide needs."),
+};
 
 inline constexpr Field motion{
     .key = "motion", .hint = CORE_TEXT("elastic-hinge", "Asks for the motion, by integration.")};

@@ -9,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
 #include "elastic-hinge/fields.h"
+#include "elastic-hinge/results.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -127,6 +128,14 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
                     format_number(drawing.chord_tolerance / units::mm));
     lines.push_back("Roller radius " + format_number(drawing.roller_radius / units::mm) +
                     ", relief " + format_number(rounded_to_decimals(guide.relief / units::mm, 6)));
+    if (drawing.roller_radius == 0.0) {
+        lines.emplace_back("WARNING: roller radius 0, the profile is the path of the centre");
+    }
+    const double margin = guide.preload - guide.minimum_preload;
+    if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {
+        lines.push_back("WARNING: the preload exceeds the minimum by only " +
+                        format_number(margin / units::mm, 2));
+    }
     lines.emplace_back(
         drawing.guide_turns
             ? "Guide turns counter-clockwise, spring stands still; zero angle on +X"

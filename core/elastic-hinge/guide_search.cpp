@@ -34,6 +34,19 @@ std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
 }
 
+/// The least d_min whose preload √(d_min² + G) is more than the least one, √G, by the margin that is
+/// wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by iteration.
+double deflection_with_margin(const GuideWish& wish, double greatest_share) {
+    const double margin = wish.preload_margin;
+    double least = margin;
+    constexpr int enough = 60;  // each takes off three quarters of the error
+    for (int i = 0; i < enough; ++i) {
+        const double energy = greatest_share * wish.relief * (2.0 * least + wish.relief);
+        least = std::sqrt(margin * margin + 2.0 * margin * std::sqrt(energy));
+    }
+    return least;
+}
+
 }  // namespace
 
 GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,
@@ -65,17 +78,19 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     const double shortest = wish.smallest_spring_length.value_or(0.4 * free_length);
 
     // Bounds of the least deflection d_min.
-    double low = 0.1 * relief;
+    const double least_deflection =
+        std::max(0.1 * relief, deflection_with_margin(wish, std::max(0.0, greatest / span)));
+    double low = least_deflection;
     double high = 0.0;
     if (branch == Branch::compressed) {
         low = std::max(low, half - limit);
         high = 0.5 * (free_length - shortest) - relief;
-        if (high < 0.1 * relief) {
+        if (high < least_deflection) {
             return refuse({CORE_TEXT("elastic-hinge",
                                      "a spring of %1 that gets no shorter than %2 leaves no room "
                                      "for a relief of %3; it must be at least %4 long"),
                            millimetres(free_length), millimetres(shortest), millimetres(relief),
-                           millimetres(shortest + 2.2 * relief)});
+                           millimetres(shortest + 2.0 * (least_deflection + relief))});
         }
         const double needed = 2.0 * (half - high + roller_radius);
         if (low > high) {
@@ -87,7 +102,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         }
     } else {
         high = limit - half - relief;
-        const double needed = 2.0 * (half + 1.1 * relief + roller_radius);
+        const double needed = 2.0 * (half + least_deflection + relief + roller_radius);
         if (low > high) {
             return refuse({CORE_TEXT("elastic-hinge",
                                      "a stretched spring of %1 with a relief of %2 needs an outer "

@@ -17,6 +17,7 @@ GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Fo
     number("/guide_search/relief_mm");
     number("/guide_search/outer_diameter_mm");
     number("/guide_search/smallest_spring_length_mm");
+    number("/guide_search/preload_margin_mm");
     column()->addWidget(headingLabel(tr("Found"), this));
     auto* answer = new QLabel(this);
     answer->setWordWrap(true);

@@ -30,6 +30,12 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
                         found.outer_diameter, 1e-6);
             EXPECT_NEAR(guide.largest_spring_force, found.largest_spring_force,
                         1e-9 * found.largest_spring_force);
+            // The preload has the margin that was asked for, and no more where that decides.
+            const double margin = guide.preload - guide.minimum_preload;
+            EXPECT_GE(margin, wish.preload_margin * (1.0 - 1e-6));
+            if (guide.minimum_preload > 0.0 && relief < 5e-3) {
+                EXPECT_LE(margin, 1.1 * wish.preload_margin);
+            }
         }
     }
 }
