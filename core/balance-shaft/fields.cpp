@@ -1,10 +1,13 @@
 #include "balance-shaft/fields.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "balance-shaft/input.h"
 #include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -85,6 +88,86 @@ void visit_cycle(FieldVisitor& visitor, GasCycle& cycle) {
     visitor.number(field::ports_open, cycle.ports_open, usual.ports_open);
 }
 
+/// Two numbers from 1 or two headings.
+struct ColumnsValue final : FieldVisitor::Custom {
+    explicit ColumnsValue(TableReading& it) : reading(it) {}
+    void read(const Json& value, const std::string& pointer) override {
+        constexpr Text rule = CORE_TEXT("balance-shaft",
+                                        "must be two numbers from 1 or two headings: of the crank "
+                                        "angle and of the value");
+        if (!value.is_array() || value.size() != reading.columns.size()) {
+            throw InputError(pointer, rule, show(value));
+        }
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const int number = value[i].is_number_integer() ? value[i].get<int>() : -1;
+            const bool is_number = number >= static_cast<int>(i) && number <= 1000;
+            const bool is_heading =
+                value[i].is_string() && !value[i].get_ref<const std::string&>().empty();
+            if (!is_number && !is_heading) {
+                throw InputError(pointer + "/" + std::to_string(i), rule, show(value[i]));
+            }
+            reading.columns[i] = is_number ? value[i].dump() : value[i].get<std::string>();
+        }
+    }
+    Json write() override {
+        if (reading.columns[0].empty()) {
+            return {};
+        }
+        Json list = Json::array();
+        for (const std::string& column : reading.columns) {
+            int number = 0;
+            const char* const end = column.data() + column.size();
+            const auto [stop, fault] = std::from_chars(column.data(), end, number);
+            list.push_back(fault == std::errc{} && stop == end ? Json(number) : Json(column));
+        }
+        return list;
+    }
+    TableReading& reading;
+};
+
+struct UnitValue final : FieldVisitor::Custom {
+    UnitValue(TableReading& it, Measured what) : reading(it), measured(what) {}
+    void read(const Json& value, const std::string& pointer) override {
+        reading.unit = value.is_string() ? named_unit(measured, value.get_ref<const std::string&>())
+                                         : std::nullopt;
+        if (!reading.unit) {
+            std::vector<std::string> names;
+            for (const Unit& unit : units_of(measured)) {
+                names.emplace_back(unit.name);
+            }
+            throw InputError(pointer, {CORE_TEXT("core", "must be one of %1"), quoted_list(names)},
+                             show(value));
+        }
+    }
+    Json write() override { return reading.unit ? Json(std::string(reading.unit->name)) : Json(); }
+    TableReading& reading;
+    Measured measured;
+};
+
+struct GaugeValue final : FieldVisitor::Custom {
+    explicit GaugeValue(TableReading& it) : reading(it) {}
+    void read(const Json& value, const std::string& pointer) override {
+        if (!value.is_boolean()) {
+            throw InputError(pointer, CORE_TEXT("core", "must be true or false"), show(value));
+        }
+        reading.gauge = value.get<bool>();
+    }
+    Json write() override { return reading.gauge ? Json(*reading.gauge) : Json(); }
+    TableReading& reading;
+};
+
+/// What a case says of the file that it names.
+void visit_reading(FieldVisitor& visitor, TableReading& reading, Measured what) {
+    ColumnsValue columns(reading);
+    visitor.custom(field::csv_columns, false, columns);
+    UnitValue unit(reading, what);
+    visitor.custom(field::csv_unit, false, unit);
+    if (what == Measured::pressure) {
+        GaugeValue gauge(reading);
+        visitor.custom(field::csv_gauge, false, gauge);
+    }
+}
+
 void visit_torque(FieldVisitor& visitor, Input& input) {
     using Kind = TorqueSource::Kind;
     TorqueSource& source = input.torque;
@@ -119,11 +202,13 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
         if (csv) {
             visitor.text(field::csv, source.csv);
             visitor.optional_text(field::csv_sum, source.csv_sum.then);
+            visit_reading(visitor, source.csv_reading, Measured::torque);
         }
         if (pressure) {
             visitor.object_of(field::pressure, true, true, [&] {
                 visitor.text(field::csv, source.trace_csv);
                 visitor.optional_text(field::csv_sum, source.trace_sum.then);
+                visit_reading(visitor, source.trace_reading, Measured::pressure);
                 visitor.number(field::trace_shift, source.trace_shift, 0.0);
                 visit_crankcase();
             });

@@ -422,13 +422,34 @@ inline constexpr Field csv{
     .key = "csv",
     .hint = CORE_TEXT("balance-shaft",
                       "A file beside the case with two columns: crank angle, and torque (in "
-                      "pressure: cylinder pressure).")};
+                      "pressure: cylinder pressure). Several cycles are averaged.")};
 inline constexpr Field csv_sum{
     .key = "csv_sha256",
     .label = CORE_TEXT("balance-shaft", "Sum of the file"),
     .hint = CORE_TEXT("balance-shaft",
                       "SHA-256 of that file as the case was made: where it is another now, the "
                       "result says so.")};
+inline constexpr Field csv_columns{
+    .key = "columns",
+    .label = CORE_TEXT("balance-shaft", "Columns"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Columns of the crank angle and of the value: two numbers from 1, or two "
+                      "headings. A file with more than two columns needs them. 0 for the angle: "
+                      "the rows are equal steps over one cycle.")};
+inline constexpr Field csv_unit{
+    .key = "unit",
+    .label = CORE_TEXT("balance-shaft", "Unit of the file"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Unit of the values in the file: N·m, kN·m, lbf·ft or lbf·in; of pressures "
+                      "bar, kPa, MPa, psi, mbar or Pa."),
+    .if_empty = CORE_TEXT("balance-shaft", "the unit in the heading, else N·m or bar")};
+inline constexpr Field csv_gauge{
+    .key = "gauge",
+    .label = CORE_TEXT("balance-shaft", "Gauge pressure"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "True for pressures above the atmosphere: 1.01325 bar is added. False for "
+                      "absolute pressures."),
+    .if_empty = CORE_TEXT("balance-shaft", "as the heading says, else absolute")};
 inline constexpr Field pressure{
     .key = "pressure",
     .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};

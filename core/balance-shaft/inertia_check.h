@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "balance-shaft/torque_table.h"
+#include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
 

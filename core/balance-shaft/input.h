@@ -6,6 +6,7 @@
 
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/relieved_shaft.h"
+#include "balance-shaft/table_reading.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/message.h"
 #include "case-file/sha256.h"
@@ -72,9 +73,11 @@ struct TorqueSource {
     TorqueTable table;  ///< the rows, for table and csv
     std::string csv;    ///< path as the case file has it, of the file that holds the table
     FileSum csv_sum;
-    PressureTrace trace;    ///< for pressure
-    std::string trace_csv;  ///< path of the file that holds it
+    TableReading csv_reading;  ///< of it, as far as the case says
+    PressureTrace trace;       ///< for pressure
+    std::string trace_csv;     ///< path of the file that holds it
     FileSum trace_sum;
+    TableReading trace_reading;       ///< of it
     double trace_shift = 0.0;         ///< added to its crank angles, rad
     GasCycle cycle;                   ///< for cycle
     double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute; for pressure and cycle

@@ -1,6 +1,7 @@
 #include "balance-shaft/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "balance-shaft/engine_torque.h"
@@ -45,19 +46,37 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
     }
 }
 
+/// The strokes say how long a cycle of a file with more than one is.
+TableReading with_strokes(TableReading reading, std::optional<int> strokes) {
+    reading.strokes = strokes;
+    return reading;
+}
+
+void read_table(TorqueSource& source, const std::string& place, const CaseContext& context,
+                std::optional<int> strokes) {
+    source.table =
+        read_beside(source.csv, place, context, source.csv_sum, [&](const std::string& text) {
+            return parse_torque_table(text, with_strokes(source.csv_reading, strokes)).table;
+        });
+}
+
+void read_trace(TorqueSource& source, const std::string& place, const CaseContext& context,
+                std::optional<int> strokes) {
+    source.trace = read_beside(
+        source.trace_csv, place, context, source.trace_sum, [&](const std::string& text) {
+            return parse_pressure_trace(text, with_strokes(source.trace_reading, strokes)).trace;
+        });
+}
+
 }  // namespace
 
 Input read_input(const Json& json, const CaseContext& context) {
     Input input = read_fields<Input>(json);
     TorqueSource& source = input.torque;
     if (source.kind == TorqueSource::Kind::csv) {
-        source.table =
-            read_beside(source.csv, "/input/torque/csv", context, source.csv_sum,
-                        [](const std::string& text) { return parse_torque_table(text).table; });
+        read_table(source, "/input/torque/csv", context, input.strokes);
     } else if (source.kind == TorqueSource::Kind::pressure) {
-        source.trace =
-            read_beside(source.trace_csv, "/input/torque/pressure/csv", context, source.trace_sum,
-                        [](const std::string& text) { return parse_pressure_trace(text).trace; });
+        read_trace(source, "/input/torque/pressure/csv", context, input.strokes);
     }
     check_input(input);
     return input;
@@ -137,16 +156,14 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
             if (other.kind == Kind::csv) {
                 source.csv = other.csv;
                 source.csv_sum = other.csv_sum;
-                source.table = read_beside(
-                    other.csv, "/kept/torque/csv", context, source.csv_sum,
-                    [](const std::string& text) { return parse_torque_table(text).table; });
+                source.csv_reading = other.csv_reading;
+                read_table(source, "/kept/torque/csv", context, std::nullopt);
             } else if (other.kind == Kind::pressure) {
                 source.trace_csv = other.trace_csv;
                 source.trace_sum = other.trace_sum;
+                source.trace_reading = other.trace_reading;
                 source.trace_shift = other.trace_shift;
-                source.trace = read_beside(
-                    other.trace_csv, "/kept/torque/pressure/csv", context, source.trace_sum,
-                    [](const std::string& text) { return parse_pressure_trace(text).trace; });
+                read_trace(source, "/kept/torque/pressure/csv", context, std::nullopt);
             } else if (other.kind == Kind::table) {
                 source.table = other.table;
             } else {
@@ -157,18 +174,19 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
         }
     };
     Json table = Json::object();
+    Json file = Json::object();
     for (const std::string& key : keys) {
         const Json& value = kept.at("torque").at(key);
-        if (key == field::csv_sum.key) {
-            continue;  // goes with its file
-        }
-        if (key == field::csv.key && kept.at("torque").contains(field::csv_sum.key)) {
-            take({{key, value}, {field::csv_sum.key, kept.at("torque").at(field::csv_sum.key)}});
-        } else if (key == field::pressure.key || key == field::cycle.key || key == field::csv.key) {
+        if (key == field::pressure.key || key == field::cycle.key) {
             take({{key, value}});
         } else {
-            table[key] = value;
+            const bool is_of_table =
+                key == field::table_angle.key || key == field::table_torque.key;
+            (is_of_table ? table : file)[key] = value;
         }
+    }
+    if (!file.empty()) {
+        take(file);
     }
     if (!table.empty()) {
         take(table);

@@ -160,8 +160,8 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
         }
         return {CORE_TEXT("balance-shaft",
                           "The pressure trace looks like gauge pressure: at the bottom dead centre "
-                          "before compression it has %1 bar. Absolute pressure is wanted; add that "
-                          "of the atmosphere, about 1 bar."),
+                          "before compression it has %1 bar. Read it as gauge pressure "
+                          "(\"gauge\": true)."),
                 rounded(bottom / units::bar, 3)};
     }
     if (parts > largest_bottom || parts < least_bottom) {

@@ -2841,8 +2841,8 @@
         <translation>Моменты при них; последний равен первому.</translation>
     </message>
     <message>
-        <source>A file beside the case with two columns: crank angle, and torque (in pressure: cylinder pressure).</source>
-        <translation>Файл рядом с задачей из двух столбцов: угол поворота и момент (в pressure — давление в цилиндре).</translation>
+        <source>A file beside the case with two columns: crank angle, and torque (in pressure: cylinder pressure). Several cycles are averaged.</source>
+        <translation>Файл рядом с задачей из двух столбцов: угол поворота и момент (в pressure — давление в цилиндре). Несколько циклов усредняются.</translation>
     </message>
     <message>
         <source>Gas torque from a measured cylinder pressure.</source>
@@ -2977,8 +2977,8 @@
         <translation>Пик измеренного давления лежит на %1 после верхней мёртвой точки сгорания при %2; обычно — от 5° до неё до 45° после. Похоже, углы диаграммы сдвинуты по фазе.</translation>
     </message>
     <message>
-        <source>The pressure trace looks like gauge pressure: at the bottom dead centre before compression it has %1 bar. Absolute pressure is wanted; add that of the atmosphere, about 1 bar.</source>
-        <translation>Измеренное давление похоже на избыточное: в нижней мёртвой точке перед сжатием оно равно %1 бар. Нужно абсолютное; прибавьте атмосферное, около 1 бар.</translation>
+        <source>The pressure trace looks like gauge pressure: at the bottom dead centre before compression it has %1 bar. Read it as gauge pressure (&quot;gauge&quot;: true).</source>
+        <translation>Измеренное давление похоже на избыточное: в нижней мёртвой точке перед сжатием оно равно %1 бар. Прочтите его как избыточное (&quot;gauge&quot;: true).</translation>
     </message>
     <message>
         <source>At the bottom dead centre before compression the pressure trace has %1 bar. Its numbers look like %2, though its heading says %3.</source>
@@ -2999,14 +2999,6 @@
     <message>
         <source>pressure taken for %1, as the heading names no unit that is known</source>
         <translation>давление принято в единицах %1: заголовок не называет известной единицы</translation>
-    </message>
-    <message>
-        <source>must name absolute pressure: add the pressure of the surroundings to every row, and name the unit alone</source>
-        <translation>должно называть абсолютное давление: прибавьте к каждой строке давление окружающей среды и назовите одну единицу</translation>
-    </message>
-    <message>
-        <source>gauge pressure</source>
-        <translation>избыточное давление</translation>
     </message>
     <message>
         <source>two-stroke</source>
@@ -4151,6 +4143,90 @@
     <message>
         <source>A torque source that is not in use had the bore %1. All sources have one bore now: enter it at the cylinder if it is right.</source>
         <translation>В неиспользуемом источнике момента был диаметр цилиндра %1. Теперь он один для всех источников: если он верен, введите его у цилиндра.</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Столбцы</translation>
+    </message>
+    <message>
+        <source>Columns of the crank angle and of the value: two numbers from 1, or two headings. A file with more than two columns needs them. 0 for the angle: the rows are equal steps over one cycle.</source>
+        <translation>Столбцы угла поворота и значения: два номера от 1 или два заголовка. Нужны файлу, в котором больше двух столбцов. 0 вместо угла: строки идут с равным шагом по одному циклу.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Единица в файле</translation>
+    </message>
+    <message>
+        <source>Unit of the values in the file: N·m, kN·m, lbf·ft or lbf·in; of pressures bar, kPa, MPa, psi, mbar or Pa.</source>
+        <translation>Единица значений в файле: N·m, kN·m, lbf·ft или lbf·in; для давления bar, kPa, MPa, psi, mbar или Pa.</translation>
+    </message>
+    <message>
+        <source>the unit in the heading, else N·m or bar</source>
+        <translation>единица из заголовка, иначе Н·м или бар</translation>
+    </message>
+    <message>
+        <source>Gauge pressure</source>
+        <translation>Избыточное давление</translation>
+    </message>
+    <message>
+        <source>True for pressures above the atmosphere: 1.01325 bar is added. False for absolute pressures.</source>
+        <translation>True — давление сверх атмосферного: прибавляется 1,01325 бар. False — абсолютное давление.</translation>
+    </message>
+    <message>
+        <source>as the heading says, else absolute</source>
+        <translation>по заголовку, иначе абсолютное</translation>
+    </message>
+    <message>
+        <source>must be two numbers from 1 or two headings: of the crank angle and of the value</source>
+        <translation>должно быть два номера от 1 или два заголовка: угла поворота и значения</translation>
+    </message>
+    <message>
+        <source>mean of %1 cycles</source>
+        <translation>среднее по %1 циклам</translation>
+    </message>
+    <message>
+        <source>%1 at the end left out</source>
+        <translation>%1 в конце не учтены</translation>
+    </message>
+    <message>
+        <source>gauge pressure in %1</source>
+        <translation>избыточное давление в %1</translation>
+    </message>
+    <message>
+        <source>%1; is it gauge pressure? Then the case says &quot;gauge&quot;: true</source>
+        <translation>%1; давление избыточное? Тогда в задаче пишется &quot;gauge&quot;: true</translation>
+    </message>
+    <message>
+        <source>a cycle must have at most %1 rows: take larger steps</source>
+        <translation>в цикле должно быть не больше %1 строк: возьмите больший шаг</translation>
+    </message>
+    <message>
+        <source>must hold rows of numbers</source>
+        <translation>должно содержать строки чисел</translation>
+    </message>
+    <message>
+        <source>The file has no crank angles: its rows are taken for equal steps over one cycle.</source>
+        <translation>В файле нет углов поворота: строки приняты за равные шаги по одному циклу.</translation>
+    </message>
+    <message>
+        <source>No column is certain to be the crank angle; column %1 is proposed.</source>
+        <translation>Ни один столбец не похож наверняка на угол поворота; предложен столбец %1.</translation>
+    </message>
+    <message>
+        <source>The heading names no unit; the numbers look like %1.</source>
+        <translation>Заголовок не называет единицу; числа похожи на %1.</translation>
+    </message>
+    <message>
+        <source>The lowest pressure is %1 %2: gauge pressure?</source>
+        <translation>Наименьшее давление %1 %2: это избыточное давление?</translation>
+    </message>
+    <message>
+        <source>The dead centre is at %1 ± %2 of the trace: shift the angles by %3.</source>
+        <translation>Мёртвая точка на %1 ± %2 диаграммы: сдвиньте углы на %3.</translation>
+    </message>
+    <message>
+        <source>The dead centre may be at %1 ± %2 of the trace, a shift of %3: the compression line does not show it better.</source>
+        <translation>Мёртвая точка, возможно, на %1 ± %2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
     </message>
 </context>
 <context>
@@ -5747,10 +5823,6 @@
         <translation>Не бывает двигателя с массой %1 при радиусе кривошипа %2: не введено ли одно из них в другой единице, например в граммах вместо килограммов?</translation>
     </message>
     <message>
-        <source>the table must have at most %1 rows: average the cycles, or take larger steps</source>
-        <translation>в таблице должно быть не больше %1 строк: усредните циклы или возьмите больший шаг</translation>
-    </message>
-    <message>
         <source>takes too long to read</source>
         <translation>читается слишком долго</translation>
     </message>
@@ -5777,6 +5849,18 @@
     <message>
         <source>Feasible</source>
         <translation>Осуществимо</translation>
+    </message>
+    <message>
+        <source>must hold two columns, %1 and %2, or the case must name two of them in &quot;columns&quot;</source>
+        <translation>должно быть два столбца, %1 и %2, или задача должна назвать два из них в &quot;columns&quot;</translation>
+    </message>
+    <message>
+        <source>must hold at least %1 columns</source>
+        <translation>должно быть не меньше %1 столбцов</translation>
+    </message>
+    <message>
+        <source>must have a column with the heading %1</source>
+        <translation>должен быть столбец с заголовком %1</translation>
     </message>
 </context>
 <context>
@@ -6772,6 +6856,14 @@
     <message>
         <source>Crank hinge moment beside the rod hinge</source>
         <translation>Момент шарнира кривошипа при шарнире шатуна</translation>
+    </message>
+    <message>
+        <source>Preload &amp;margin</source>
+        <translation>Запас пред&amp;натяга</translation>
+    </message>
+    <message>
+        <source>Preload beyond the minimum that the guide needs.</source>
+        <translation>Преднатяг сверх минимального, нужного направляющей.</translation>
     </message>
 </context>
 <context>

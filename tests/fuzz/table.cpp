@@ -6,7 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "balance-shaft/torque_table.h"
+#include "balance-shaft/dead_centre.h"
+#include "balance-shaft/table_reading.h"
 #include "case-file/input_error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -22,9 +23,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         // refused in words
     }
     try {
-        balance_shaft::parse_pressure_trace(text);
+        const auto trace = balance_shaft::parse_pressure_trace(text).trace;
+        balance_shaft::check_pressure_trace(trace, "");
     } catch (const InputError&) {
         // refused in words
+    }
+    for (const auto what : {balance_shaft::Measured::torque, balance_shaft::Measured::pressure}) {
+        try {
+            const auto proposal = balance_shaft::propose_reading(text, what);
+            // What is proposed without a doubt about the rows is what the reader takes.
+            if (proposal.reading.strokes && what == balance_shaft::Measured::pressure) {
+                const auto trace =
+                    balance_shaft::parse_pressure_trace(text, proposal.reading).trace;
+                balance_shaft::check_pressure_trace(trace, "");
+                balance_shaft::find_dead_centre({0.046, 0.150, 0.0}, trace);
+            }
+        } catch (const InputError&) {
+            // refused in words
+        }
     }
     return 0;
 }

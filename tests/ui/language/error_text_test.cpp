@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "balance-shaft/torque_table.h"
+#include "balance-shaft/table_reading.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"

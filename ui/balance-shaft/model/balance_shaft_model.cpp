@@ -183,6 +183,7 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
             input.torque.trace = read.trace;
             input.torque.trace_csv = path.toStdString();
             input.torque.trace_sum = {sum, sum};
+            input.torque.trace_reading = {};
             input.torque.trace_shift = 0.0;
             input.strokes = input.strokes_of_torque();
             balance_shaft::fill_cylinder(input);

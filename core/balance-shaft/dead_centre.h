@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "balance-shaft/cylinder_gas.h"
+#include "case-file/message.h"
+#include "numerics/slider_crank.h"
+
+namespace ravnoves::balance_shaft {
+
+/// The firing top dead centre of a pressure trace, found from its compression line.
+struct DeadCentre {
+    double angle = 0.0;        ///< in the trace's own angles, rad
+    double shift = 0.0;        ///< to be added to them (TorqueSource::trace_shift), rad
+    double uncertainty = 0.0;  ///< two standard deviations, rad
+    double loss_angle = 0.0;   ///< of the peak without combustion before the dead centre, rad
+    double line_end = 0.0;     ///< end of the compression line after the dead centre, rad
+    bool is_motored = false;   ///< no combustion was found
+
+    bool is_certain() const { return uncertainty < 1.0 * degree; }
+    /// "The dead centre is at 362.1 ± 0.3°: shift the angles by −2.1°."
+    Message describe() const;
+};
+
+/// Finds the dead centre by a model of the closed cylinder without combustion,
+///
+///     ln p = k − n ln V − ½ b ln² V − c Q + p₀/p,    V = V_c + A (s_max − s(θ − θ₀)),
+///
+/// with the loss of heat to the walls Q ~ ∫ p^0.8 T^−0.53 (1 − T_w/T) dθ, which makes the peak of a
+/// motored engine come before its dead centre (the thermodynamic loss angle, some tenths of a
+/// degree). θ₀ and V_c are sought, the others follow as a linear fit; all have the spread that
+/// engines have as a prior: n 1.34 ± 0.04, b 0.01 ± 0.02, loss angle 0.3° ± 0.4°, zero of the
+/// pressure 0 ± 0.05 bar, ln of the compression ratio ln 13 ± 0.35. The line begins where the
+/// valves are shut and is taken as far as the model explains it: to the start of combustion, or of
+/// a motored engine beyond the dead centre.
+///
+/// Source of the heat transfer's form: Woschni's correlation; of the criterion: a compression
+/// without combustion is the same polytrope all along, only at the right phase.
+/// @param trace  of one cycle, absolute pressures
+/// @param compression_ratio  where it is known
+/// @return nothing where there is no compression, or too few rows of it
+std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
+                                           const PressureTrace& trace,
+                                           std::optional<double> compression_ratio = std::nullopt);
+
+}  // namespace ravnoves::balance_shaft

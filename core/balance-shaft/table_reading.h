@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balance-shaft/cylinder_gas.h"
+#include "balance-shaft/torque_table.h"
+#include "case-file/message.h"
+#include "case-file/two_columns.h"
+#include "numerics/units.h"
+
+namespace ravnoves::balance_shaft {
+
+/// What a file of measured values holds beside the crank angle.
+enum class Measured { torque, pressure };
+
+/// How a file of measured values is read. What is empty follows from the words and the numbers of
+/// the file. A case keeps columns, unit and gauge.
+struct TableReading {
+    TableLayout layout;
+    /// Of angle and value: numbers from 1, or headings; both empty: the file has two. An angle's of
+    /// 0: the file has none, its rows are equal steps over one cycle.
+    std::array<std::string, 2> columns;
+    std::optional<Unit> unit;        ///< one of units_of()
+    std::optional<bool> gauge;       ///< a pressure over that of the atmosphere, 1.01325 bar
+    std::optional<bool> in_radians;  ///< the angles
+    std::optional<int> strokes;      ///< of the cycle, where the file holds more than one
+
+    bool operator==(const TableReading&) const = default;
+};
+
+/// The units that a file may have, the usual one first.
+std::vector<Unit> units_of(Measured what);
+/// Of these the one that a text names, as a heading would: "p, kPa"; nothing where it names none.
+std::optional<Unit> named_unit(Measured what, std::string_view text);
+
+/// How a file of measured values was read, for the page to say.
+struct TableFormat {
+    char separator = '\t';         ///< between the columns: comma, semicolon, tab or blank
+    std::size_t header_lines = 0;  ///< lines of words above the rows
+    bool in_radians = false;       ///< angles, by the heading or by the span
+    int strokes = 4;               ///< of the cycle: 2 for 360°
+    bool decimal_comma = false;
+    Unit unit;               ///< of the values
+    bool unit_named = true;  ///< by the heading or by the reading; else the usual one is taken
+    bool gauge = false;      ///< the atmosphere was added
+    std::size_t rows = 0;    ///< of the cycle
+    std::size_t cycles = 1;  ///< whole ones, which were averaged
+    double left_over = 0.0;  ///< behind them, rad
+    bool closed = false;     ///< a pressure trace's end was made to meet its start
+    Measured what = Measured::torque;
+
+    /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
+    /// the full stop.
+    Message describe() const;
+};
+
+struct ParsedTorqueTable : TableFormat {
+    TorqueTable table;
+};
+
+struct ParsedPressureTrace : TableFormat {
+    PressureTrace trace;
+};
+
+/// Reads a torque table from CSV text or from what a spreadsheet puts on the clipboard.
+///
+/// Two columns, crank angle and torque, or those that the reading names (read_two_columns()).
+/// Angles in degrees or radians: the header says which ("rad", "deg", "°"), else the span (720,
+/// 360, 4π or 2π within 0.1 %). A span of 360° is the cycle of a two-stroke engine. Angles may
+/// begin anywhere, and may begin again at each turn or cycle. A file of more than one cycle is
+/// averaged over its whole cycles, at the angles of the first; the strokes tell how long one is,
+/// else the values themselves. Torques in N·m, or in what the heading names: kN·m, lbf·ft, lbf·in.
+/// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
+///         is not one cycle: unsorted, duplicate angle, too few rows or more than
+///         largest_torque_table, end that differs from start
+ParsedTorqueTable parse_torque_table(std::string_view text, const TableReading& reading = {});
+
+/// Reads a measured pressure trace the same way. The unit is what the heading names ("Pa", "kPa",
+/// "MPa", "bar", "mbar", "psi"), else bar; a heading that names gauge pressure ("bar(g)", "gauge")
+/// is believed, too. A cycle that lacks its last row is closed, and one whose end differs from its
+/// start by at most 2 % of the peak (a measured trace always does) is made to meet it half way.
+/// @throws InputError as parse_torque_table()
+ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReading& reading = {});
+
+/// What a look at a file proposes, for a person to change.
+struct ReadingProposal {
+    TableReading reading;               ///< all of it decided
+    std::vector<std::string> headings;  ///< of the columns; empty where there are none
+    std::size_t columns = 0;
+    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they stand there
+    std::vector<Message> doubts;  ///< what is not certain, with its reason: "gauge pressure?"
+};
+
+/// Looks at the lines of a file: separator, decimal sign, header lines, which column is the angle
+/// and which the pressure (or torque), unit, gauge or absolute, strokes.
+/// @param decided  what a person has decided already; all else is proposed anew
+/// @param rows     how many of them to show
+/// @throws InputError where the text holds no rows of at least two numbers
+ReadingProposal propose_reading(std::string_view text, Measured what,
+                                const TableReading& decided = {}, std::size_t rows = 12);
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,115 @@
+#include "balance-shaft/dead_centre.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "synthetic_engine.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::SyntheticEngine;
+
+/// A trace whose angles count from elsewhere, with noise.
+PressureTrace noisy_trace(const std::vector<double>& pressure, double step_deg, double first_deg,
+                          double noise, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> error(0.0, noise);
+    PressureTrace trace;
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+        trace.crank_angle_deg.push_back(first_deg + static_cast<double>(i) * step_deg);
+        trace.pressure.push_back(std::max(pressure[i] + error(random), 100.0));
+    }
+    trace.crank_angle_deg.push_back(first_deg + static_cast<double>(pressure.size()) * step_deg);
+    trace.pressure.push_back(trace.pressure.front());
+    return trace;
+}
+
+PressureTrace synthetic_trace(const SyntheticEngine& engine, double step_deg, double first_deg,
+                              double noise, unsigned seed) {
+    return noisy_trace(engine.pressure(step_deg), step_deg, first_deg, noise, seed);
+}
+
+double error_of_centre(const DeadCentre& found, double first_deg, int strokes) {
+    const double half = 90.0 * strokes;
+    return std::remainder(found.angle / degree - (first_deg + half), 2.0 * half);
+}
+
+// The compression ratio is not known; with heat lost to the walls, any start of the angles.
+TEST(DeadCentre, IsFoundToHalfADegree) {
+    for (const SyntheticEngine& engine : test::synthetic_engines()) {
+        // Combustion of a petrol engine leaves less of the line: known, the ratio makes up for it.
+        const bool is_petrol = engine.heat > 0.0 && engine.ratio < 12.0;
+        const auto ratio = is_petrol ? std::optional(engine.ratio) : std::nullopt;
+        for (const double step : {0.1, 1.0}) {
+            const auto pressure = engine.pressure(step);
+            for (const double first : {-360.0, 180.0, 298.37}) {
+                SCOPED_TRACE(std::string(engine.name) + ", " + std::to_string(step) + "°, from " +
+                             std::to_string(first));
+                const auto seed = static_cast<unsigned>(step * 10.0 + first + 400.0);
+                const auto trace = noisy_trace(pressure, step, first, 2e3, seed);
+                const auto found = find_dead_centre(engine.crank, trace, ratio);
+                ASSERT_TRUE(found);
+                const double error = error_of_centre(*found, first, engine.strokes);
+                const bool is_early = is_petrol && engine.start < -15.0;
+                EXPECT_LT(std::abs(error), is_early ? 0.8 : 0.5);
+                EXPECT_LT(std::abs(error), found->uncertainty / degree);
+                EXPECT_EQ(found->is_motored, engine.heat == 0.0);
+                const double firing = engine.strokes == 4 ? 360.0 : 0.0;
+                EXPECT_NEAR(std::remainder((found->angle + found->shift) / degree - firing,
+                                           180.0 * engine.strokes),
+                            0.0, 1e-9);
+            }
+        }
+    }
+}
+
+// The peak of a motored engine comes before its dead centre by the heat that is lost.
+TEST(DeadCentre, KnowsTheLossAngle) {
+    SyntheticEngine engine = test::synthetic_engines()[7];
+    ASSERT_EQ(std::string(engine.name), "motored diesel, cold");
+    const auto trace = synthetic_trace(engine, 0.1, -360.0, 0.0, 1);
+    const auto highest = std::max_element(trace.pressure.begin(), trace.pressure.end());
+    const double peak =
+        trace.crank_angle_deg[static_cast<std::size_t>(highest - trace.pressure.begin())];
+    EXPECT_LT(peak, -0.5);
+    const auto found = find_dead_centre(engine.crank, trace);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->loss_angle / degree, -peak, 0.4);
+    EXPECT_LT(std::abs(error_of_centre(*found, -360.0, 4)), 0.3);
+    EXPECT_TRUE(found->is_certain());
+}
+
+// Less of the line, more noise: less sure, and it says so.
+TEST(DeadCentre, SaysHowSureItIs) {
+    SyntheticEngine engine = test::synthetic_engines().back();
+    const auto sure = find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 1e3, 5));
+    const auto noisy = find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 2e4, 5));
+    const auto known =
+        find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 1e3, 5), 10.0);
+    ASSERT_TRUE(sure && noisy && known);
+    EXPECT_GT(noisy->uncertainty, 1.5 * sure->uncertainty);
+    EXPECT_LT(known->uncertainty, sure->uncertainty);
+    for (const auto& found : {sure, noisy, known}) {
+        EXPECT_LT(std::abs(error_of_centre(*found, 0.0, 4)), found->uncertainty / degree);
+    }
+    EXPECT_NE(noisy->describe().english().find("may be at"), std::string::npos);
+}
+
+TEST(DeadCentre, IsNoneWithoutACompression) {
+    PressureTrace flat;
+    for (int i = 0; i <= 720; ++i) {
+        flat.crank_angle_deg.push_back(i);
+        flat.pressure.push_back(1e5);
+    }
+    EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, flat));
+    flat.pressure.assign(721, 0.0);
+    EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, flat));
+    const PressureTrace coarse{{0, 180, 360, 540, 720}, {1e5, 1e5, 4e6, 2e5, 1e5}};
+    EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, coarse));
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft

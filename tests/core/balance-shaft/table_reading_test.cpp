@@ -1,0 +1,308 @@
+// Files of measured pressure as they come: columns, separators, units, steps, starts, cycles.
+
+#include "balance-shaft/table_reading.h"
+
+#include <gtest/gtest.h>
+
+#include "balance-shaft/engine_torque.h"
+#include "balance-shaft/scene.h"
+#include "case-file/decimal.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "synthetic_engine.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::SyntheticEngine;
+
+enum class Counted { on, by_turn, by_cycle };
+
+/// How a file is written.
+struct FileStyle {
+    int columns = 2;  ///< 1: pressures alone
+    int angle = 0;
+    int pressure = 1;
+    char separator = ';';
+    bool decimal_comma = false;
+    Unit unit = units::bar;
+    bool gauge = false;
+    bool is_named = true;  ///< the unit, by the heading
+    double step = 1.0;
+    double first = 0.0;
+    int cycles = 1;
+    Counted count = Counted::on;
+    std::string above{};  ///< lines of words
+};
+
+std::string cell_text(double value, bool comma) {
+    std::string text = fixed_decimals(value, 7);
+    std::replace(text.begin(), text.end(), '.', comma ? ',' : '.');
+    return text;
+}
+
+std::string file_as(const SyntheticEngine& engine, const FileStyle& written) {
+    const auto pressure = engine.pressure(written.step);
+    const double cycle = 180.0 * engine.strokes;
+    std::string text = written.above;
+    const auto row = [&](const auto& cell) {
+        for (int column = 0; column < written.columns; ++column) {
+            text += column > 0 ? std::string(1, written.separator) : "";
+            text += cell(column);
+        }
+        text += "\n";
+    };
+    const std::string blank = written.separator == ' ' ? "_" : " ";
+    if (written.is_named || written.columns > 2) {
+        row([&](int column) {
+            return column == written.angle      ? "CA" + blank + "[deg]"
+                   : column != written.pressure ? "channel" + std::to_string(column)
+                   : !written.is_named          ? std::string("cyl1")
+                                       : "p1" + blank + "[" + std::string(written.unit.name) +
+                                             (written.gauge ? "]" + blank + "(g)" : "]");
+        });
+    }
+    const auto rows = static_cast<int>(pressure.size());
+    for (int i = 0; i < rows * written.cycles; ++i) {
+        const auto at = static_cast<std::size_t>(i % rows);
+        double angle = written.first + i * written.step;
+        if (written.count != Counted::on) {
+            const double period = written.count == Counted::by_turn ? 360.0 : cycle;
+            angle = written.first + std::fmod(i * written.step, period);
+        }
+        const double value = (pressure[at] - (written.gauge ? 101325.0 : 0.0)) / written.unit;
+        row([&](int column) {
+            return column == written.angle && written.columns > 1
+                       ? cell_text(angle, written.decimal_comma)
+                   : column == written.pressure || written.columns == 1
+                       ? cell_text(value, written.decimal_comma)
+                   : column % 3 == 0 ? cell_text(20.0 + std::sin(0.1 * i), written.decimal_comma)
+                   : column % 3 == 1
+                       ? cell_text(1e-3 * i, written.decimal_comma)
+                       : cell_text(300.0 * std::cos(angle * degree), written.decimal_comma);
+        });
+    }
+    return text;
+}
+
+/// Work of a cycle of a trace whose firing dead centre is half a cycle after its first angle.
+double work_of(const SyntheticEngine& engine, const PressureTrace& trace) {
+    PressureTrace shifted = trace;
+    const double half = 90.0 * engine.strokes;
+    const double shift = (engine.strokes == 4 ? 360.0 : 0.0) - (trace.crank_angle_deg[0] + half);
+    for (double& angle : shifted.crank_angle_deg) {
+        angle += shift;
+    }
+    return CylinderGas(engine.crank, engine.bore, 1e5, shifted, false).indicated().work;
+}
+
+PressureTrace exact_trace(const SyntheticEngine& engine, double step) {
+    PressureTrace trace;
+    trace.pressure = engine.pressure(step);
+    for (std::size_t i = 0; i <= trace.pressure.size(); ++i) {
+        trace.crank_angle_deg.push_back(step * static_cast<double>(i));
+    }
+    trace.pressure.push_back(trace.pressure.front());
+    return trace;
+}
+
+TEST(TableReading, FilesAsTheyComeHaveTheRightWork) {
+    std::mt19937 random(46);
+    const auto any = [&](auto... choices) {
+        const std::array list{choices...};
+        return list[random() % list.size()];
+    };
+    const auto engines = test::synthetic_engines();
+    for (int i = 0; i < 91; ++i) {
+        const SyntheticEngine& engine = engines[random() % engines.size()];
+        FileStyle written;
+        written.columns = 1 + i % 13;
+        written.angle =
+            written.columns < 2 ? 0 : static_cast<int>(random() % 2) * (written.columns - 1);
+        written.pressure =
+            written.columns < 2
+                ? 0
+                : (written.angle + 1 +
+                   static_cast<int>(random() % static_cast<unsigned>(written.columns - 1))) %
+                      written.columns;
+        written.separator = any(';', '\t', ',', ' ');
+        written.decimal_comma = written.separator != ',' && written.columns > 1 && any(true, false);
+        written.unit = any(units::bar, units::kPa, units::MPa, units::pascal, units::psi);
+        written.is_named = any(true, true, false) && written.columns > 1;
+        written.gauge = any(true, false);
+        if (!written.is_named && written.unit == units::psi) {
+            written.unit = units::kPa;
+        }
+        written.step = any(0.1, 0.25, 0.5, 1.0, 2.0, 10.0);
+        written.first = any(-360.0, 0.0, 180.0, 298.0);
+        written.cycles = written.columns > 1 ? any(1, 1, 2, 3) : 1;
+        written.count = any(Counted::on, Counted::by_turn, Counted::by_cycle);
+        written.above = any("", "Indicated pressure\nengine;no. 7\n\n", "# comment\n");
+        const std::string text = file_as(engine, written);
+        SCOPED_TRACE(std::string(engine.name) + " " + std::to_string(i) + "\n" +
+                     text.substr(0, 400));
+        TableReading known;
+        known.strokes = engine.strokes;
+        if (!written.is_named) {  // one pressure of many, or a unit that is not written
+            known.unit = written.unit;
+            known.gauge = written.gauge;
+            if (written.columns > 1) {
+                known.columns = {std::to_string(written.angle + 1),
+                                 std::to_string(written.pressure + 1)};
+            }
+        }
+        ReadingProposal proposal;
+        ASSERT_NO_THROW(proposal = propose_reading(text, Measured::pressure, known));
+        if (written.columns > 1) {
+            EXPECT_EQ(proposal.reading.columns[0], std::to_string(written.angle + 1));
+            EXPECT_EQ(proposal.reading.columns[1], std::to_string(written.pressure + 1));
+        }
+        EXPECT_EQ(proposal.reading.gauge, written.gauge);
+        EXPECT_EQ(proposal.reading.unit, written.unit);
+        ParsedPressureTrace read;
+        ASSERT_NO_THROW(read = parse_pressure_trace(text, proposal.reading));
+        EXPECT_EQ(read.cycles, static_cast<std::size_t>(written.cycles));
+        EXPECT_EQ(read.strokes, engine.strokes);
+        const double work = work_of(engine, exact_trace(engine, written.step));
+        const double scale = std::abs(work) + 0.02 * engine.intake * 6e-4;
+        EXPECT_NEAR(work_of(engine, read.trace), work, 1e-3 * scale);
+        if (HasFailure()) {
+            break;
+        }
+    }
+}
+
+TEST(TableReading, RowsThatDoNotDivideTheCycleAreAveragedToo) {
+    const SyntheticEngine engine = test::synthetic_engines()[0];
+    const auto pressure = engine.pressure(0.1);
+    std::string text = "deg;bar\n";
+    for (double angle = -360.0; angle < -360.0 + 10 * 720.0; angle += 2.8) {
+        const auto at = static_cast<std::size_t>(std::llround((angle + 360.0) * 10.0)) % 7200;
+        text += cell_text(angle, false) + ";" + cell_text(pressure[at] / 1e5, false) + "\n";
+    }
+    const auto read = parse_pressure_trace(text);
+    EXPECT_EQ(read.cycles, 10U);
+    EXPECT_EQ(read.strokes, 4);
+    EXPECT_NEAR(work_of(engine, read.trace), work_of(engine, exact_trace(engine, 0.1)), 5.0);
+    // 28° are few rows, and read as they are.
+    std::string coarse = "deg;bar\n";
+    for (int i = 0; i < 26; ++i) {
+        coarse += cell_text(28.0 * i, false) + ";" + (i == 13 ? "40" : "1") + "\n";
+    }
+    coarse += "720;1\n";
+    EXPECT_EQ(parse_pressure_trace(coarse).trace.pressure[13], 40e5);
+}
+
+TEST(TableReading, ProposesWhatANumberLooksLike) {
+    const SyntheticEngine engine = test::synthetic_engines()[0];
+    for (const auto& [unit, gauge] :
+         {std::pair(units::bar, false), std::pair(units::kPa, false), std::pair(units::MPa, false),
+          std::pair(units::pascal, false), std::pair(units::bar, true), std::pair(units::kPa, true),
+          std::pair(units::MPa, true)}) {
+        const std::string text = file_as(engine, {.unit = unit, .gauge = gauge, .is_named = false});
+        const auto proposal = propose_reading(text, Measured::pressure);
+        EXPECT_EQ(proposal.reading.unit, unit) << unit.name;
+        EXPECT_EQ(proposal.reading.gauge, gauge) << unit.name;
+        std::string doubts;
+        for (const Message& doubt : proposal.doubts) {
+            doubts += doubt.english() + "\n";
+        }
+        EXPECT_NE(doubts.find("look like " + std::string(unit.name)), std::string::npos) << doubts;
+        EXPECT_EQ(doubts.find("gauge pressure?") != std::string::npos, gauge) << doubts;
+    }
+    const auto negative = propose_reading(
+        "deg;bar\n0;-0.113\n180;-0.1\n360;59\n540;2\n720;-0.113\n", Measured::pressure);
+    EXPECT_EQ(negative.reading.gauge, true);
+    ASSERT_EQ(negative.doubts.size(), 1U);
+    EXPECT_EQ(negative.doubts[0].english(), "The lowest pressure is -0.113 bar: gauge pressure?");
+    // What is decided stays so.
+    TableReading absolute;
+    absolute.gauge = false;
+    EXPECT_EQ(
+        propose_reading("deg;bar\n0;1\n180;1\n360;59\n540;2\n720;1\n", Measured::pressure, absolute)
+            .reading.gauge,
+        false);
+    const auto torque =
+        propose_reading("time,crank angle,M (kN·m)\n0,0,0\n1,180,2\n2,360,3\n3,540,-1\n4,720,0\n",
+                        Measured::torque);
+    EXPECT_EQ(torque.reading.columns, (std::array<std::string, 2>{"2", "3"}));
+    EXPECT_EQ(torque.reading.unit, units::kN_m);
+    EXPECT_EQ(torque.headings, (std::vector<std::string>{"time", "crank angle", "M (kN·m)"}));
+    EXPECT_EQ(torque.rows.size(), 5U);
+    EXPECT_THROW(propose_reading("no\nnumbers\n", Measured::pressure), InputError);
+}
+
+TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("ravnoves-columns-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    const SyntheticEngine engine = test::synthetic_engines()[0];
+    write_text_file(folder / "p.csv", file_as(engine, {.columns = 13,
+                                                       .angle = 4,
+                                                       .pressure = 7,
+                                                       .unit = units::MPa,
+                                                       .gauge = true,
+                                                       .is_named = false,
+                                                       .cycles = 3}));
+    Json json = write_input(test::diesel());
+    json["torque"] = {
+        {"pressure",
+         {{"csv", "p.csv"}, {"columns", {5, "cyl1"}}, {"unit", "MPa"}, {"gauge", true}}}};
+    const CaseContext context{folder};
+    const Input input = read_input(json, context);
+    EXPECT_EQ(input.torque.trace.pressure.size(), 721U);
+    EXPECT_NEAR(work_of(engine, input.torque.trace), work_of(engine, exact_trace(engine, 1.0)),
+                0.5);
+    EXPECT_EQ(write_input(input).at("torque").at("pressure").at("columns"), Json({5, "cyl1"}));
+    EXPECT_EQ(read_input(write_input(input), context), input);
+    const auto refusal = [&](const char* key, const Json& value) {
+        Json other = json;
+        other["torque"]["pressure"][key] = value;
+        return test::error_of([&] { read_input(other, context); });
+    };
+    const std::string place = "/input/torque/pressure/";
+    EXPECT_EQ(refusal("columns", {1}),
+              place +
+                  "columns: must be two numbers from 1 or two headings: of the crank angle and "
+                  "of the value, got [1]");
+    EXPECT_EQ(refusal("columns", {5, 14}),
+              place + "csv: p.csv: line 2: must hold at least 14 columns, got 13 columns");
+    EXPECT_EQ(refusal("columns", {"CA", 8}),
+              place + "csv: p.csv: must have a column with the heading \"CA\"");
+    EXPECT_EQ(refusal("unit", "mmHg"), place +
+                                           "unit: must be one of \"bar\", \"kPa\", \"MPa\", "
+                                           "\"psi\", \"mbar\", \"Pa\", got \"mmHg\"");
+    EXPECT_EQ(refusal("gauge", 1), place + "gauge: must be true or false, got 1");
+    EXPECT_NE(refusal("gauge", nullptr), "no error");
+    std::filesystem::remove_all(folder);
+}
+
+TEST(TableReading, CyclesOfATwoStrokeAreToldByTheirValues) {
+    const SyntheticEngine two = test::synthetic_engines()[10];
+    ASSERT_EQ(two.strokes, 2);
+    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 6})).strokes, 2);
+    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 6})).cycles, 6U);
+    const SyntheticEngine four = test::synthetic_engines()[0];
+    EXPECT_EQ(parse_pressure_trace(file_as(four, {.cycles = 3})).cycles, 3U);
+    // 720° are a four-stroke cycle, unless both turns are the same and the case says two strokes.
+    TableReading strokes;
+    strokes.strokes = 2;
+    EXPECT_EQ(parse_pressure_trace(file_as(four, {}), strokes).strokes, 4);
+    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 2}), strokes).cycles, 2U);
+    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 2})).strokes, 4);
+    // What is behind the last whole cycle is left out.
+    const std::string whole = file_as(four, {.cycles = 2});
+    const auto part = parse_pressure_trace(whole.substr(0, whole.size() - whole.size() / 8));
+    EXPECT_EQ(part.cycles, 1U);
+    EXPECT_GT(part.left_over / degree, 300.0);
+    EXPECT_NE(part.describe().english().find(" at the end left out"), std::string::npos);
+}
+
+TEST(TableReading, ATraceReadsBackAsItIsWritten) {
+    const auto read = parse_pressure_trace("deg;bar\n0;1\n180;1.5\n360;60\n540;3\n720;1\n");
+    EXPECT_EQ(parse_pressure_trace(write_pressure_trace(read.trace)).trace, read.trace);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
