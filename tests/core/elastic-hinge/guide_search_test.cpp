@@ -79,7 +79,7 @@ TEST(ElasticHingeSearchLimits, TheImpossibleIsRefusedWithASize) {
     EXPECT_NE(tight.reason.english().find("at least"), std::string::npos) << tight.reason.english();
     const GuideProposal stretched =
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::stretched, 0.2, 0.01,
-                     GuideWish{1e-3, 0.2, {}});
+                     GuideWish{1e-3, 0.2, {}, 0.0});
     EXPECT_FALSE(stretched.found);
     EXPECT_NE(stretched.reason.english().find("222.2 mm"), std::string::npos)
         << stretched.reason.english();
