@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -140,6 +142,7 @@ std::vector<std::string> cases() {
             names.push_back(entry.path().filename().string());
         }
     }
+    std::sort(names.begin(), names.end());
     return names;
 }
 
@@ -155,8 +158,12 @@ TEST(Allocations, OfCasesMayFail) {
 }
 
 TEST(Allocations, OfSolutionsMayFail) {
-    for (const char* name : {"tmz-650d.case.json", "zotov-as-printed.case.json", "vr5-volkswagen.case.json", "v8-4.25-repair.case.json"}) {
+    std::set<std::string> scenes;  // one case of each
+    for (const std::string& name : cases()) {
         const std::string text = example(name);
+        if (!scenes.insert(parse_case(text).scene).second) {
+            continue;
+        }
         expect_survives({name, [&] { return written(solve_case(parse_case(text), {})); }});
     }
 }
