@@ -20,7 +20,6 @@ constexpr std::string_view study_format = "ravnoves-study";
 constexpr std::string_view part_format = "ravnoves-study-part";
 constexpr int study_version = 1;
 constexpr int part_version = 2;
-constexpr Text not_ours = CORE_TEXT("studies", "is not what this program writes");
 
 template <typename Value>
 Json or_null(const std::optional<Value>& value) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
@@ -480,6 +481,17 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
         value.within = from.at("within").get<std::int64_t>();
         read_counts(from.at("slices"), value.slices);
         read_counts(from.at("pairs"), value.pairs);
+        // Each solved sample is in one bin, and lies within the limits or not.
+        std::uint64_t counted = 0;
+        bool holds = value.within >= 0 && (tally.solved_ == 0 || value.min <= value.max) &&
+                     static_cast<std::uint64_t>(value.within) <= tally.solved_;
+        for (const std::int64_t bin : value.bins) {
+            holds = holds && bin >= 0 && static_cast<std::uint64_t>(bin) <= tally.solved_;
+            counted += static_cast<std::uint64_t>(bin);
+        }
+        if (!holds || counted != tally.solved_) {
+            throw InputError("/counts", not_ours);
+        }
     }
     return tally;
 }

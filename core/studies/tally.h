@@ -94,6 +94,9 @@ struct Block {
     std::vector<Sums> sums{};  ///< by watched value, then replicate
 };
 
+/// Of a part that this program did not write, or not so.
+inline constexpr Text not_ours = CORE_TEXT("studies", "is not what this program writes");
+
 /// Whole numbers that samples add up to, whatever their order. 65536 bins of each watched value are
 /// fixed beforehand; their places serve the sensitivities too.
 class Tally {
@@ -124,7 +127,7 @@ class Tally {
                                          std::size_t bars) const;
 
     Json write() const;
-    /// @throws Json::exception where it is not what write() writes
+    /// @throws Json::exception or InputError where it is not what write() writes
     static Tally read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs);
 
   private:
