@@ -7,6 +7,7 @@
 #include <map>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "model/reference_case.h"
 #include "numerics/angle.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
@@ -31,7 +32,7 @@ QString angleText(double radians) {
 void connectTo(InertiaMomentsModel* model, ComparedFigure* widget) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
-    QObject::connect(model, &SceneModel::changed, widget, &ComparedFigure::pictureChanged);
+    widget->followReference(model);
     QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
 }
 
@@ -85,8 +86,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(theme.grid(), 1.2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(centre, radius, radius);
-        if (const auto* other = qobject_cast<const CounterweightView*>(reference())) {
-            const auto& was = other->model_->result();
+        if (const InertiaMomentsModel* other = referenceOf(model_)) {
+            const auto& was = other->result();
             painter.setPen(ghostPen(theme.text()));
             for (const auto& cylinder : was.engine.cylinders) {
                 painter.drawLine(centre, place(cylinder.crankpin_angle, radius));
@@ -292,11 +293,11 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
             interval + QStringLiteral("°"));
     }
     const double disc = Theme::withText(11);
-    if (const auto* other = qobject_cast<const FiringWheel*>(reference())) {
+    if (const InertiaMomentsModel* other = referenceOf(model_)) {
         // Where it fires, inside of the ring.
-        const double theirs = two_pi / other->model_->input().cycle();
+        const double theirs = two_pi / other->input().cycle();
         painter.setFont(Theme::font(Theme::smallSize));
-        for (const FiringEvent& event : other->model_->result().firing) {
+        for (const FiringEvent& event : other->result().firing) {
             const double angle = theirs * event.crank_angle;
             const QPointF ray(-std::sin(angle), -std::cos(angle));
             painter.setPen(ghostPen(theme.text()));

@@ -12,6 +12,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
+#include "model/reference_case.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "text/number_text.h"
@@ -61,6 +62,49 @@ const inertia_moments::Counterweight* sideWeight(const InertiaMomentsModel& mode
     return std::abs(weight.unbalance) > 0.0 ? &weight : nullptr;
 }
 
+/// What the front view must hold, m, y up, with the reference: it does not depend on φ, so the
+/// picture rests.
+QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* ghost) {
+    const Engine& engine = model.result().engine;
+    const double radius = engine.crank_radius;
+    double left = -1.25 * radius;
+    double right = 1.25 * radius;
+    double top = 1.25 * radius;
+    double bottom = -1.25 * radius;
+    for (const CylinderPose& pose : inertia_moments::engine_pose(engine, 0.0)) {
+        for (const double side : {-pistonHalf, pistonHalf}) {
+            const Complex corner =
+                pose.axis_foot +
+                pose.axis_direction * Complex(pose.top + crownHeight * radius, side * radius);
+            left = std::min(left, corner.real());
+            right = std::max(right, corner.real());
+            top = std::max(top, corner.imag());
+            bottom = std::min(bottom, corner.imag());
+        }
+    }
+    const QRectF bounds(left, bottom, right - left, top - bottom);
+    return ghost != nullptr ? bounds.united(frontBounds(*ghost, nullptr)) : bounds;
+}
+
+/// Where the crank begins and ends along its axis, with what stands on it, m.
+std::pair<double, double> sideBounds(const InertiaMomentsModel& model) {
+    const Engine& engine = model.result().engine;
+    const auto& input = model.input();
+    std::pair<double, double> bounds(input.reference_position, input.reference_position);
+    const auto hold = [&bounds](double z) {
+        bounds = {std::min(bounds.first, z), std::max(bounds.second, z)};
+    };
+    for (const Cylinder& cylinder : engine.cylinders) {
+        hold(cylinder.axial_position);
+    }
+    if (input.end_webs && input.end_webs->enabled) {
+        hold(input.end_webs->front_position);
+        hold(input.end_webs->rear_position);
+    }
+    const double margin = 0.8 * engine.crank_radius;
+    return {bounds.first - margin, bounds.second + margin};
+}
+
 QRectF weightBlock(const QPointF& centre, double radiusPixels) {
     const QPointF half(0.16 * radiusPixels, 0.3 * radiusPixels);
     return {centre - half, centre + half};
@@ -80,33 +124,15 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
+    followReference(model_);
 }
 
-QRectF EngineView::frontBounds() const {
-    const Engine& engine = model_->result().engine;
-    const double radius = engine.crank_radius;
-    double left = -1.25 * radius;
-    double right = 1.25 * radius;
-    double top = 1.25 * radius;
-    double bottom = -1.25 * radius;
-    for (const CylinderPose& pose : inertia_moments::engine_pose(engine, 0.0)) {
-        for (const double side : {-pistonHalf, pistonHalf}) {
-            const Complex corner =
-                pose.axis_foot +
-                pose.axis_direction * Complex(pose.top + crownHeight * radius, side * radius);
-            left = std::min(left, corner.real());
-            right = std::max(right, corner.real());
-            top = std::max(top, corner.imag());
-            bottom = std::min(bottom, corner.imag());
-        }
-    }
-    const QRectF bounds(left, bottom, right - left, top - bottom);
-    return ghost() != nullptr ? bounds.united(ghost()->frontBounds()) : bounds;
+const InertiaMomentsModel* EngineView::ghost() const {
+    return referenceOf(model_);
 }
 
 void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) const {
-    const Engine& engine = ghost()->model_->result().engine;
+    const Engine& engine = ghost()->result().engine;
     const double radius = engine.crank_radius;
     const double half = 0.95 * pistonHalf * radius;
     painter.setPen(ghostPen());
@@ -126,7 +152,7 @@ void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) cons
 }
 
 std::pair<QRectF, QRectF> EngineView::areas() const {
-    const QRectF bounds = frontBounds();
+    const QRectF bounds = frontBounds(*model_, ghost());
     const QRectF whole = QRectF(rect()).adjusted(10, 24, -10, -8);
     const auto scale = [&](const QRectF& area) {
         return std::min(area.width() / bounds.width(), area.height() / bounds.height());
@@ -211,7 +237,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     const std::vector<CylinderPose> poses = inertia_moments::engine_pose(engine, phi);
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    const QRectF bounds = frontBounds();
+    const QRectF bounds = frontBounds(*model_, ghost());
     const double half = pistonHalf * radius;
     const double crown = crownHeight * radius;
     drawing::Frame frame;
@@ -323,26 +349,8 @@ double EngineView::Side::height(double angle) const {
     return std::cos(direction + angle);
 }
 
-std::pair<double, double> EngineView::sideBounds() const {
-    const Engine& engine = model_->result().engine;
-    const auto& input = model_->input();
-    std::pair<double, double> bounds(input.reference_position, input.reference_position);
-    const auto hold = [&bounds](double z) {
-        bounds = {std::min(bounds.first, z), std::max(bounds.second, z)};
-    };
-    for (const Cylinder& cylinder : engine.cylinders) {
-        hold(cylinder.axial_position);
-    }
-    if (input.end_webs && input.end_webs->enabled) {
-        hold(input.end_webs->front_position);
-        hold(input.end_webs->rear_position);
-    }
-    const double margin = 0.8 * engine.crank_radius;
-    return {bounds.first - margin, bounds.second + margin};
-}
-
 void EngineView::paintSideGhost(QPainter& painter, const Side& at) const {
-    const InertiaMomentsModel& model = *ghost()->model_;
+    const InertiaMomentsModel& model = *ghost();
     const Engine& engine = model.result().engine;
     const double radius = engine.crank_radius;
     const double half = pinShare * radius;
@@ -372,13 +380,13 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const double phi = model_->crank()->degrees() * degree;
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    auto [low, high] = sideBounds();
+    auto [low, high] = sideBounds(*model_);
     double tall = radius;
     if (ghost() != nullptr) {
-        const auto [first, last] = ghost()->sideBounds();
+        const auto [first, last] = sideBounds(*ghost());
         low = std::min(low, first);
         high = std::max(high, last);
-        tall = std::max(tall, ghost()->model_->result().engine.crank_radius);
+        tall = std::max(tall, ghost()->result().engine.crank_radius);
     }
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = painter.fontMetrics().height();  // the numbers stand below

@@ -32,8 +32,6 @@ class EngineView : public MechanismPicture {
     /// Places of front and side view: one above the other, or beside each other where that makes
     /// the front view larger.
     std::pair<QRectF, QRectF> areas() const;
-    /// What the front view must hold, m, y up: it does not depend on φ, so the picture rests.
-    QRectF frontBounds() const;
     /// The mapping of the side view: place along the axis and height over it, m, to pixels.
     struct Side {
         QPointF middle;          ///< of the area, at the height of the axis
@@ -49,13 +47,11 @@ class EngineView : public MechanismPicture {
         double height(double angle) const;
     };
 
-    const EngineView* ghost() const { return static_cast<const EngineView*>(reference()); }
+    const InertiaMomentsModel* ghost() const;
     /// Axes of the cylinders, pistons, rods and throws of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& frame) const;
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
-    /// Where the crank begins and ends along its axis, with what stands on it, m.
-    std::pair<double, double> sideBounds() const;
     /// Throws, counterweights and reference point of the reference.
     void paintSideGhost(QPainter& painter, const Side& at) const;
 

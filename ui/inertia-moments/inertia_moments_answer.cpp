@@ -7,14 +7,12 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "page/mechanism_picture.h"
+#include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
-
-using Model = InertiaMomentsModel;
 
 InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
@@ -33,53 +31,36 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     answerColumn->setSpacing(Theme::gap);
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
-    addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), &Model::orderResults);
-    addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
-             &Model::rotatingResults);
-    addTable(tr("Shafts"), tr("Balance shafts"), &Model::shaftResults);
-    addTable(tr("Weights"), CounterweightView::name(), &Model::weightResults);
-    addTable(tr("Left"), tr("What is left over, by order"), &Model::remainingResults);
-    connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
+    addTable("orders", tr("Orders"), tr("Amplitudes and phases by order and plane"));
+    addTable("rotating", tr("±kω"), tr("Forward and backward rotating parts by order"));
+    addTable("shafts", tr("Shafts"), tr("Balance shafts"));
+    addTable("weights", tr("Weights"), CounterweightView::name());
+    addTable("left", tr("Left"), tr("What is left over, by order"));
     answerColumn->addWidget(tabs_, 1);
     column->addWidget(panel, 5);
-
-    connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showFront);
-    showFront();
 }
 
-void InertiaMomentsAnswer::addTable(const QString& title, const QString& name, Find results) {
-    auto* table = new ResultTable(name, tabs_);
-    table->setResults((model_->*results)());
+void InertiaMomentsAnswer::addTable(const char* part, const QString& title, const QString& name) {
+    auto* table = new PartTable(model_, part, name, tabs_);
     table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
-    tables_.push_back({table, results});
-}
-
-void InertiaMomentsAnswer::showFront() {
-    const Table& front = tables_.at(static_cast<std::size_t>(tabs_->currentIndex()));
-    front.table->setResults((model_->*front.results)());
-}
-
-void InertiaMomentsAnswer::fill() const {
-    for (const Table& each : tables_) {
-        each.table->setResults((model_->*each.results)());
-    }
+    tables_.push_back(table);
 }
 
 QString InertiaMomentsAnswer::asText() const {
-    fill();
     QString text;
-    for (const Table& each : tables_) {
-        text += each.table->asText() + QLatin1Char('\n');
+    for (PartTable* table : tables_) {
+        table->refresh();
+        text += table->asText() + QLatin1Char('\n');
     }
     return text;
 }
 
 QString InertiaMomentsAnswer::asCsv() const {
-    fill();
     QString text;
-    for (const Table& each : tables_) {
-        text += each.table->asCsv() + QLatin1Char('\n');
+    for (PartTable* table : tables_) {
+        table->refresh();
+        text += table->asCsv() + QLatin1Char('\n');
     }
     return text;
 }

@@ -3,17 +3,14 @@
 #include <QWidget>
 #include <vector>
 
-#include "text/result_row.h"
-
 class QTabWidget;
-class QLabel;
 
 namespace ravnoves {
 
 class EngineView;
 class InertiaMomentsModel;
+class PartTable;
 class PicturePanel;
-class ResultTable;
 
 /// The picture of the engine and the tables of the answer.
 class InertiaMomentsAnswer : public QWidget {
@@ -29,22 +26,13 @@ class InertiaMomentsAnswer : public QWidget {
     QTabWidget* tabs() const { return tabs_; }
 
   private:
-    using Find = Results (InertiaMomentsModel::*)() const;
-    struct Table {
-        ResultTable* table;
-        Find results;
-    };
-
-    void addTable(const QString& title, const QString& name, Find results);
-    void showFront();
-    /// Fills the tables that are not in front too.
-    void fill() const;
+    void addTable(const char* part, const QString& title, const QString& name);
 
     InertiaMomentsModel* model_;
     EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
-    std::vector<Table> tables_;
+    std::vector<PartTable*> tables_;
 };
 
 }  // namespace ravnoves

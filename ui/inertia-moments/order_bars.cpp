@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "model/reference_case.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
@@ -42,8 +43,8 @@ OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent)
     connect(model_, &SceneModel::changed, this, [this] {
         setAccessibleDescription(sentence());
         update();
-        Q_EMIT pictureChanged();
     });
+    followReference(model_);
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -52,8 +53,8 @@ void OrderBars::setLogarithmic(bool logarithmic) {
     update();
 }
 
-std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
-    const Result& result = model_->result();
+std::vector<std::array<OrderBars::Group, 3>> OrderBars::groupsOf(const InertiaMomentsModel& model) {
+    const Result& result = model.result();
     std::vector<std::array<Group, 3>> all(result.unbalanced.orders.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const EngineOrder& exact = result.unbalanced.orders[i];
@@ -135,8 +136,8 @@ QString OrderBars::table(const CsvFormat& format) const {
 }
 
 std::vector<std::array<OrderBars::Group, 3>> OrderBars::ghosts() const {
-    const auto* other = static_cast<const OrderBars*>(reference());
-    return other != nullptr ? other->groups() : std::vector<std::array<Group, 3>>();
+    const InertiaMomentsModel* other = referenceOf(model_);
+    return other != nullptr ? groupsOf(*other) : std::vector<std::array<Group, 3>>();
 }
 
 QRectF OrderBars::panelRect(int panel) const {

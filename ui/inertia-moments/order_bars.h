@@ -30,7 +30,7 @@ class OrderBars : public ComparedFigure {
         double twoTerm = 0.0;
         double left = 0.0;
     };
-    std::vector<std::array<Group, 3>> groups() const;
+    std::vector<std::array<Group, 3>> groups() const { return groupsOf(*model_); }
 
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
@@ -42,6 +42,7 @@ class OrderBars : public ComparedFigure {
   private:
     QString sentence() const;
     QString table(const CsvFormat& format) const;
+    static std::vector<std::array<Group, 3>> groupsOf(const InertiaMomentsModel& model);
     std::vector<std::array<Group, 3>> ghosts() const;  ///< the reference's; none without one
     QRectF panelRect(int panel) const;
     QRectF barsRect(int panel) const;

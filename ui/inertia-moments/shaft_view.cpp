@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "model/reference_case.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
@@ -41,7 +42,7 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
+    followReference(model_);
     connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
@@ -178,7 +179,7 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     ray(axis, Qt::DashDotLine, theme.mutedText());
     ray(axis + phi, Qt::DashLine, theme.accent());
 
-    const auto* other = qobject_cast<const ShaftView*>(reference());
+    const InertiaMomentsModel* other = referenceOf(model_);
     double largest = 1e-300;
     const auto makeRoom = [&](const std::vector<ShaftDesign>& shafts) {
         for (const ShaftDesign& each : shafts) {
@@ -189,14 +190,13 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     };
     makeRoom(result.shafts);
     if (other != nullptr) {
-        makeRoom(other->model_->result().shafts);
+        makeRoom(other->result().shafts);
     }
     const auto lengthOf = [&](const Complex& target) {
         return radius * std::max(0.2, std::abs(target) / largest);
     };
-    if (other != nullptr &&
-        static_cast<std::size_t>(index) < other->model_->result().shafts.size()) {
-        const ShaftDesign& was = other->model_->result().shafts[static_cast<std::size_t>(index)];
+    if (other != nullptr && static_cast<std::size_t>(index) < other->result().shafts.size()) {
+        const ShaftDesign& was = other->result().shafts[static_cast<std::size_t>(index)];
         if (was.phase) {
             const double forwards = was.shaft.direction == Direction::forward ? 1.0 : -1.0;
             const double angle = std::arg(was.target) + forwards * was.shaft.order * phi;

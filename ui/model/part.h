@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -40,7 +41,6 @@ struct PartSpread {
     QString how;                          ///< they were found
 };
 
-
 /// What a part shows of one input; nothing where it does not exist.
 using Content = std::variant<std::monostate, Figure, Results, Notes>;
 
@@ -52,10 +52,11 @@ struct PartMaker {
     Content (*make)(const Model& model);
 };
 
-/// Such a maker's function from one that returns a figure, a table or notes.
+/// Such a maker's function from one that returns a figure, a table or notes, or from a member of
+/// the model that does.
 template <auto make, typename Model>
 Content made(const Model& model) {
-    return make(model);
+    return std::invoke(make, model);
 }
 
 template <typename Makers>

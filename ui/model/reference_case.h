@@ -42,4 +42,10 @@ class ReferenceCase : public QObject {
     QString trouble_;
 };
 
+/// The reference of a model, of the same scene; null: there is none.
+template <typename Model>
+const Model* referenceOf(Model* present) {
+    return static_cast<const Model*>(present->referenceCase().model());
+}
+
 }  // namespace ravnoves

@@ -13,7 +13,7 @@
 #include "example_check.h"
 #include "inertia-moments/layouts.h"
 #include "inertia-moments/model/cylinder_table_model.h"
-#include "inertia-moments/model/engine_curves.h"
+#include "inertia-moments/model/engine_parts.h"
 #include "model/input_differences.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
@@ -351,45 +351,64 @@ TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
     EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * units::rpm, 1e-9);
 }
 
-TEST(EngineCurves, AreTheVectorsOfTheResult) {
+Figure figureOf(const InertiaMomentsModel& model, const char* part) {
+    return std::get<Figure>(model.part(part));
+}
+
+const Figure::Curve& curveOf(const Figure& figure, std::string_view id) {
+    return *std::find_if(figure.curves.begin(), figure.curves.end(),
+                         [&](const Figure::Curve& curve) { return curve.id == id; });
+}
+
+double reachOf(const std::vector<double>& values) {
+    double reach = 0.0;
+    for (const double value : values) {
+        reach = std::max(reach, std::abs(value));
+    }
+    return reach;
+}
+
+TEST(EnginePlots, ShowTheVectorsOfTheResult) {
     const InertiaMomentsModel model;
     const inertia_moments::Result& result = model.result();
     for (const int order : {1, 2}) {
-        const auto moments = engine_curves::orderMoments(result, order);
-        EXPECT_TRUE(moments.isSomething);
-        ASSERT_EQ(moments.exact.x.size(), moments.crankAngleDeg.size());
-        for (std::size_t i = 0; i < moments.crankAngleDeg.size(); ++i) {
-            const double angle = order * moments.crankAngleDeg[i] * degree;
+        const Figure figure = figureOf(model, order == 1 ? "order-1" : "order-2");
+        EXPECT_FALSE(figure.leftRange);
+        const std::vector<double>& angles = curveOf(figure, "vertical").x;
+        ASSERT_EQ(angles.size(), curveOf(figure, "horizontal").y.size());
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const double angle = order * angles[i] * degree;
             const auto exact = result.unbalanced.order(order).moment.at(angle);
-            EXPECT_EQ(moments.exact.x[i], exact.real());
-            EXPECT_EQ(moments.exact.y[i], exact.imag());
-            EXPECT_EQ(moments.twoTerm.y[i],
+            EXPECT_EQ(curveOf(figure, "horizontal").y[i], exact.real());
+            EXPECT_EQ(curveOf(figure, "vertical").y[i], exact.imag());
+            EXPECT_EQ(curveOf(figure, "vertical-two-term").y[i],
                       result.two_term_unbalanced.order(order).moment.at(angle).imag());
         }
     }
-    const auto roll = engine_curves::roll(result);
-    EXPECT_EQ(roll.crankAngleDeg.back(), 720.0);
-    for (std::size_t i = 0; i < roll.sum.size(); ++i) {
-        EXPECT_NEAR(roll.sum[i], roll.inertia[i] + roll.reactionTorque[i], 1e-9);
+    const Figure roll = figureOf(model, "roll");
+    EXPECT_EQ(curveOf(roll, "sum").x.back(), 720.0);
+    for (std::size_t i = 0; i < curveOf(roll, "sum").y.size(); ++i) {
+        EXPECT_NEAR(curveOf(roll, "sum").y[i],
+                    curveOf(roll, "inertia").y[i] + curveOf(roll, "reaction").y[i], 1e-9);
     }
 }
 
-TEST(EngineCurves, AnEngineInOnePlaneHasForcesOnly) {
+TEST(EnginePlots, ShowTheForcesOfAnEngineInOnePlane) {
     InertiaMomentsModel model;
-    EXPECT_FALSE(engine_curves::hasForcesOnly(model.result()));
+    EXPECT_FALSE(hasForcesOnly(model.result()));
     model.chooseLayout(QStringLiteral("radial-7"));
-    EXPECT_TRUE(engine_curves::hasForcesOnly(model.result()));
-    const auto forces = engine_curves::orderMoments(model.result(), 2, true);
-    EXPECT_TRUE(forces.isSomething);
+    EXPECT_TRUE(hasForcesOnly(model.result()));
+    const Figure forces = figureOf(model, "order-2");
+    EXPECT_FALSE(forces.leftRange);
     const auto first = model.result().exact.order(2).force.at(0.0);
-    EXPECT_EQ(forces.exact.x.front(), first.real());
-    EXPECT_EQ(forces.exact.y.front(), first.imag());
+    EXPECT_EQ(curveOf(forces, "horizontal").y.front(), first.real());
+    EXPECT_EQ(curveOf(forces, "vertical").y.front(), first.imag());
     model.chooseLayout(QStringLiteral("i6"));
     model.edit(QStringLiteral("bare"), [](Input& input) { input.end_webs.reset(); });
-    EXPECT_FALSE(engine_curves::hasForcesOnly(model.result()));  // nor forces
+    EXPECT_FALSE(hasForcesOnly(model.result()));  // nor forces
 }
 
-TEST(EngineCurves, RoundingIsNoPicture) {
+TEST(EnginePlots, ShowNoRounding) {
     InertiaMomentsModel model;
     model.chooseLayout(QStringLiteral("i6"));
     ASSERT_EQ(model.layoutName(), QStringLiteral("i6"));
@@ -397,48 +416,51 @@ TEST(EngineCurves, RoundingIsNoPicture) {
         input.shafts.clear();
         input.end_webs.reset();
     });
-    const auto moments = engine_curves::orderMoments(model.result(), 1);
-    EXPECT_FALSE(moments.isSomething);
-    EXPECT_EQ(moments.exact.reach(), 0.0);
-    const auto forces = engine_curves::hodograph(model.result(), true);
-    EXPECT_TRUE(forces.left.x.empty() || forces.left.reach() < forces.y.high);
-    EXPECT_GT(forces.y.high, 100.0 * forces.first.reach());
-    EXPECT_EQ(forces.x.span(), 0.0);
+    const Figure moments = figureOf(model, "order-1");
+    ASSERT_TRUE(moments.leftRange);
+    EXPECT_EQ(moments.leftRange->second, 1.0);
+    EXPECT_EQ(reachOf(curveOf(moments, "vertical").y), 0.0);
+    EXPECT_EQ(reachOf(curveOf(moments, "horizontal").y), 0.0);
+    const Figure forces = figureOf(model, "hodograph-forces");
+    EXPECT_GT(forces.leftRange->second, 100.0 * reachOf(curveOf(forces, "first").y));
+    EXPECT_LT(reachOf(curveOf(forces, "left").y), forces.leftRange->second);
+    EXPECT_EQ(reachOf(curveOf(forces, "all").x), 0.0);
 }
 
-TEST(EngineCurves, TheCourseIsTheSumOfAllForces) {
+TEST(EnginePlots, OverTheAngleAreTheSumOfAllForces) {
     InertiaMomentsModel model;
     model.chooseLayout(QStringLiteral("i4"));
     const auto& result = model.result();
-    const engine_curves::Course forces = engine_curves::course(result, true);
-    ASSERT_EQ(forces.crankAngleDeg.front(), 0.0);
-    ASSERT_EQ(forces.crankAngleDeg.back(), 720.0);
+    const Figure forces = figureOf(model, "forces-over-angle");
+    const Figure::Curve& upright = curveOf(forces, "vertical");
+    ASSERT_EQ(upright.x.front(), 0.0);
+    ASSERT_EQ(upright.x.back(), 720.0);
+    const std::vector<double>& twoTermForce = curveOf(forces, "vertical-two-term").y;
     for (const std::size_t i : {std::size_t{0}, std::size_t{47}, std::size_t{500}}) {
-        const double phi = forces.crankAngleDeg[i] * degree;
+        const double phi = upright.x[i] * degree;
         const auto exact = inertia_moments::exact_wrench(result.engine, phi);
-        const double scale = forces.exact.reach();
-        EXPECT_NEAR(forces.exact.y[i], exact.force.imag(), 1e-9 * scale);
+        const double scale = reachOf(upright.y);
+        EXPECT_NEAR(upright.y[i], exact.force.imag(), 1e-9 * scale);
         const auto twoTerm = inertia_moments::sum_of_orders(result.two_term, phi);
-        EXPECT_NEAR(forces.twoTerm.y[i], twoTerm.force.imag(), 1e-9 * scale);
+        EXPECT_NEAR(twoTermForce[i], twoTerm.force.imag(), 1e-9 * scale);
     }
     // An in-line four: 4 λ m R ω² of second order, and a little of the fourth.
-    EXPECT_TRUE(forces.isSomething);
+    EXPECT_FALSE(forces.leftRange);
     const double second = 4.0 * result.engine.lambda * result.engine.force_unit();
-    EXPECT_NEAR(forces.twoTerm.reach(), second, 1e-9 * second);
-    EXPECT_NEAR(forces.exact.reach(), second, 0.1 * second);
+    EXPECT_NEAR(reachOf(twoTermForce), second, 1e-9 * second);
+    EXPECT_NEAR(reachOf(upright.y), second, 0.1 * second);
     // Its one moment is about the crank; two of its four pistons rise while two fall.
-    const engine_curves::Course moments = engine_curves::course(result, false);
-    EXPECT_TRUE(moments.isSomething);
-    ASSERT_EQ(moments.roll.size(), moments.crankAngleDeg.size());
+    const Figure moments = figureOf(model, "moments-over-angle");
+    EXPECT_FALSE(moments.leftRange);
+    const Figure::Curve& roll = curveOf(moments, "roll");
+    ASSERT_EQ(roll.x, upright.x);
     for (const std::size_t i : {std::size_t{47}, std::size_t{500}}) {
-        const auto exact =
-            inertia_moments::exact_wrench(result.engine, moments.crankAngleDeg[i] * degree);
-        EXPECT_NEAR(moments.roll[i], exact.roll(), 1e-9 * std::abs(exact.roll()));
+        const auto exact = inertia_moments::exact_wrench(result.engine, roll.x[i] * degree);
+        EXPECT_NEAR(roll.y[i], exact.roll(), 1e-9 * std::abs(exact.roll()));
     }
-    EXPECT_TRUE(moments.rollLeft.empty());
-    EXPECT_TRUE(forces.roll.empty());
+    EXPECT_TRUE(curveOf(moments, "roll-left").y.empty());
     // It has no side force: nothing, not rounding.
-    EXPECT_EQ(*std::max_element(forces.exact.x.begin(), forces.exact.x.end()), 0.0);
+    EXPECT_EQ(reachOf(curveOf(forces, "horizontal").y), 0.0);
 }
 
 TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {

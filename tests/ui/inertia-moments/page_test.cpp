@@ -25,13 +25,12 @@
 #include "inertia-moments/cylinder_editor.h"
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/cylinder_table_model.h"
-#include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_view.h"
+#include "page/part_views.h"
 #include "painted.h"
-#include "plot/plot_view.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -53,6 +52,8 @@ class InertiaMomentsPageTest : public ::testing::Test {
         model = page.viewModel();
     }
 
+    PartPlot* shown(const char* part) { return partPlot(page, part); }
+    PartPlot* ofOrder(int number) { return shown(number == 1 ? "order-1" : "order-2"); }
     NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
     void tab(Tabs group, const char* name) {
         const QStringList names = InertiaMomentsModel::tabNames(group);
@@ -105,8 +106,8 @@ TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     EXPECT_NE(page.resultsAsText(), before);
     // The plots show the new moments: curve 2 is the exact My.
     const RotatingPair& pair = model->result().unbalanced.order(1).moment;
-    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(0, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
-    EXPECT_NEAR(*page.charts()->moment(2)->valueAt(1, 30.0),
+    EXPECT_NEAR(*ofOrder(1)->valueAt(0, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
+    EXPECT_NEAR(*ofOrder(2)->valueAt(1, 30.0),
                 model->result().exact.order(2).moment.at(60.0 * degree).real(), 1e-9);
     EXPECT_EQ(model->history()->count(), 1);
     model->history()->undo();
@@ -477,7 +478,7 @@ TEST_F(InertiaMomentsPageTest, ARefusedCellIsNamedUntilItIsMended) {
 }
 
 TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
-    EXPECT_EQ(page.charts()->moment(1)->title(), QStringLiteral("Order 1"));
+    EXPECT_EQ(ofOrder(1)->title(), QStringLiteral("Order 1"));
     model->chooseLayout(QStringLiteral("radial-9"));
     CylinderTableModel* table = page.cylinderEditor()->tableModel();
     EXPECT_EQ(table->index(3, CylinderTableModel::TopDeadCentre).data().toString(),
@@ -497,7 +498,7 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     EXPECT_NE(stroke.data().toString(), QStringLiteral("175.19"));
     // One plane: no moments, so the plots show the forces.
     for (const int order : {1, 2}) {
-        PlotView* plot = page.charts()->moment(order);
+        PlotView* plot = ofOrder(order);
         EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
         EXPECT_EQ(plot->curveName(0), QStringLiteral("Fy"));
         EXPECT_NEAR(*plot->valueAt(0, 30.0),
@@ -505,13 +506,13 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
                     1e-6);
     }
     model->chooseLayout(QStringLiteral("vw-vr5"));
-    EXPECT_EQ(page.charts()->moment(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(page.charts()->moment(2)->curveName(1), QStringLiteral("Mx"));
+    EXPECT_EQ(ofOrder(2)->title(), QStringLiteral("Order 2"));
+    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("Mx"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
     InertiaMomentsPage beside;  // the VR5, whose charts show moments
-    const PlotView* plot = beside.charts()->moment(2);
+    const PlotView* plot = partPlot(beside, "order-2");
     model->chooseLayout(QStringLiteral("radial-9"));
     beside.viewModel()->takeView(*model);
     EXPECT_EQ(plot->title(), QStringLiteral("Order 2, forces"));
@@ -525,24 +526,24 @@ TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
 
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     tab(Tabs::Charts, "shafts");
-    ShaftView* view = page.charts()->shaftView();
+    ShaftView* view = page.findChild<ShaftView*>();
     ASSERT_TRUE(view->isVisible());
     const double before = model->result().remaining.order(1).moment.max();
     // The weights on the end webs alone leave the reciprocating parts; without them nothing differs
     // from what there was before, and there is no curve of what is left.
-    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(4, 90.0),
+    EXPECT_NEAR(*ofOrder(1)->valueAt(4, 90.0),
                 model->result().exact.order(1).moment.at(90.0 * degree).imag(), 1e-9);
     const auto weigh = [&](bool enabled) {
         model->edit(QString(),
                     [&](inertia_moments::Input& input) { input.end_webs->enabled = enabled; });
     };
     weigh(false);
-    EXPECT_FALSE(page.charts()->moment(1)->valueAt(4, 90.0).has_value());
+    EXPECT_FALSE(ofOrder(1)->valueAt(4, 90.0).has_value());
     weigh(true);
     QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
     EXPECT_TRUE(model->input().shafts[0].enabled);
     EXPECT_LT(model->result().remaining.order(1).moment.max(), before);
-    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(4, 90.0),
+    EXPECT_NEAR(*ofOrder(1)->valueAt(4, 90.0),
                 model->result().remaining.order(1).moment.at(90.0 * degree).imag(), 1e-9);
     QTest::keyClick(view, Qt::Key_Right);
     QTest::keyClick(view, Qt::Key_Space);
@@ -681,7 +682,7 @@ TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
 }
 
 TEST_F(InertiaMomentsPageTest, TheCursorTurnsTheCrankInEveryView) {
-    PlotView* plot = page.charts()->moment(1);
+    PlotView* plot = ofOrder(1);
     const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
                    plot->plotArea().center().toPoint().y());
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
@@ -720,7 +721,7 @@ TEST_F(InertiaMomentsPageTest, PicturePlaysPausesAndTurns) {
 
 TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
     tab(Tabs::Charts, "orders");
-    OrderBars* bars = page.charts()->bars();
+    OrderBars* bars = page.findChild<OrderBars*>();
     ASSERT_TRUE(bars->isVisible());
     const auto groups = bars->groups();
     ASSERT_EQ(groups.size(), 12U);
@@ -744,11 +745,11 @@ TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
 
 TEST_F(InertiaMomentsPageTest, BarsStandInTheOutlineOfTheReferences) {
     tab(Tabs::Charts, "orders");
-    OrderBars* bars = page.charts()->bars();
+    OrderBars* bars = page.findChild<OrderBars*>();
     const QImage alone = bars->grab().toImage();
-    InertiaMomentsPage slower;
-    slower.model()->setByKey(QStringLiteral("speed_rpm"), QStringLiteral("3000"));
-    bars->setReference(slower.findChild<OrderBars*>(), QStringLiteral("A"));
+    model->setByKey(QStringLiteral("speed_rpm"), QStringLiteral("3000"));
+    model->keepVariant(QStringLiteral("A"));
+    model->setByKey(QStringLiteral("speed_rpm"), QStringLiteral("6200"));
     EXPECT_NE(bars->grab().toImage(), alone);
     const QPoint at(110, bars->height() / 5);
     QHelpEvent help(QEvent::ToolTip, at, bars->mapToGlobal(at));
@@ -756,29 +757,34 @@ TEST_F(InertiaMomentsPageTest, BarsStandInTheOutlineOfTheReferences) {
     EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("A: Order 1")))
         << QToolTip::text().toStdString();
     QToolTip::hideText();
-    bars->setReference(nullptr, {});
+    model->chooseReference(-1);
     EXPECT_EQ(bars->grab().toImage(), alone);
 }
 
 TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
-    const QString csv = page.charts()->hodograph(false)->dataAsCsv();
+    const QString csv = shown("hodograph-moments")->dataAsCsv();
     EXPECT_TRUE(csv.contains(QStringLiteral("1st")));
-    const auto [low, high] = page.charts()->hodograph(false)->yInterval(PlotView::Side::Left);
+    const auto [low, high] = shown("hodograph-moments")->yInterval(PlotView::Side::Left);
     EXPECT_GT(high, model->result().exact.order(2).moment.max());
     EXPECT_LT(low, -model->result().exact.order(2).moment.max());
     // One newton-metre is as long in x as in y.
-    PlotView* plot = page.charts()->hodograph(false);
+    PlotView* plot = shown("hodograph-moments");
     const QPointF zero = plot->toPixel(0, 0);
     const QPointF x = plot->toPixel(100, 0);
     const QPointF y = plot->toPixel(0, 100);
     EXPECT_NEAR(x.x() - zero.x(), zero.y() - y.y(), 0.5);
     // The curves fill one of the axes.
-    for (const bool force : {true, false}) {
-        const PlotView* each = page.charts()->hodograph(force);
-        const auto all = engine_curves::hodograph(model->result(), force);
-        const QRectF curves =
-            QRectF(each->toPixel(all.x.low, all.y.low), each->toPixel(all.x.high, all.y.high))
-                .normalized();
+    for (const char* part : {"hodograph-forces", "hodograph-moments"}) {
+        const PlotView* each = shown(part);
+        QRectF curves(each->toPixel(0.0, 0.0), QSizeF());
+        for (const PlotCurve& curve : each->data().curves) {
+            for (std::size_t i = 0; i < curve.x.size(); ++i) {
+                const QPointF at = each->toPixel(curve.x[i], curve.y[i]);
+                curves.setCoords(std::min(curves.left(), at.x()), std::min(curves.top(), at.y()),
+                                 std::max(curves.right(), at.x()),
+                                 std::max(curves.bottom(), at.y()));
+            }
+        }
         const QRectF area = each->plotArea();
         EXPECT_GT(std::max(curves.width() / area.width(), curves.height() / area.height()), 0.8);
     }
@@ -794,19 +800,19 @@ TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
     QApplication::processEvents();
     // Curves 0 and 2 are Fy, exact and two-term.
     const auto force = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).force;
-    EXPECT_NEAR(*page.charts()->course(true)->valueAt(0, 30.0), force.imag(),
+    EXPECT_NEAR(*shown("forces-over-angle")->valueAt(0, 30.0), force.imag(),
                 1e-9 * std::abs(force));
-    EXPECT_NE(*page.charts()->course(true)->valueAt(2, 30.0), 0.0);
-    EXPECT_GT(page.charts()->course(true)->yInterval(PlotView::Side::Left).second, 1000.0);
-    EXPECT_EQ(*page.charts()->course(true)->valueAt(1, 30.0), 0.0);
+    EXPECT_NE(*shown("forces-over-angle")->valueAt(2, 30.0), 0.0);
+    EXPECT_GT(shown("forces-over-angle")->yInterval(PlotView::Side::Left).second, 1000.0);
+    EXPECT_EQ(*shown("forces-over-angle")->valueAt(1, 30.0), 0.0);
     // The moments are no flat chart: Mz is one of them.
     const double roll = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).roll();
-    EXPECT_NEAR(*page.charts()->course(false)->valueAt(6, 30.0), roll, 1e-9 * std::abs(roll));
-    EXPECT_GT(page.charts()->course(false)->yInterval(PlotView::Side::Left).second, 10.0);
+    EXPECT_NEAR(*shown("moments-over-angle")->valueAt(6, 30.0), roll, 1e-9 * std::abs(roll));
+    EXPECT_GT(shown("moments-over-angle")->yInterval(PlotView::Side::Left).second, 10.0);
     // A change of the input is there at once.
-    const double before = *page.charts()->course(true)->valueAt(0, 30.0);
+    const double before = *shown("forces-over-angle")->valueAt(0, 30.0);
     drag(page.sliders()->speed()->slider(), -30);
-    EXPECT_LT(std::abs(*page.charts()->course(true)->valueAt(0, 30.0)), std::abs(before));
+    EXPECT_LT(std::abs(*shown("forces-over-angle")->valueAt(0, 30.0)), std::abs(before));
 }
 
 TEST_F(InertiaMomentsPageTest, HodographsAreThoseOfTheInputWhateverWasDraggedBefore) {
@@ -822,10 +828,8 @@ TEST_F(InertiaMomentsPageTest, HodographsAreThoseOfTheInputWhateverWasDraggedBef
     fresh.viewModel()->loadInput(model->inputJson(), {});
     test::showAt(fresh, {1187, 712});
     QApplication::processEvents();
-    for (const bool force : {true, false}) {
-        PlotView* plot = page.charts()->hodograph(force);
-        PlotView* expected = fresh.charts()->hodograph(force);
-        EXPECT_EQ(plot->grab().toImage(), expected->grab().toImage()) << force;
+    for (const char* part : {"hodograph-forces", "hodograph-moments"}) {
+        EXPECT_EQ(shown(part)->grab().toImage(), partPlot(fresh, part)->grab().toImage()) << part;
     }
 }
 
@@ -842,10 +846,8 @@ TEST_F(InertiaMomentsPageTest, AxesFollowKeysThatPause) {
     fresh.viewModel()->loadInput(model->inputJson(), {});
     test::showAt(fresh, {1187, 712});
     QApplication::processEvents();
-    for (const bool force : {true, false}) {
-        EXPECT_EQ(page.charts()->hodograph(force)->grab().toImage(),
-                  fresh.charts()->hodograph(force)->grab().toImage())
-            << force;
+    for (const char* part : {"hodograph-forces", "hodograph-moments"}) {
+        EXPECT_EQ(shown(part)->grab().toImage(), partPlot(fresh, part)->grab().toImage()) << part;
     }
     // What follows is one step with them.
     QTest::keyClick(slider, Qt::Key_Left);
@@ -913,7 +915,7 @@ TEST_F(InertiaMomentsPageTest, OrdersAreATabWhereTheWindowIsLow) {
     constexpr QSize high(1187, 800);
     const QTabWidget& tabs = *page.charts()->tabs();
     const int tabsOfAll = static_cast<int>(InertiaMomentsModel::tabNames(Tabs::Charts).size());
-    PlotView* order = page.charts()->moment(2);
+    PlotView* order = ofOrder(2);
     for (int turn = 0; turn < 2; ++turn) {
         test::showAt(page, low);
         ASSERT_EQ(tabs.count(), tabsOfAll + 1);

@@ -7,7 +7,6 @@
 
 #include "case-file/result_json.h"
 #include "inertia-moments/fields.h"
-#include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/results.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
@@ -519,7 +518,7 @@ QString InertiaMomentsModel::setRodLength(std::optional<double> length) {
 // ---------------------------------------------------------------------------------------- view
 
 bool InertiaMomentsModel::showsForces() const {
-    return forces_.value_or(engine_curves::hasForcesOnly(result()));
+    return forces_.value_or(hasForcesOnly(result()));
 }
 
 void InertiaMomentsModel::takeView(const SceneModel& other) {

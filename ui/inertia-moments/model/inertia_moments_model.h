@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "inertia-moments/model/engine_parts.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/results.h"
 #include "inertia-moments/solver.h"
@@ -45,6 +46,12 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const inertia_moments::Result& result() const { return solved(); }
+
+    std::span<const Part> parts() const override { return engineParts(); }
+    Content part(std::string_view id) const override { return enginePart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
+        return std::make_unique<InertiaMomentsModel>();
+    }
 
     // ---------------------------------------------------------------- layout
 

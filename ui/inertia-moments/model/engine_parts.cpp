@@ -1,0 +1,435 @@
+#include "inertia-moments/model/engine_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "numerics/constants.h"
+
+namespace ravnoves {
+
+using inertia_moments::EngineOrder;
+using inertia_moments::Result;
+using inertia_moments::RotatingPair;
+using inertia_moments::WrenchCurves;
+using inertia_moments::zero_share;
+
+namespace {
+
+constexpr double cycle_deg = 720.0;  // the paper's Fig. 6 shows two turns
+
+/// A vector in the plane across the crank, point by point.
+struct Trace {
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+const RotatingPair& vectorOf(const EngineOrder& order, bool force) {
+    return force ? order.force : order.moment;
+}
+
+/// What counts as nothing beside an order.
+double roundingOf(const EngineOrder& order, bool force) {
+    return zero_share * (force ? order.force_scale : order.moment_scale);
+}
+
+/// Of all orders together.
+double rounding(const Result& result, bool force) {
+    double sum = 0.0;
+    for (const EngineOrder& order : result.unbalanced.orders) {
+        sum += roundingOf(order, force);
+    }
+    return sum;
+}
+
+bool isSomething(const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+}
+
+/// A curve of one turn, shown over two.
+std::vector<double> twice(const std::vector<double>& turn) {
+    std::vector<double> both(turn);
+    both.insert(both.end(), turn.begin() + 1, turn.end());
+    return both;
+}
+
+/// So many angles over two turns, degrees.
+std::vector<double> anglesOfTwoTurns(std::size_t points) {
+    std::vector<double> angles(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        angles[i] = static_cast<double>(i) * cycle_deg / static_cast<double>(points - 1);
+    }
+    return angles;
+}
+
+/// Over one turn; what is nothing but rounding is drawn as nothing.
+Trace turnOf(const WrenchCurves& curves, bool force, double nothing) {
+    Trace trace =
+        force ? Trace{curves.force_x, curves.force_y} : Trace{curves.moment_x, curves.moment_y};
+    for (std::vector<double>* values : {&trace.x, &trace.y}) {
+        if (std::all_of(values->begin(), values->end(),
+                        [&](double value) { return std::abs(value) <= nothing; })) {
+            std::fill(values->begin(), values->end(), 0.0);
+        }
+    }
+    return trace;
+}
+
+/// True where counterweights or shafts change something.
+bool isBalanced(const Result& result, bool force) {
+    for (std::size_t i = 0; i < result.unbalanced.orders.size(); ++i) {
+        const EngineOrder& before = result.unbalanced.orders[i];
+        if ((vectorOf(result.remaining.orders[i], force) - vectorOf(before, force)).max() >
+            roundingOf(before, force)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Figure overCycle(const QString& title, const QString& left) {
+    return {.title = title,
+            .x = {.title = EnginePlots::tr("φ, °"), .min = 0.0, .max = cycle_deg, .degrees = true},
+            .left = {.title = left}};
+}
+
+QString unitTitle(bool force) {
+    return force ? EnginePlots::tr("F, N") : EnginePlots::tr("M, N·m");
+}
+
+/// Both components of a vector, exact and two-term over φ, and what balancing leaves of it; empty
+/// where it changes nothing.
+struct Course {
+    std::vector<double> angle = {};
+    Trace exact = {};
+    Trace twoTerm = {};
+    Trace left = {};
+};
+
+/// @param tips  of the upright and the level component of each
+void addCourse(Figure& figure, bool force, Course course, const std::array<QString, 6>& tips) {
+    const auto add = [&](const char* id, const QString& name, int colour, double width,
+                         Qt::PenStyle pen, const QString& tip, std::vector<double>& values) {
+        if (isSomething(values)) {
+            figure.leftRange.reset();
+        }
+        figure.curves.push_back(
+            {.id = id,
+             .style = {.name = name, .colour = colour, .width = width, .pen = pen, .toolTip = tip},
+             .x = values.empty() ? values : course.angle,
+             .y = std::move(values)});
+    };
+    figure.leftRange = std::pair(-1.0, 1.0);  // a flat chart, not rounding
+    add("vertical", force ? EnginePlots::tr("Fy") : EnginePlots::tr("My"), 2, 2.8, Qt::SolidLine,
+        tips[0], course.exact.y);
+    add("horizontal", force ? EnginePlots::tr("Fx") : EnginePlots::tr("Mx"), 1, 2.8, Qt::SolidLine,
+        tips[1], course.exact.x);
+    // Dashes over the exact ones: where both agree each is seen.
+    add("vertical-two-term", force ? EnginePlots::tr("Fy 2-term") : EnginePlots::tr("My 2-term"), 6,
+        1.4, Qt::DashLine, tips[2], course.twoTerm.y);
+    add("horizontal-two-term", force ? EnginePlots::tr("Fx 2-term") : EnginePlots::tr("Mx 2-term"),
+        7, 1.4, Qt::DashLine, tips[3], course.twoTerm.x);
+    add("vertical-left", force ? EnginePlots::tr("Fy left") : EnginePlots::tr("My left"), 3, 2.2,
+        Qt::SolidLine, tips[4], course.left.y);
+    add("horizontal-left", force ? EnginePlots::tr("Fx left") : EnginePlots::tr("Mx left"), 4, 2.2,
+        Qt::SolidLine, tips[5], course.left.x);
+}
+
+/// The moments (or forces) of one order, as the paper's Fig. 6 shows them.
+Figure ofOrder(const InertiaMomentsModel& model, int order) {
+    const bool force = model.showsForces();
+    const Result& result = model.result();
+    Figure figure = overCycle(
+        force
+            ? (order == 1 ? EnginePlots::tr("Order 1, forces") : EnginePlots::tr("Order 2, forces"))
+            : (order == 1 ? EnginePlots::tr("Order 1") : EnginePlots::tr("Order 2")),
+        unitTitle(force));
+    if (order == 1) {
+        figure.x.title.clear();  // the other one stands below
+    }
+    constexpr std::size_t points = 241;
+    Course course{.angle = anglesOfTwoTurns(points)};
+    const RotatingPair& exact = vectorOf(result.unbalanced.order(order), force);
+    const double nothing = roundingOf(result.unbalanced.order(order), force);
+    const auto trace = [&](const RotatingPair& pair) {
+        Trace curve{std::vector<double>(points, 0.0), std::vector<double>(points, 0.0)};
+        for (std::size_t i = 0; i < points && pair.max() > nothing; ++i) {
+            const auto vector = pair.at(course.angle[i] * degree * order);
+            curve.x[i] = vector.real();
+            curve.y[i] = vector.imag();
+        }
+        return curve;
+    };
+    course.exact = trace(exact);
+    course.twoTerm = trace(vectorOf(result.two_term_unbalanced.order(order), force));
+    const RotatingPair& left = vectorOf(result.remaining.order(order), force);
+    if ((left - exact).max() > nothing) {
+        course.left = trace(left);
+    }
+    addCourse(figure, force, std::move(course),
+              {EnginePlots::tr("In the vertical plane, exact"),
+               EnginePlots::tr("In the horizontal plane, exact"),
+               EnginePlots::tr("Vertical plane, the paper's formulas (1) and (2), Fig. 6"),
+               EnginePlots::tr("Horizontal plane, the paper's formulas (3) and (4), Fig. 6"),
+               EnginePlots::tr("Vertical plane, with rotating masses and with the "
+                               "counterweights and shafts that are on"),
+               EnginePlots::tr("Horizontal plane, likewise")});
+    return figure;
+}
+
+Figure firstOrder(const InertiaMomentsModel& model) {
+    return ofOrder(model, 1);
+}
+
+Figure secondOrder(const InertiaMomentsModel& model) {
+    return ofOrder(model, 2);
+}
+
+/// Moments about the crank are moments too: a four in line has no others.
+void addRoll(Figure& figure, const Result& result) {
+    double nothing = 0.0;
+    for (const EngineOrder& order : result.unbalanced.orders) {
+        nothing += zero_share * order.roll_scale;
+    }
+    const std::vector<double>& alone = result.curves.roll;
+    const std::vector<double>& left = result.remaining_curves.roll;
+    const auto isAbove = [nothing](double value) { return std::abs(value) > nothing; };
+    const auto add = [&](const char* id, plot::CurveStyle style, const std::vector<double>& turn) {
+        Figure::Curve& curve = figure.curves.emplace_back();
+        curve.id = id;
+        curve.style = std::move(style);
+        if (turn.empty()) {
+            return;
+        }
+        curve.y = twice(turn);
+        curve.x = anglesOfTwoTurns(curve.y.size());
+        if (std::any_of(turn.begin(), turn.end(), isAbove)) {
+            figure.leftRange.reset();
+        } else {
+            std::fill(curve.y.begin(), curve.y.end(), 0.0);
+        }
+    };
+    add("roll",
+        {.name = EnginePlots::tr("Mz"),
+         .width = 1.8,
+         .toolTip = EnginePlots::tr("Roll moment on the engine, of the engine alone")},
+        alone);
+    bool isChanged = false;
+    for (std::size_t i = 0; i < std::min(alone.size(), left.size()); ++i) {
+        isChanged = isChanged || isAbove(left[i] - alone[i]);
+    }
+    add("roll-left",
+        {.name = EnginePlots::tr("Mz left"),
+         .colour = 5,
+         .width = 2.2,
+         .toolTip = EnginePlots::tr("With rotating masses, and with the counterweights and shafts "
+                                    "that are on")},
+        isChanged ? left : std::vector<double>());
+}
+
+/// Forces or moments of all orders.
+Figure ofAllOrders(const Result& result, bool force) {
+    const double nothing = rounding(result, force);
+    const auto trace = [&](const WrenchCurves& curves) {
+        const Trace turn = turnOf(curves, force, nothing);
+        return Trace{twice(turn.x), twice(turn.y)};
+    };
+    Figure figure =
+        overCycle(force ? EnginePlots::tr("Forces over φ") : EnginePlots::tr("Moments over φ"),
+                  unitTitle(force));
+    Course course{.exact = trace(result.unbalanced_curves),
+                  .twoTerm = trace(inertia_moments::curves_of_orders(
+                      result.two_term_unbalanced, result.curves.crank_angle.size() - 1)),
+                  .left = isBalanced(result, force) ? trace(result.remaining_curves) : Trace()};
+    course.angle = anglesOfTwoTurns(course.exact.x.size());
+    const QString exact =
+        EnginePlots::tr("Sum of −m a of all reciprocating parts, exact: every order in it");
+    const QString twoTerm = EnginePlots::tr("By the two-term formulas: orders 1 and 2");
+    const QString left =
+        EnginePlots::tr("With rotating masses, and with the counterweights and shafts that are on");
+    addCourse(figure, force, std::move(course), {exact, exact, twoTerm, twoTerm, left, left});
+    if (!force) {
+        addRoll(figure, result);
+    }
+    return figure;
+}
+
+Figure forcesOverAngle(const InertiaMomentsModel& model) {
+    return ofAllOrders(model.result(), true);
+}
+
+Figure momentsOverAngle(const InertiaMomentsModel& model) {
+    return ofAllOrders(model.result(), false);
+}
+
+/// The ellipse that a rotating pair runs round.
+Trace ellipse(const RotatingPair& pair) {
+    constexpr int points = 96;
+    Trace trace;
+    for (int i = 0; i <= points; ++i) {
+        const auto p = pair.at(two_pi * (i % points) / points);
+        trace.x.push_back(p.real());
+        trace.y.push_back(p.imag());
+    }
+    return trace;
+}
+
+/// The ends of the vectors of force (N) or moment (N·m) over a cycle.
+Figure hodograph(const Result& result, bool force) {
+    Figure figure;
+    figure.title = force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments");
+    figure.equalScale = true;
+    std::pair<double, double> x;
+    std::pair<double, double> y;
+    const auto include = [](std::pair<double, double>& reach, const std::vector<double>& values) {
+        for (const double value : values) {
+            reach = {std::min(reach.first, value), std::max(reach.second, value)};
+        }
+    };
+    const auto add = [&](const char* id, plot::CurveStyle style, Trace trace) {
+        include(x, trace.x);
+        include(y, trace.y);
+        figure.curves.push_back({.id = id,
+                                 .style = std::move(style),
+                                 .x = std::move(trace.x),
+                                 .y = std::move(trace.y)});
+    };
+    const auto ofOrder = [&](int order) {
+        const EngineOrder& of = result.unbalanced.order(order);
+        const RotatingPair& pair = vectorOf(of, force);
+        return ellipse(pair.max() > roundingOf(of, force) ? pair : RotatingPair{});
+    };
+    const double nothing = rounding(result, force);
+    add("first",
+        {.name = EnginePlots::tr("1st"),
+         .colour = 2,
+         .toolTip = EnginePlots::tr("Exact first order (Fig. 5)"),
+         .turn = turn_deg},
+        ofOrder(1));
+    add("second",
+        {.name = EnginePlots::tr("2nd"),
+         .colour = 1,
+         .pen = Qt::DashLine,
+         .toolTip = EnginePlots::tr("Exact second order (Fig. 5)"),
+         .turn = 0.5 * turn_deg},
+        ofOrder(2));
+    add("all",
+        {.name = EnginePlots::tr("all"),
+         .width = 1.2,
+         .toolTip = EnginePlots::tr("All orders of the reciprocating parts"),
+         .turn = turn_deg},
+        turnOf(result.unbalanced_curves, force, nothing));
+    add("left",
+        {.name = EnginePlots::tr("left"),
+         .colour = 3,
+         .toolTip = EnginePlots::tr("All orders with rotating masses, and with the "
+                                    "counterweights and shafts that are on"),
+         .turn = turn_deg},
+        isBalanced(result, force) ? turnOf(result.remaining_curves, force, nothing) : Trace());
+    const auto span = [](const std::pair<double, double>& of) { return of.second - of.first; };
+    // Rounding of a balanced engine is not a picture.
+    const double least = std::max(1e3 * roundingOf(result.unbalanced.order(1), force), 1e-9);
+    if (std::max(span(x), span(y)) <= least) {
+        const double reach = std::max(1.0, least);
+        x = y = {-reach, reach};
+    }
+    // As much room on either axis: both have one scale.
+    const double room = 0.08 * std::max(span(x), span(y));
+    figure.x = {.title = force ? EnginePlots::tr("Fx, N") : EnginePlots::tr("Mx, N·m"),
+                .min = x.first - room,
+                .max = x.second + room};
+    figure.left = {.title = force ? EnginePlots::tr("Fy, N") : EnginePlots::tr("My, N·m")};
+    figure.leftRange = std::pair(y.first - room, y.second + room);
+    return figure;
+}
+
+Figure hodographOfForces(const InertiaMomentsModel& model) {
+    return hodograph(model.result(), true);
+}
+
+Figure hodographOfMoments(const InertiaMomentsModel& model) {
+    return hodograph(model.result(), false);
+}
+
+/// The roll moment and its two parts, N·m.
+Figure roll(const InertiaMomentsModel& model) {
+    const WrenchCurves& curves = model.result().curves;
+    Figure figure = overCycle(EnginePlots::tr("Roll moment on the engine"), EnginePlots::tr("N·m"));
+    const auto add = [&](const char* id, plot::CurveStyle style, const std::vector<double>& turn) {
+        std::vector<double> both = twice(turn);
+        figure.curves.push_back({.id = id,
+                                 .style = std::move(style),
+                                 .x = anglesOfTwoTurns(both.size()),
+                                 .y = std::move(both)});
+    };
+    add("sum",
+        {.name = EnginePlots::tr("Mz"),
+         .colour = 2,
+         .width = 2.0,
+         .toolTip = EnginePlots::tr("Roll moment on the engine: the sum of the two")},
+        curves.roll);
+    add("inertia",
+        {.name = EnginePlots::tr("of offsets and rods"),
+         .colour = 1,
+         .toolTip = EnginePlots::tr("Moment of the inertia forces about the crank axis: −Σ e F and "
+                                    "the couples of rigid rods")},
+        curves.inertia_roll);
+    add("reaction",
+        {.name = EnginePlots::tr("reaction torque"),
+         .colour = 3,
+         .toolTip = EnginePlots::tr("Reaction of the inertia torque on the crank, −Σ F ds/dφ")},
+        curves.reaction_torque);
+    return figure;
+}
+
+using Model = InertiaMomentsModel;
+using Maker = PartMaker<Model>;
+constexpr std::array makers{
+    Maker{{.id = "order-1"}, made<firstOrder>},
+    Maker{{.id = "order-2"}, made<secondOrder>},
+    Maker{{.id = "orders", .tab = "table-orders"}, made<&Model::orderResults>},
+    Maker{{.id = "rotating", .tab = "table-rotating"}, made<&Model::rotatingResults>},
+    Maker{{.id = "shafts", .tab = "table-shafts"}, made<&Model::shaftResults>},
+    Maker{{.id = "weights", .tab = "table-weights"}, made<&Model::weightResults>},
+    Maker{{.id = "left", .tab = "table-left"}, made<&Model::remainingResults>},
+    Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodographOfForces>},
+    Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodographOfMoments>},
+    Maker{{.id = "roll", .tab = "roll"}, made<roll>},
+    Maker{{.id = "forces-over-angle", .tab = "over-angle"}, made<forcesOverAngle>},
+    Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<momentsOverAngle>},
+};
+
+}  // namespace
+
+std::span<const Part> engineParts() {
+    return partsOf(makers);
+}
+
+Content enginePart(const InertiaMomentsModel& model, std::string_view id) {
+    return makePart(makers, model, id);
+}
+
+bool hasForcesOnly(const Result& result) {
+    bool force = false;
+    for (int k = 1; k <= 2; ++k) {
+        const EngineOrder& exact = result.unbalanced.order(k);
+        // A moment of the balancing masses may have no scale but the forces'.
+        const double rounding =
+            zero_share *
+            std::max(exact.moment_scale, exact.force_scale * result.engine.crank_radius);
+        if (exact.moment.max() > rounding || result.remaining.order(k).moment.max() > rounding ||
+            result.two_term_unbalanced.order(k).moment.max() > rounding) {
+            return false;
+        }
+        force = force || exact.force.max() > zero_share * exact.force_scale;
+    }
+    return force;
+}
+
+inertia_moments::Complex vectorAt(const EngineOrder& order, bool force, double angle) {
+    const RotatingPair& pair = vectorOf(order, force);
+    return pair.max() > roundingOf(order, force) ? pair.at(angle) : inertia_moments::Complex();
+}
+
+}  // namespace ravnoves
