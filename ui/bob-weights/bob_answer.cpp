@@ -3,16 +3,15 @@
 #include <QHeaderView>
 #include <QLabel>
 
-#include "bob-weights/force_plot.h"
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "bob-weights/plane_view.h"
+#include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/result_table.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves {
@@ -29,7 +28,10 @@ BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent),
     column->addWidget(buildCorrection());
     auto* row = new FoldingRow(linesBesideForce, this);
     row->add(buildLines(), 4);
-    row->add(new ForcePlot(model_, row), 3);
+    auto* force = new PartPlot(model_, "force", row);
+    force->setAccessibleName(
+        ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"));
+    row->add(force, 3);
     column->addWidget(row, 1);
     linesAndForce_ = row;
     auto* pictures = new QWidget(this);
@@ -62,7 +64,8 @@ QWidget* BobAnswer::buildLines() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight, line by line"), panel));
-    lines_ = new ResultTable(tr("Bob weight, line by line"), panel);
+    lines_ = new PartTable(model_, "lines", tr("Bob weight, line by line"), panel);
+    lines_->hideWhereEmpty();
     column->addWidget(lines_);
     column->addStretch();
     return panel;
@@ -72,23 +75,24 @@ QWidget* BobAnswer::buildCorrection() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Correction"), panel));
-    const auto table = [&](const QString& name) {
-        auto* made = new ResultTable(name, panel);
+    const auto table = [&](const char* part, const QString& name) {
+        auto* made = new PartTable(model_, part, name, panel);
+        made->hideWhereEmpty();
         column->addWidget(made);
         return made;
     };
-    runs_ = table(tr("Runs of the machine"));
-    planes_ = table(tr("The correction planes"));
+    runs_ = table("runs", tr("Runs of the machine"));
+    planes_ = table("planes", tr("The correction planes"));
     asReadNote_ = captionLabel({}, panel);
     asReadNote_->setObjectName(QStringLiteral("as_read_note"));
     column->addWidget(asReadNote_);
-    holes_ = table(tr("Holes and slugs"));
+    holes_ = table("holes", tr("Holes and slugs"));
     holeNote_ = captionLabel({}, panel);
     holeNote_->setObjectName(QStringLiteral("hole_note"));
     column->addWidget(holeNote_);
     drilledHeading_ = headingLabel(tr("Already drilled"), panel);
     column->addWidget(drilledHeading_);
-    drilled_ = table(tr("Already drilled"));
+    drilled_ = table("drilled", tr("Already drilled"));
     // Its five columns have room in a small window.
     drilled_->setFont(Theme::font(Theme::smallSize));
     drilled_->horizontalHeader()->setFont(Theme::font(Theme::smallSize, true));
@@ -125,14 +129,9 @@ void BobAnswer::showAnswer() {
     const auto* newest = model_->solution().newest();
     troubles_->setToolTip(newest != nullptr ? otherTip(*newest) : QString());
     colourText(troubles_, &Theme::warning);
-    lines_->setResults(model_->lineResults());
     linesAndForce_->setVisible(known);
-    runs_->setOrHide(model_->runResults());
-    planes_->setOrHide(model_->planeResults());
-    holes_->setOrHide(model_->holeResults());
     sayOrHide(asReadNote_, bob_text::asReadNote(Words(), model_->input(), model_->solution()));
     sayOrHide(holeNote_, model_->holeNote());
-    drilled_->setOrHide(model_->drilledResults());
     drilledHeading_->setVisible(drilled_->rowCount() > 0);
     sayOrHide(drilledNote_, model_->drilledNote());
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
@@ -143,7 +142,7 @@ QString BobAnswer::asText() const {
                      factor_->text(),   limits_->text(),  troubles_->text()};
     said.removeAll(QString());
     QString text = said.join(QLatin1Char('\n'));
-    for (const ResultTable* table : {lines_, runs_, planes_, holes_, drilled_}) {
+    for (const PartTable* table : {lines_, runs_, planes_, holes_, drilled_}) {
         text += QLatin1Char('\n') + table->asText();
     }
     return text + holeNote_->text() + QLatin1Char('\n') + drilledNote_->text();

@@ -8,7 +8,7 @@ namespace ravnoves {
 
 class BobWeightsModel;
 class Panel;
-class ResultTable;
+class PartTable;
 
 /// What follows from the job: the bob weight in large type, its lines as on a trade card, the two
 /// planes, the holes.
@@ -39,14 +39,14 @@ class BobAnswer : public QWidget {
     QLabel* refused_ = nullptr;
     QLabel* troubles_ = nullptr;
     QWidget* linesAndForce_ = nullptr;
-    ResultTable* lines_ = nullptr;
-    ResultTable* runs_ = nullptr;
-    ResultTable* planes_ = nullptr;
-    ResultTable* holes_ = nullptr;
+    PartTable* lines_ = nullptr;
+    PartTable* runs_ = nullptr;
+    PartTable* planes_ = nullptr;
+    PartTable* holes_ = nullptr;
     QLabel* asReadNote_ = nullptr;
     QLabel* holeNote_ = nullptr;
     QLabel* drilledHeading_ = nullptr;
-    ResultTable* drilled_ = nullptr;
+    PartTable* drilled_ = nullptr;
     QLabel* drilledNote_ = nullptr;
 };
 

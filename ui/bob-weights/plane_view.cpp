@@ -6,6 +6,7 @@
 
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
+#include "model/reference_case.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "widgets/panel.h"
@@ -21,6 +22,17 @@ QPointF onCircle(double angle, double radius) {
     return {radius * std::sin(angle), -radius * std::cos(angle)};
 }
 
+/// Null: there is none yet.
+const PlaneResult* resultOf(const BobWeightsModel& model, std::size_t plane) {
+    const auto& correction = model.solution().correction;
+    return correction ? &(*correction)[plane] : nullptr;
+}
+
+std::optional<double> limitOf(const BobWeightsModel& model, std::size_t plane) {
+    const auto& permissible = model.solution().permissible;
+    return permissible ? std::optional((*permissible)[plane]) : std::nullopt;
+}
+
 }  // namespace
 
 PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
@@ -31,10 +43,10 @@ PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
     const auto repaint = [this] {
         setAccessibleDescription(caption());
         update();
-        Q_EMIT pictureChanged();
     };
     connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);
+    followReference(model_);
     setToolTip(
         tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
            "in the rim, slugs opposite, paler what is drilled already. 0° is above, angles grow "
@@ -42,28 +54,23 @@ PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
     repaint();
 }
 
-const PlaneResult* PlaneView::result() const {
-    const auto& correction = model_->solution().correction;
-    return correction ? &(*correction)[plane_] : nullptr;
-}
-
-std::optional<double> PlaneView::limit() const {
-    const auto& permissible = model_->solution().permissible;
-    return permissible ? std::optional((*permissible)[plane_]) : std::nullopt;
-}
-
 double PlaneView::longest() const {
-    constexpr double least = 1e-12;
-    double most = std::max(limit().value_or(0.0), least);
-    most = result() != nullptr ? std::max(most, result()->unbalance) : most;
-    const auto* other = qobject_cast<const PlaneView*>(reference());
-    return other != nullptr ? std::max(most, other->longest()) : most;
+    double most = 1e-12;
+    for (const BobWeightsModel* model :
+         {static_cast<const BobWeightsModel*>(model_), referenceOf(model_)}) {
+        if (model != nullptr) {
+            const PlaneResult* result = resultOf(*model, plane_);
+            most = std::max({most, limitOf(*model, plane_).value_or(0.0),
+                             result != nullptr ? result->unbalance : 0.0});
+        }
+    }
+    return most;
 }
 
 QString PlaneView::table(const CsvFormat& format) const {
     const Words words;
     const Result& solution = model_->solution();
-    if (result() == nullptr) {
+    if (resultOf(*model_, plane_) == nullptr) {
         return {};
     }
     QString text =
@@ -143,7 +150,8 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     }
     if (model_->solution().holds()) {
         drawSector(painter, rim);
-        drawHoles(painter, rim, {result()->holes, result()->slugs}, 1.0F);
+        const PlaneResult& result = (*correction)[plane_];
+        drawHoles(painter, rim, {result.holes, result.slugs}, 1.0F);
     }
     drawVectors(painter, rim);
 }
@@ -205,18 +213,17 @@ void PlaneView::drawVectors(QPainter& painter, double rim) const {
     const PlaneResult& result = (*model_->solution().correction)[plane_];
     const double scale = 0.86 * rim / longest();
     painter.setBrush(Qt::NoBrush);
-    if (const auto* other = qobject_cast<const PlaneView*>(reference());
-        other != nullptr && other->result() != nullptr) {
+    const BobWeightsModel* other = referenceOf(model_);
+    if (const PlaneResult* before = other != nullptr ? resultOf(*other, plane_) : nullptr) {
         painter.setPen(ghostPen(theme.accent()));
-        painter.drawLine(QPointF(0, 0),
-                         onCircle(other->result()->angle, other->result()->unbalance * scale));
+        painter.drawLine(QPointF(0, 0), onCircle(before->angle, before->unbalance * scale));
         painter.setPen(ghostPen(theme.good(), 4.0));
-        const double was = other->limit().value_or(0.0) * scale;
+        const double was = limitOf(*other, plane_).value_or(0.0) * scale;
         painter.drawEllipse(QPointF(0, 0), was, was);
     }
-    if (limit()) {
+    if (const auto limit = limitOf(*model_, plane_)) {
         painter.setPen(QPen(theme.good(), 1.6, Qt::DashLine));
-        painter.drawEllipse(QPointF(0, 0), *limit() * scale, *limit() * scale);
+        painter.drawEllipse(QPointF(0, 0), *limit * scale, *limit * scale);
     }
     const QPointF tip = onCircle(result.angle, result.unbalance * scale);
     painter.setPen(QPen(theme.accent(), 2.2));

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "page/compared_figure.h"
 #include "theme/theme.h"
 
@@ -11,7 +9,6 @@ namespace ravnoves {
 
 namespace bob_weights {
 struct Metal;
-struct PlaneResult;
 }  // namespace bob_weights
 struct CsvFormat;
 
@@ -37,8 +34,6 @@ class PlaneView : public ComparedFigure {
     QString caption() const;
     /// What the plane's rows of the answer say.
     QString table(const CsvFormat& format) const;
-    const bob_weights::PlaneResult* result() const;
-    std::optional<double> limit() const;
     /// The longest of reading and limit, also of the reference.
     double longest() const;
     void drawSector(QPainter& painter, double rim) const;

@@ -118,6 +118,15 @@ void PartTable::showEvent(QShowEvent* event) {
 void PartTable::showPart(const Content& content) {
     const auto* results = std::get_if<Results>(&content);
     setResults(results != nullptr ? *results : Results());
+    if (hidesWhereEmpty_) {
+        setVisible(rowCount() > 0);
+    }
+}
+
+void PartTable::hideWhereEmpty() {
+    hidesWhereEmpty_ = true;
+    makeAlways();
+    setVisible(rowCount() > 0);
 }
 
 void PartTable::showReference(const Content* content, const QString& name) {

@@ -38,15 +38,18 @@ class PartView {
     /// Nothing: there is no reference.
     virtual void showReference(const Content* content, const QString& name) = 0;
     SceneModel* partModel() const { return model_; }
+    /// Its widget comes and goes with what it shows: it is made seen or not.
+    void makeAlways() { isAlwaysMade_ = true; }
 
   private:
-    bool isSeen() const { return widget_->isVisibleTo(widget_->window()); }
+    bool isSeen() const { return isAlwaysMade_ || widget_->isVisibleTo(widget_->window()); }
     void outdate(bool ofReference);
     void make();
 
     SceneModel* model_;
     std::string_view id_;
     QWidget* widget_;
+    bool isAlwaysMade_ = false;
     bool isStale_ = true;
     bool isReferenceStale_ = true;
 };
@@ -81,6 +84,8 @@ class PartTable : public ResultTable, public PartView {
     PartTable(SceneModel* model, std::string_view id, const QString& name,
               QWidget* parent = nullptr);
 
+    /// There is no table where there are no rows.
+    void hideWhereEmpty();
     void showSpread(const PartSpread& spread) override;
     void clearSpread(bool another) override;
 
@@ -88,6 +93,9 @@ class PartTable : public ResultTable, public PartView {
     void showEvent(QShowEvent* event) override;
     void showPart(const Content& content) override;
     void showReference(const Content* content, const QString& name) override;
+
+  private:
+    bool hidesWhereEmpty_ = false;
 };
 
 /// Lines of text, which are selected and copied.

@@ -59,9 +59,11 @@ struct ResultRow : QVector<ResultCell> {
         : QVector<ResultCell>(std::move(cells)), tip(std::move(meaning)) {}
 
     QStringList texts() const { return {begin(), end()}; }
+    /// By which another table has the same row.
+    QString key() const { return name.isEmpty() ? value(0).text : name; }
 
     QString tip;   ///< what the result is, with its formula
-    QString name;  ///< by which a reference has it; empty: the text of the first cell
+    QString name;  ///< its key(); empty: the text of the first cell
 };
 using ResultRows = QVector<ResultRow>;
 
@@ -93,7 +95,7 @@ ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimal
 struct CellSpread {
     int row = 0;
     int column = 0;
-    QString name;        ///< of the row, which is elsewhere where that is another
+    QString name;        ///< key of the row, which is elsewhere where that is another
     double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
     double above = 0.0;  ///< from the number to 95 %
 };

@@ -1,8 +1,8 @@
 #include "v8-plugs/machine_sheet.h"
 
+#include "page/part_views.h"
 #include "shop/balance_grade.h"
 #include "theme/theme.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 
@@ -25,10 +25,9 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
         readings << field;
         doubt(field, [this, field] { return !model_->solution().holds() && field->value(); });
     }
-    planes_ = new ResultTable(tr("Correction planes"), this);
+    planes_ = new PartTable(model, "planes", tr("Correction planes"), this);
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
-    follow([this] { planes_->setResults(model_->planeResults()); });
     addHold([this] { return model_->otherReadingsText(); }, [this] { model_->confirmReadings(); },
             readings);
     line(Theme::baseSize, [this] { return model_->isoText(); });

@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-class ResultTable;
+class PartTable;
 
 /// Sheet 5: the permissible residual unbalance, what the balancing machine reads, and the notes.
 class MachineSheet : public V8Sheet {
@@ -14,10 +14,10 @@ class MachineSheet : public V8Sheet {
     explicit MachineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// The verdict on both planes.
-    const ResultTable* planes() const { return planes_; }
+    PartTable* planes() const { return planes_; }
 
   private:
-    ResultTable* planes_;
+    PartTable* planes_;
 };
 
 }  // namespace ravnoves

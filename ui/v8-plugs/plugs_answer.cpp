@@ -2,18 +2,16 @@
 
 #include <QLabel>
 
+#include "page/part_views.h"
 #include "theme/theme.h"
-#include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/model/weighing_text.h"
 #include "v8-plugs/plug_view.h"
-#include "v8-plugs/shift_plot.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/result_table.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves {
@@ -22,6 +20,16 @@ namespace {
 
 constexpr int besideEachOther = 600;  ///< designed pixels that bob weights and plots need
 constexpr int wholeNames = 520;       ///< that the names of the options need beside all columns
+
+/// As low as it can be read, so that the page needs no scroll bar for it.
+class LowPlot : public PartPlot {
+  public:
+    LowPlot(SceneModel* model, std::string_view part, const QString& name, QWidget* parent)
+        : PartPlot(model, part, parent) {
+        setAccessibleName(name);
+    }
+    QSize sizeHint() const override { return {420, minimumSizeHint().height()}; }
+};
 
 }  // namespace
 
@@ -54,7 +62,7 @@ QWidget* PlugsAnswer::buildAdvice() {
     plugs_ = copyableLabel("plugs_while_hung", Theme::baseSize, panel);
     excess_ = copyableLabel("excess", Theme::baseSize, panel);
     troubles_ = copyableLabel("troubles", Theme::baseSize, panel);
-    options_ = new ResultTable(tr("The options"), panel);
+    options_ = new PartTable(model_, "options", tr("The options"), panel);
     for (QWidget* each :
          QWidgetList{advice_, refused_, boring_, hang_, plugs_, excess_, troubles_, options_}) {
         column->addWidget(each);  // over the whole width
@@ -66,7 +74,9 @@ QWidget* PlugsAnswer::buildBobWeights() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
-    bobWeights_ = new ResultTable(tr("Bob weight on each crankpin, line by line"), panel);
+    bobWeights_ = new PartTable(model_, "bob-weights",
+                                tr("Bob weight on each crankpin, line by line"), panel);
+    bobWeights_->hideWhereEmpty();
     column->addWidget(bobWeights_);
     check_ = copyableCaption("check", panel);
     column->addWidget(check_);
@@ -78,9 +88,13 @@ QWidget* PlugsAnswer::buildBobWeights() {
 QWidget* PlugsAnswer::buildPlots() {
     auto* holder = new QWidget(this);
     QVBoxLayout* column = columnIn(holder);
-    compensation_ = new CompensationPlot(holder);
+    compensation_ = new LowPlot(
+        model_, "compensation",
+        CompensationPlot::tr("Excess compensated over the lightening of one plug"), holder);
     column->addWidget(compensation_, 1);
-    shift_ = new ShiftPlot(holder);
+    shift_ =
+        new LowPlot(model_, "shift",
+                    ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"), holder);
     column->addWidget(shift_, 1);
     shiftNote_ = copyableCaption("", holder);
     column->addWidget(shiftNote_);
@@ -93,6 +107,7 @@ void PlugsAnswer::resizeEvent(QResizeEvent* event) {
     const bool isNarrow = width() < Theme::withText(wholeNames);
     if (isNarrow != isNarrow_) {
         isNarrow_ = isNarrow;
+        model_->setShortNames(isNarrow);
         for (const int column : {1, 2, 5}) {
             options_->setColumnHidden(column, isNarrow);
         }
@@ -108,9 +123,7 @@ void PlugsAnswer::showAnswer() {
     showAdvice();
     showBobWeights();
     sayOrHide(shiftNote_, model_->shiftText());
-    compensation_->showSolution(model_->solution());
     compensation_->setVisible(model_->solution().before.has_value());
-    shift_->showRadius(model_->input().engine.crank_radius);
 }
 
 void PlugsAnswer::setRefused(const QStringList& refused) {
@@ -146,7 +159,6 @@ void PlugsAnswer::showAdvice() {
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     troubles_->setToolTip(otherTip(model_->solution()));
     colourText(troubles_, &Theme::warning);
-    options_->setResults(model_->optionResults(isNarrow_));
     for (int row = 0; row < options_->rowCount(); ++row) {
         const bool methodAlone = v8_text::methodAlone(
             model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
@@ -158,7 +170,6 @@ void PlugsAnswer::showAdvice() {
 }
 
 void PlugsAnswer::showBobWeights() {
-    bobWeights_->setResults(model_->bobWeightResults());
     const bool isKnown = bobWeights_->rowCount() > 0;
     bobWeights_->parentWidget()->setVisible(isKnown);
     QStringList said{model_->checkText(), model_->rodFactorText()};

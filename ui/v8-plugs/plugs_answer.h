@@ -7,10 +7,8 @@ class QVBoxLayout;
 
 namespace ravnoves {
 
-class CompensationPlot;
-class PlugView;
-class ResultTable;
-class ShiftPlot;
+class PartPlot;
+class PartTable;
 class V8PlugsModel;
 
 /// What follows from the job: the advice in words, the options, the bob weight line by line,
@@ -26,9 +24,6 @@ class PlugsAnswer : public QWidget {
 
     QString asText() const;
     QString asCsv() const;
-
-    CompensationPlot* compensationPlot() const { return compensation_; }
-    ShiftPlot* shiftPlot() const { return shift_; }
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -50,13 +45,13 @@ class PlugsAnswer : public QWidget {
     QLabel* hang_ = nullptr;
     QLabel* plugs_ = nullptr;
     QLabel* troubles_ = nullptr;
-    ResultTable* options_ = nullptr;
-    ResultTable* bobWeights_ = nullptr;
+    PartTable* options_ = nullptr;
+    PartTable* bobWeights_ = nullptr;
     QLabel* check_ = nullptr;
     QLabel* weighing_ = nullptr;
     QLabel* shiftNote_ = nullptr;
-    CompensationPlot* compensation_ = nullptr;
-    ShiftPlot* shift_ = nullptr;
+    PartPlot* compensation_ = nullptr;
+    PartPlot* shift_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -2,7 +2,7 @@
 
 #include <QTabWidget>
 
-#include "v8-plugs/compensation_plot.h"
+#include "page/part_views.h"
 #include "v8-plugs/engine_sheet.h"
 #include "v8-plugs/job_sheet.h"
 #include "v8-plugs/machine_sheet.h"
@@ -12,9 +12,7 @@
 #include "v8-plugs/plug_sizes_sheet.h"
 #include "v8-plugs/plugs_answer.h"
 #include "v8-plugs/plugs_card.h"
-#include "v8-plugs/shift_plot.h"
 #include "v8-plugs/weigh_in_sheet.h"
-#include "widgets/result_table.h"
 #include "workshop/journal_dialog.h"
 
 namespace ravnoves {
@@ -79,23 +77,17 @@ ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
     return text;
 }
 
-PlotView* V8PlugsPage::compensationPlot() const {
-    return answer_->compensationPlot();
-}
-
-PlotView* V8PlugsPage::shiftPlot() const {
-    return answer_->shiftPlot();
-}
-
 void V8PlugsPage::showRefused(const QStringList& refused) {
     answer_->setRefused(refused);
 }
 
 QString V8PlugsPage::resultsAsText() const {
+    machine_->planes()->refresh();  // seen or not
     return answer_->asText() + QLatin1Char('\n') + machine_->planes()->asText();
 }
 
 QString V8PlugsPage::resultsAsCsv() const {
+    machine_->planes()->refresh();
     return answer_->asCsv() + QLatin1Char('\n') + machine_->planes()->asCsv();
 }
 

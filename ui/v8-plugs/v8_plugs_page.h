@@ -5,7 +5,6 @@
 namespace ravnoves {
 
 class MachineSheet;
-class PlotView;
 class PlugsAnswer;
 class V8PlugsModel;
 
@@ -23,10 +22,6 @@ class V8PlugsPage : public WorkshopPage {
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-
-    // For tests.
-    PlotView* compensationPlot() const;
-    PlotView* shiftPlot() const;
 
   protected:
     JobDesk* desk() const override;

@@ -5,7 +5,6 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 
@@ -40,8 +39,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : MatchingSheet
                cylinder_count, [model](Part part) { return model->columnNote(part); });
     addGoal(false);
     addFindings([model] { return model->notCounted(); });
-    ResultTable* crankpins = addTable(tr("Excess on each crankpin, as weighed and after moving"));
-    follow([model, crankpins] { crankpins->setOrHide(model->crankpinResults()); });
+    addTable("crankpins", tr("Excess on each crankpin, as weighed and after moving"));
     finish();
 }
 

@@ -74,6 +74,9 @@ class Form : public QWidget {
     /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
 
+  protected:
+    SceneModel* model() const { return model_; }
+
   private:
     using Show = std::function<void(const FieldValue& value)>;
     struct Row {

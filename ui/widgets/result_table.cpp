@@ -196,11 +196,6 @@ void ResultTable::setColumns(const ResultColumns& columns) {
     fitColumns();
 }
 
-void ResultTable::setOrHide(const Results& results) {
-    setResults(results);
-    setVisible(!results.rows.isEmpty());
-}
-
 void ResultTable::setResults(const Results& results) {
     if (!results.columns.isEmpty() && results.columns != headings_) {
         setColumns(results.columns);
@@ -339,7 +334,7 @@ void ResultTable::showSpreads() {
     }
     for (const Spread& each : spreads_) {
         const ResultNumber* number = numberAt(each.row, each.column);
-        if (number != nullptr && rows_[each.row].front().text == each.name &&
+        if (number != nullptr && rows_[each.row].key() == each.name &&
             std::max(each.below, each.above) > 0.0) {
             item(each.row, each.column)
                 ->setData(spreadRole,
@@ -349,9 +344,7 @@ void ResultTable::showSpreads() {
 }
 
 const ResultRows* ResultTable::rowsOfReference() const {
-    return reference_ != nullptr ? &reference_->rows_
-           : referenceRows_      ? &*referenceRows_
-                                 : nullptr;
+    return reference_ != nullptr ? &reference_->rows_ : referenceRows_ ? &*referenceRows_ : nullptr;
 }
 
 void ResultTable::showReference(const Results* results, const QString& name) {
@@ -367,21 +360,17 @@ void ResultTable::showReference(const Results* results, const QString& name) {
 
 int ResultTable::rowInReference(int row) const {
     const ResultRows& reference = *rowsOfReference();
-    const auto name = [](const ResultRows& rows, int at) {
-        const ResultRow row = rows.value(at);
-        return row.name.isEmpty() ? row.value(0).text : row.name;
-    };
-    const QString wanted = name(rows_, row);
-    if (row < reference.size() && name(reference, row) == wanted) {
+    const QString wanted = rows_[row].key();
+    if (row < reference.size() && reference[row].key() == wanted) {
         return row;
     }
     // Of rows with one name the first is the first there.
     int before = 0;
     for (int i = 0; i < row; ++i) {
-        before += name(rows_, i) == wanted ? 1 : 0;
+        before += rows_[i].key() == wanted ? 1 : 0;
     }
     for (int i = 0; i < reference.size(); ++i) {
-        if (name(reference, i) == wanted && before-- == 0) {
+        if (reference[i].key() == wanted && before-- == 0) {
             return i;
         }
     }

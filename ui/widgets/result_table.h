@@ -35,8 +35,6 @@ class ResultTable : public QTableWidget {
     void setRows(const ResultRows& rows);
     /// Both.
     void setResults(const Results& results);
-    /// The same; there is no table where there are no rows.
-    void setOrHide(const Results& results);
     /// Null where the cell holds no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);

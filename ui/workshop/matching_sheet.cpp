@@ -9,11 +9,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "page/part_views.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/result_table.h"
 #include "workshop/model/matching_text.h"
 
 namespace ravnoves {
@@ -253,11 +253,11 @@ void MatchingSheet::addAngles() {
         });
 }
 
-ResultTable* MatchingSheet::addTable(const QString& name) {
-    auto* table = new ResultTable(name, this);
+void MatchingSheet::addTable(std::string_view part, const QString& name) {
+    auto* table = new PartTable(model(), part, name, this);
+    table->hideWhereEmpty();
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     column()->addWidget(table);
-    return table;
 }
 
 void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
@@ -290,9 +290,9 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
     handOn(back, button, moveBack_);
     found->addWidget(back, 0, Qt::AlignTop);
     column()->addLayout(found);
-    ResultTable* effects = addTable(tr("What the placing makes of the differences"));
-    ResultTable* assignment = addTable(tr("Which set goes to which cylinder"));
-    ResultTable* takeOff = addTable(tr("What to take off each part to reach the lightest"));
+    addTable("effects", tr("What the placing makes of the differences"));
+    addTable("assignment", tr("Which set goes to which cylinder"));
+    addTable("take-off", tr("What to take off each part to reach the lightest"));
     const auto show = [=, this, notCounted = std::move(notCounted)] {
         const Findings now = find_();
         back->setVisible(isMoved_());
@@ -305,9 +305,6 @@ void MatchingSheet::addFindings(std::function<QStringList()> notCounted) {
             goal_->setFocus(Qt::OtherFocusReason);
         }
         button->setVisible(now.canMove);
-        effects->setOrHide(now.effects);
-        assignment->setOrHide(now.assignment);
-        takeOff->setOrHide(now.takeOff);
     };
     follow(show);
 }

@@ -12,8 +12,6 @@ class QGridLayout;
 
 namespace ravnoves {
 
-class ResultTable;
-
 /// A sheet on which parts are weighed and matched: a column for each kind of part, a row for each
 /// cylinder; what may move, what they are placed for, and what comes out. Enter goes down the
 /// columns, as one weighs; a block of a spreadsheet is pasted from the cell that has
@@ -50,7 +48,8 @@ class MatchingSheet : public SheetForm {
     /// What comes out, and the buttons that move the weights on the sheet and back.
     /// @param notCounted  of the weights: it is said first
     void addFindings(std::function<QStringList()> notCounted = {});
-    ResultTable* addTable(const QString& name);
+    /// A table that is there while it has rows.
+    void addTable(std::string_view part, const QString& name);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -60,19 +59,13 @@ class MatchingSheet : public SheetForm {
         QStringList summary;
         bool isAmber = false;
         bool canMove = false;
-        Results effects;
-        Results assignment;
-        Results takeOff;
     };
     template <typename Model>
     static Findings findingsOf(const Model& model) {
         const auto shown = model.matchingShown();
         return {QStringList(model.assignmentText()) + model.assignmentRemarks(),
                 shown ? !shown->matched.remark.empty() : !model.weighAgain().isEmpty(),
-                shown && shown->matched.moved > 0,
-                model.effectResults(),
-                model.assignmentResults(),
-                model.takeOffResults()};
+                shown && shown->matched.moved > 0};
     }
 
     QLabel* put(int row, int column, const QString& text, int size, bool bold = false);

@@ -26,6 +26,7 @@
 #include <algorithm>
 
 #include "bob-weights/bob_card.h"
+#include "bob-weights/factor_theory.h"
 #include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "bob-weights/plane_view.h"
@@ -33,6 +34,7 @@
 #include "case-file/text_file.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "page/part_views.h"
 #include "painted.h"
 #include "shown_number.h"
 #include "text/language.h"
@@ -1550,6 +1552,25 @@ TEST(AlreadyDrilled, HasAsManyAnglesInARowAsItHasRoomFor) {
     result.runs.resize(1);
     result.runs[0].drilled[0].holes.assign(10, Hole{});
     EXPECT_EQ(bob_text::drilled(Words(), result, std::nullopt).size(), 3);
+}
+
+TEST_F(BobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
+    EXPECT_FALSE(partPlot(page, "force")->isVisible());
+    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    model->loadInput(example.at("input"), {});
+    const PartPlot* plot = partPlot(page, "force");
+    EXPECT_TRUE(plot->isVisible());
+    const auto& solution = model->solution();
+    const auto bare = bob_weights::force_path(*solution.first_order_bare);
+    const auto left = bob_weights::force_path(*solution.first_order);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{31}, std::size_t{90}}) {
+        EXPECT_NEAR(plot->data().curve(0).x[i], bare.across[i] / units::gram, 1e-9);
+        EXPECT_NEAR(plot->data().curve(0).y[i], bare.upright[i] / units::gram, 1e-9);
+        EXPECT_NEAR(plot->data().curve(1).y[i], left.upright[i] / units::gram, 1e-9);
+    }
+    const double reach = solution.first_order_bare->greatest() / units::gram;
+    EXPECT_GT(plot->yInterval(PlotView::Side::Left).second, reach);
+    EXPECT_GT(plot->xInterval().second, reach);
 }
 
 }  // namespace

@@ -18,12 +18,11 @@
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "page/part_views.h"
 #include "painted.h"
-#include "plot/plot_view.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "v8-plugs/page_test.h"
-#include "v8-plugs/shift_plot.h"
 #include "widgets/entry_field.h"
 #include "widgets/result_table.h"
 #include "workshop/journal_dialog.h"
@@ -206,7 +205,7 @@ TEST_F(V8PageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
 
 TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     type("rod_big_end", u"1"_s);
-    const PlotView* plot = page.compensationPlot();
+    PartPlot* plot = partPlot(page, "compensation");
     for (const OptionId id : all_options) {
         const auto& option = model->solution().option(id);
         const int curve = static_cast<int>(id);
@@ -217,7 +216,7 @@ TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     }
     // Today's excess as a line, the option chosen as a ring on it.
     const Option& chosen = *model->solution().advice->option;
-    const QImage picture = page.compensationPlot()->grab().toImage();
+    const QImage picture = plot->grab().toImage();
     const auto apart = [](const QColor& a, const QColor& b) {
         return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
                std::abs(a.blue() - b.blue());
@@ -251,7 +250,7 @@ TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     EXPECT_GT(around, 20);
     // Fig. 2: Δk = Δr / r.
     for (std::size_t i = 0; i < shift_curves.size(); ++i) {
-        EXPECT_NEAR(*page.shiftPlot()->valueAt(static_cast<int>(i), 1.2),
+        EXPECT_NEAR(*partPlot(page, "shift")->valueAt(static_cast<int>(i), 1.2),
                     1.2e-3 / shift_curves[i].crank_radius, 1e-9);
     }
 }
@@ -285,9 +284,10 @@ TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
 TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
     int shown = 0;
     for (int height = 100; height <= 400; height += 20) {
-        ShiftPlot plot(nullptr);
+        V8PlugsModel model({});
+        model.setByKey(u"crank_radius_mm"_s, u"40"_s);
+        PartPlot plot(&model, "shift");
         test::showAt(plot, {420, height});
-        plot.showRadius(0.04);
         for (const test::PaintedText& each : test::painted(plot).texts) {
             if (each.text != u"neglected"_s) {
                 continue;

@@ -4,6 +4,7 @@
 #include <QVector>
 
 #include "bob-weights/input.h"
+#include "bob-weights/model/bob_parts.h"
 #include "bob-weights/solver.h"
 #include "text/result_row.h"
 #include "workshop/model/weigh_in_table.h"
@@ -42,6 +43,11 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     explicit BobWeightsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("bob-weights"); }
+    std::span<const Part> parts() const override { return bobParts(); }
+    Content part(std::string_view id) const override { return bobPart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
+        return std::make_unique<BobWeightsModel>(QString());
+    }
     std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
 

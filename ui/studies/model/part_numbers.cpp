@@ -45,10 +45,6 @@ void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
     }
 }
 
-QString nameOf(const ResultRow& row) {
-    return row.value(0).text;
-}
-
 /// Calls for each cell of a table that holds one number.
 template <typename Look>
 void eachNumber(const Results& results, const Look& look) {
@@ -114,7 +110,7 @@ std::vector<double> PartNumbers::of(const SceneModel& sample) const {
             eachNumber(*rows, [&](int row, int column, const ResultNumber& /*number*/) {
                 const ResultNumber* number = nullptr;
                 if (results != nullptr && row < results->rows.size() &&
-                    nameOf(results->rows[row]) == nameOf(rows->rows[row])) {
+                    results->rows[row].key() == rows->rows[row].key()) {
                     number = results->rows[row].value(column).number();
                 }
                 found.push_back(number != nullptr ? number->value : none);
@@ -180,7 +176,7 @@ PartSpread PartNumbers::spreadOf(const Results& results, std::size_t from,
         constexpr double cancelled = 1e-14;
         if (half > rounding * std::abs(number.value) && half > cancelled * size) {
             spread.cells.push_back(
-                {row, column, nameOf(results.rows[row]), sides.below[at], sides.above[at]});
+                {row, column, results.rows[row].key(), sides.below[at], sides.above[at]});
         }
         ++at;
     });

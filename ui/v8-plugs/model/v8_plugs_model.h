@@ -7,6 +7,7 @@
 
 #include "text/result_row.h"
 #include "v8-plugs/input.h"
+#include "v8-plugs/model/plugs_parts.h"
 #include "v8-plugs/solver.h"
 #include "workshop/model/weigh_in_table.h"
 #include "workshop/model/words.h"
@@ -45,6 +46,11 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
+    std::span<const Part> parts() const override { return plugsParts(); }
+    Content part(std::string_view id) const override { return plugsPart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
+        return std::make_unique<V8PlugsModel>(QString());
+    }
     std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
 
@@ -108,8 +114,9 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
-    /// @param isShort  the options in the fewest words
-    Results optionResults(bool isShort = false) const;
+    Results optionResults() const;
+    /// The table of the options has room for the fewest words alone.
+    void setShortNames(bool areShort);
     Results bobWeightResults() const;
     Results planeResults() const;
     QString weighAgain() const override;
@@ -160,6 +167,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     v8_plugs::Input nextOf(const v8_plugs::Input& before) const override;
 
     Words words_;
+    bool areNamesShort_ = false;
     QList<JournalEngine> ownEngines_;
     std::optional<v8_plugs::Input> carried_;                        ///< what a new job began with
     std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out

@@ -121,7 +121,7 @@ QStringList V8PlugsModel::notCounted() const {
     return v8_text::notCounted(words_, input());
 }
 
-Results V8PlugsModel::optionResults(bool isShort) const {
+Results V8PlugsModel::optionResults() const {
     Results results{{
         {tr("Option"), tr("What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the "
                           "method")},
@@ -141,7 +141,7 @@ Results V8PlugsModel::optionResults(bool isShort) const {
     for (const OptionId id : all_options) {
         const auto& option = solution().option(id);
         const QString name =
-            isShort ? v8_names::shortOption(words_, id) : v8_names::optionName(words_, id);
+            areNamesShort_ ? v8_names::shortOption(words_, id) : v8_names::optionName(words_, id);
         if (!option) {
             rows << ResultRow({name, dash, dash, dash, dash, dash, dash},
                               tr("The engine has no such plug, or its data are missing."));
@@ -160,9 +160,15 @@ Results V8PlugsModel::optionResults(bool isShort) const {
              words_.cell(option->residual_mass, gram, 3),
              words_.cell(option->residual_unbalance, gram_mm, 1)},
             optionTip(*option));
-        rows.last().name = name;  // whatever its mark
+        rows.last().name = QString::fromUtf8(option_word(id).word);  // whatever its mark
     }
     return results;
+}
+
+void V8PlugsModel::setShortNames(bool areShort) {
+    if (std::exchange(areNamesShort_, areShort) != areShort) {
+        Q_EMIT viewChanged();
+    }
 }
 
 bool V8PlugsModel::isFitted(OptionId id) const {
