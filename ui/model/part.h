@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <map>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "case-file/verdict.h"
 #include "plot/model/figure.h"
+#include "text/message_text.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -27,6 +29,19 @@ struct PagePart {
 /// Lines of text, each with what it means for the answer.
 struct Notes {
     std::vector<std::pair<Severity, QString>> lines;
+
+    /// Nothing where there is no text.
+    void say(Severity severity, const QString& text) {
+        if (!text.isEmpty()) {
+            lines.emplace_back(severity, text);
+        }
+    }
+    void say(Severity severity, const QStringList& texts) {
+        for (const QString& text : texts) {
+            say(severity, text);
+        }
+    }
+    void say(const Verdict& verdict) { say(verdict.severity, messageText(verdict.text)); }
 };
 
 /// What the tolerances do to the numbers of a part: from 5 % to each number, and from it to 95 %.

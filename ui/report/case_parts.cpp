@@ -119,12 +119,22 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
     group.figures.push_back(drawingOf(std::move(plot)));
 }
 
-void addTable(SceneModel& model, const PagePart& part, const Results& results,
+/// What the page's widget of a part shows, as screen readers say it.
+QString nameOf(const PagePart& part, const ScenePage& page) {
+    for (const PartView* view : PartView::below(page, false)) {
+        if (view->id() == part.id) {
+            return view->widget()->accessibleName();
+        }
+    }
+    return {};
+}
+
+void addTable(ScenePage& page, const PagePart& part, const Results& results,
               const PartSpread* spread, PageGroup& group) {
     if (results.rows.isEmpty()) {
         return;
     }
-    PartTable table(&model, part.id, {});
+    PartTable table(page.model(), part.id, nameOf(part, page));
     if (spread != nullptr) {
         table.showSpread(*spread);
     }
@@ -169,7 +179,7 @@ std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
                 group.words.push_back(Paragraph{line.toHtmlEscaped(), kindOf(severity)});
             }
         } else if (const auto* results = std::get_if<Results>(&content)) {
-            addTable(model, part, *results, spread, group);
+            addTable(page, part, *results, spread, group);
         } else if (const auto* figure = std::get_if<Figure>(&content)) {
             addFigure(page, model, part, *figure, spread, group);
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bob-weights/model/bob_text.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "text/number_text.h"
 
@@ -64,22 +65,57 @@ Figure force(const BobWeightsModel& model) {
     return figure;
 }
 
+Notes notes(const BobWeightsModel& model) {
+    const bob_weights::Result& solution = model.solution();
+    const bool isDoubted = !model.doubts().isEmpty();
+    Notes notes;
+    notes.say(isDoubted ? Severity::warning : Severity::note, model.headline());
+    notes.say(Severity::note, model.hangText());
+    notes.say(solution.holds() ? Severity::note : Severity::warning, model.verdictText());
+    if (solution.bob_weight) {
+        notes.say(Severity::note, model.factorText());
+    }
+    notes.say(Severity::note,
+              QStringList{model.limitText(), bob_text::weighing(Words(), model.input(), solution)});
+    notes.say(Severity::warning, model.troubles());
+    return notes;
+}
+
+/// Of readings, holes, and what was drilled before.
+Notes holeNotes(const BobWeightsModel& model) {
+    Notes notes;
+    notes.say(Severity::note,
+              QStringList{bob_text::asReadNote(Words(), model.input(), model.solution()),
+                          model.holeNote(), model.drilledNote()});
+    return notes;
+}
+
+/// What is to be done with the parts.
+Notes matching(const BobWeightsModel& model) {
+    Notes notes;
+    notes.say(Severity::note, QStringList(model.assignmentText()) + model.assignmentRemarks());
+    return notes;
+}
+
 using Maker = PartMaker<BobWeightsModel>;
 constexpr std::array makers{
+    Maker{{.id = "notes"}, made<notes>},
     Maker{{.id = "lines"}, made<&BobWeightsModel::lineResults>},
     Maker{{.id = "runs"}, made<&BobWeightsModel::runResults>},
     Maker{{.id = "planes"}, made<&BobWeightsModel::planeResults>},
     Maker{{.id = "holes"}, made<&BobWeightsModel::holeResults>},
     Maker{{.id = "drilled"}, made<&BobWeightsModel::drilledResults>},
+    Maker{{.id = "hole-notes"}, made<holeNotes>},
     Maker{{.id = "force"}, made<force>},
-    Maker{{.id = "effects"}, made<&BobWeightsModel::effectResults>},
-    Maker{{.id = "assignment"}, made<&BobWeightsModel::assignmentResults>},
-    Maker{{.id = "take-off"}, made<&BobWeightsModel::takeOffResults>},
+    Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
+    Maker{{.id = "effects", .tab = "sheet-3"}, made<&BobWeightsModel::effectResults>},
+    Maker{{.id = "assignment", .tab = "sheet-3"}, made<&BobWeightsModel::assignmentResults>},
+    Maker{{.id = "take-off", .tab = "sheet-3"}, made<&BobWeightsModel::takeOffResults>},
 };
 
 }  // namespace
 
-std::span<const Part> bobParts() {
+std::span<const PagePart> bobParts() {
     return partsOf(makers);
 }
 

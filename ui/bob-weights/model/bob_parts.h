@@ -16,7 +16,7 @@ struct ForcePlot {
 };
 
 /// What the page of bob weights shows in plots and tables.
-std::span<const Part> bobParts();
+std::span<const PagePart> bobParts();
 Content bobPart(const BobWeightsModel& model, std::string_view id);
 
 }  // namespace ravnoves

@@ -43,7 +43,7 @@ class BobWeightsModel : public WorkshopModel<BobWeightsScene> {
     explicit BobWeightsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("bob-weights"); }
-    std::span<const Part> parts() const override { return bobParts(); }
+    std::span<const PagePart> parts() const override { return bobParts(); }
     Content part(std::string_view id) const override { return bobPart(*this, id); }
     std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
         return std::make_unique<BobWeightsModel>(QString());

@@ -319,9 +319,13 @@ Notes motions(const ElasticHingeModel& model) {
     Notes notes;
     // No unit is broken behind its stroke.
     const QString text = model.motionsText().replace(u'/', QStringLiteral("/\u2060"));
-    for (const QString& line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        notes.lines.emplace_back(Severity::note, line);
-    }
+    notes.say(Severity::note, text.split(QLatin1Char('\n')));
+    return notes;
+}
+
+Notes verdict(const ElasticHingeModel& model) {
+    Notes notes;
+    notes.say(model.verdict());
     return notes;
 }
 
@@ -331,6 +335,7 @@ Results quantities(const ElasticHingeModel& model) {
 
 using Maker = PartMaker<ElasticHingeModel>;
 constexpr std::array makers{
+    Maker{{.id = "verdict"}, made<verdict>},
     Maker{{.id = "quantities"}, made<quantities>},
     Maker{{.id = "guides", .tab = "guides"}, made<guides>},
     Maker{{.id = "relief", .tab = "guides"}, made<relief>},

@@ -383,9 +383,16 @@ Figure roll(const InertiaMomentsModel& model) {
     return figure;
 }
 
+Notes verdict(const InertiaMomentsModel& model) {
+    Notes notes;
+    notes.say(model.verdict());
+    return notes;
+}
+
 using Model = InertiaMomentsModel;
 using Maker = PartMaker<Model>;
 constexpr std::array makers{
+    Maker{{.id = "verdict"}, made<verdict>},
     Maker{{.id = "order-1"}, made<firstOrder>},
     Maker{{.id = "order-2"}, made<secondOrder>},
     Maker{{.id = "orders", .tab = "table-orders"}, made<&Model::orderResults>},
@@ -402,7 +409,7 @@ constexpr std::array makers{
 
 }  // namespace
 
-std::span<const Part> engineParts() {
+std::span<const PagePart> engineParts() {
     return partsOf(makers);
 }
 

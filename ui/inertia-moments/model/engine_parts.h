@@ -17,7 +17,7 @@ struct EnginePlots {
 };
 
 /// What the page of inertia forces and moments shows.
-std::span<const Part> engineParts();
+std::span<const PagePart> engineParts();
 Content enginePart(const InertiaMomentsModel& model, std::string_view id);
 
 /// True where the first two orders have no moment but a force: an engine in one plane.

@@ -47,7 +47,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     const inertia_moments::Result& result() const { return solved(); }
 
-    std::span<const Part> parts() const override { return engineParts(); }
+    std::span<const PagePart> parts() const override { return engineParts(); }
     Content part(std::string_view id) const override { return enginePart(*this, id); }
     std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
         return std::make_unique<InertiaMomentsModel>();

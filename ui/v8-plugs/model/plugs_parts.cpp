@@ -8,6 +8,7 @@
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/model/weighing_text.h"
 
 namespace ravnoves {
 
@@ -132,22 +133,70 @@ Figure shift(const V8PlugsModel& model) {
     return figure;
 }
 
+Notes notes(const V8PlugsModel& model) {
+    const Result& solution = model.solution();
+    const Words words;
+    const bool isDoubted = solution.advice && v8_text::doubtsWeights(model.input());
+    const bool isUneven = v8_text::hasUnequalCrankpins(model.input(), solution);
+    const bool shifts = solution.shift_that_matters() != nullptr;
+    const auto warnWhere = [](bool doubtful) {
+        return doubtful ? Severity::warning : Severity::note;
+    };
+    Notes notes;
+    if (solution.before) {
+        notes.say(warnWhere(isUneven || isDoubted), model.excessText());
+    }
+    notes.say(solution.advice && !v8_text::works(solution)
+                  ? Severity::error
+                  : warnWhere(isDoubted || isUneven || shifts),
+              model.adviceText());
+    notes.say(Severity::note, model.boringText());
+    notes.say(warnWhere(isDoubted), model.hangText());
+    notes.say(Severity::note, model.plugsText());
+    notes.say(Severity::warning, model.troubles());
+    if (solution.before) {
+        const auto weighing = v8_text::weighingNote(words, model.input());
+        notes.say(warnWhere(shifts), QStringList{model.checkText(), model.rodFactorText()});
+        notes.say(warnWhere(!weighing.enough), weighing.text);
+    }
+    notes.say(Severity::note, model.shiftText());
+    return notes;
+}
+
+/// What is to be done with the parts.
+Notes matching(const V8PlugsModel& model) {
+    Notes notes;
+    notes.say(Severity::note, QStringList(model.assignmentText()) + model.assignmentRemarks());
+    return notes;
+}
+
+Notes limits(const V8PlugsModel& model) {
+    Notes notes;
+    if (model.solution().balancing) {
+        notes.say(Severity::note, QStringList{model.isoText(), model.machineLimitsText()});
+    }
+    return notes;
+}
+
 using Maker = PartMaker<V8PlugsModel>;
 constexpr std::array makers{
+    Maker{{.id = "notes"}, made<notes>},
     Maker{{.id = "options"}, made<&V8PlugsModel::optionResults>},
     Maker{{.id = "bob-weights"}, made<&V8PlugsModel::bobWeightResults>},
     Maker{{.id = "compensation"}, made<compensation>},
     Maker{{.id = "shift"}, made<shift>},
-    Maker{{.id = "effects"}, made<&V8PlugsModel::effectResults>},
-    Maker{{.id = "assignment"}, made<&V8PlugsModel::assignmentResults>},
-    Maker{{.id = "take-off"}, made<&V8PlugsModel::takeOffResults>},
-    Maker{{.id = "crankpins"}, made<&V8PlugsModel::crankpinResults>},
-    Maker{{.id = "planes"}, made<&V8PlugsModel::planeResults>},
+    Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
+    Maker{{.id = "effects", .tab = "sheet-3"}, made<&V8PlugsModel::effectResults>},
+    Maker{{.id = "assignment", .tab = "sheet-3"}, made<&V8PlugsModel::assignmentResults>},
+    Maker{{.id = "take-off", .tab = "sheet-3"}, made<&V8PlugsModel::takeOffResults>},
+    Maker{{.id = "crankpins", .tab = "sheet-3"}, made<&V8PlugsModel::crankpinResults>},
+    Maker{{.id = "planes", .tab = "sheet-5"}, made<&V8PlugsModel::planeResults>},
+    Maker{{.id = "limits", .tab = "sheet-5"}, made<limits>},
 };
 
 }  // namespace
 
-std::span<const Part> plugsParts() {
+std::span<const PagePart> plugsParts() {
     return partsOf(makers);
 }
 

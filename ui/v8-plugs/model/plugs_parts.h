@@ -19,7 +19,7 @@ struct ShiftPlot {
 };
 
 /// What the V-8 page shows in plots and tables.
-std::span<const Part> plugsParts();
+std::span<const PagePart> plugsParts();
 Content plugsPart(const V8PlugsModel& model, std::string_view id);
 
 }  // namespace ravnoves

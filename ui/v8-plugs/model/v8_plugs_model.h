@@ -46,7 +46,7 @@ class V8PlugsModel : public WorkshopModel<V8PlugsScene> {
     explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
-    std::span<const Part> parts() const override { return plugsParts(); }
+    std::span<const PagePart> parts() const override { return plugsParts(); }
     Content part(std::string_view id) const override { return plugsPart(*this, id); }
     std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
         return std::make_unique<V8PlugsModel>(QString());
