@@ -137,21 +137,4 @@ void BobAnswer::showAnswer() {
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
 }
 
-QString BobAnswer::asText() const {
-    QStringList said{headline_->text(), refused_->text(), hang_->text(),    verdict_->text(),
-                     factor_->text(),   limits_->text(),  troubles_->text()};
-    said.removeAll(QString());
-    QString text = said.join(QLatin1Char('\n'));
-    for (const PartTable* table : {lines_, runs_, planes_, holes_, drilled_}) {
-        text += QLatin1Char('\n') + table->asText();
-    }
-    return text + holeNote_->text() + QLatin1Char('\n') + drilledNote_->text();
-}
-
-QString BobAnswer::asCsv() const {
-    return lines_->asCsv() + QLatin1Char('\n') + runs_->asCsv() + QLatin1Char('\n') +
-           planes_->asCsv() + QLatin1Char('\n') + holes_->asCsv() + QLatin1Char('\n') +
-           drilled_->asCsv();
-}
-
 }  // namespace ravnoves

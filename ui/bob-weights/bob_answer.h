@@ -21,9 +21,6 @@ class BobAnswer : public QWidget {
     /// Entries that the form refuses now: the answer is that of the values before them.
     void setRefused(const QStringList& refused);
 
-    QString asText() const;
-    QString asCsv() const;
-
   private:
     QWidget* buildHead();
     QWidget* buildLines();

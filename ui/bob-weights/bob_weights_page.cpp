@@ -58,12 +58,4 @@ void BobWeightsPage::showRefused(const QStringList& refused) {
     answer_->setRefused(refused);
 }
 
-QString BobWeightsPage::resultsAsText() const {
-    return answer_->asText();
-}
-
-QString BobWeightsPage::resultsAsCsv() const {
-    return answer_->asCsv();
-}
-
 }  // namespace ravnoves

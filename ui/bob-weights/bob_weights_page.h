@@ -17,8 +17,6 @@ class BobWeightsPage : public WorkshopPage {
 
     SceneModel* model() override;
     BobWeightsModel* viewModel() { return model_; }
-    QString resultsAsText() const override;
-    QString resultsAsCsv() const override;
 
   protected:
     JobDesk* desk() const override;

@@ -163,9 +163,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     connect(takeStiffness_, &QPushButton::clicked, model_,
             &ElasticHingeModel::takeMinimumStiffness);
     answerColumn->addWidget(takeStiffness_);
-    quantities_ = new PartTable(model_, "quantities", tr("What the design gives"), answer);
-    quantities_->horizontalHeader()->hide();
-    answerColumn->addWidget(quantities_);
+    auto* quantities = new PartTable(model_, "quantities", tr("What the design gives"), answer);
+    quantities->horizontalHeader()->hide();
+    answerColumn->addWidget(quantities);
     column->addWidget(answer);
     return holder;
 }
@@ -181,15 +181,6 @@ void ElasticHingePage::showAnswer() {
 
 void ElasticHingePage::showAnimated() {
     animated_->setCurrentIndex(static_cast<int>(model_->animated()));
-}
-
-QString ElasticHingePage::resultsAsText() const {
-    return quantities_->asText() + QLatin1Char('\n') + verdict_->text() + QLatin1Char('\n') +
-           model_->motionsText() + QLatin1Char('\n');
-}
-
-QString ElasticHingePage::resultsAsCsv() const {
-    return quantities_->asCsv();
 }
 
 }  // namespace ravnoves

@@ -13,7 +13,6 @@ namespace ravnoves {
 class GuideExportForm;
 class HingeMechanismView;
 class HingeTabs;
-class ResultTable;
 class VerdictLine;
 
 /// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
@@ -26,8 +25,6 @@ class ElasticHingePage : public ScenePage {
     SceneModel* model() override;
     ElasticHingeModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
-    QString resultsAsText() const override;
-    QString resultsAsCsv() const override;
 
     // For tests and for the frame benchmark.
     HingeTabs* plots() const { return plots_; }
@@ -50,7 +47,6 @@ class ElasticHingePage : public ScenePage {
     QComboBox* animated_ = nullptr;
     VerdictLine* verdict_ = nullptr;
     QPushButton* takeStiffness_ = nullptr;
-    ResultTable* quantities_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

@@ -44,25 +44,6 @@ void InertiaMomentsAnswer::addTable(const char* part, const QString& title, cons
     auto* table = new PartTable(model_, part, name, tabs_);
     table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
-    tables_.push_back(table);
-}
-
-QString InertiaMomentsAnswer::asText() const {
-    QString text;
-    for (PartTable* table : tables_) {
-        table->refresh();
-        text += table->asText() + QLatin1Char('\n');
-    }
-    return text;
-}
-
-QString InertiaMomentsAnswer::asCsv() const {
-    QString text;
-    for (PartTable* table : tables_) {
-        table->refresh();
-        text += table->asCsv() + QLatin1Char('\n');
-    }
-    return text;
 }
 
 }  // namespace ravnoves

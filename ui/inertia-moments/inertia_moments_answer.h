@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <vector>
 
 class QTabWidget;
 
@@ -9,7 +8,6 @@ namespace ravnoves {
 
 class EngineView;
 class InertiaMomentsModel;
-class PartTable;
 class PicturePanel;
 
 /// The picture of the engine and the tables of the answer.
@@ -19,8 +17,6 @@ class InertiaMomentsAnswer : public QWidget {
   public:
     InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent);
 
-    QString asText() const;
-    QString asCsv() const;
     EngineView* picture() const { return picture_; }
     PicturePanel* picturePanel() const { return picturePanel_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -32,7 +28,6 @@ class InertiaMomentsAnswer : public QWidget {
     EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
-    std::vector<PartTable*> tables_;
 };
 
 }  // namespace ravnoves

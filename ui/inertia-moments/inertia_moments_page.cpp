@@ -44,10 +44,6 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     addShaftsAction();
 }
 
-QString InertiaMomentsPage::resultsAsText() const {
-    return answer_->asText() + verdict_->text() + QLatin1Char('\n');
-}
-
 QTabWidget* InertiaMomentsPage::makeInputs() {
     auto* inputs = new QTabWidget(this);
     inputs->setDocumentMode(true);

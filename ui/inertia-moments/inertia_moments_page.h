@@ -27,8 +27,6 @@ class InertiaMomentsPage : public ScenePage {
     QList<QAction*> sceneActions() override {
         return {answer_->picturePanel()->action(), shaftsAction_};
     }
-    QString resultsAsText() const override;
-    QString resultsAsCsv() const override { return answer_->asCsv(); }
 
     // For tests.
     EngineSliders* sliders() const { return sliders_; }

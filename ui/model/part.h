@@ -24,6 +24,7 @@ struct PagePart {
     std::string_view id;
     std::string_view tab = {};  ///< name of the tab that it is on; empty: beside them
     bool hasBand = true;        ///< what takes longer than a frame has none
+    bool isAnswer = false;      ///< side by side with other variants, and copied
 };
 
 /// Lines of text, each with what it means for the answer.

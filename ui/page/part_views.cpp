@@ -96,6 +96,49 @@ void PartPlot::clearSpread(bool /*another*/) {
     clearSpreads();
 }
 
+namespace {
+
+using TextOfTable = QString (ResultTable::*)() const;
+
+/// Calls for each part of the answer, in its order: with its lines, or with the text of its table.
+QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
+    QString text;
+    const std::vector<PartView*> views = PartView::below(page, false);
+    if (views.empty()) {
+        return text;
+    }
+    const SceneModel& model = *views.front()->partModel();
+    for (const PagePart& part : model.parts()) {
+        if (!part.isAnswer) {
+            continue;
+        }
+        for (PartView* view : views) {
+            auto* table = dynamic_cast<PartTable*>(view);
+            if (table != nullptr && view->id() == part.id) {
+                table->refresh();  // seen or not
+                text += (table->*textOfTable)() + QLatin1Char('\n');
+            }
+        }
+        const Content content = withLines ? model.part(part.id) : Content();
+        if (const auto* notes = std::get_if<Notes>(&content)) {
+            for (const auto& [severity, line] : notes->lines) {
+                text += line + QLatin1Char('\n');
+            }
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+QString answerText(const QWidget& page) {
+    return answer(page, &ResultTable::asText, true);
+}
+
+QString answerCsv(const QWidget& page) {
+    return answer(page, &ResultTable::asCsv, false);
+}
+
 PartPlot* partPlot(const QWidget& page, std::string_view id) {
     for (PartPlot* plot : page.findChildren<PartPlot*>()) {
         if (plot->id() == id) {

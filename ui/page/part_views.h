@@ -30,6 +30,7 @@ class PartView {
     virtual void clearSpread(bool another) = 0;
     /// All below a widget that are seen, or all.
     static std::vector<PartView*> below(const QWidget& page, bool seenAlone);
+    SceneModel* partModel() const { return model_; }
 
   protected:
     /// Its widget came to the front.
@@ -37,7 +38,6 @@ class PartView {
     virtual void showPart(const Content& content) = 0;
     /// Nothing: there is no reference.
     virtual void showReference(const Content* content, const QString& name) = 0;
-    SceneModel* partModel() const { return model_; }
     /// Its widget comes and goes with what it shows: it is made seen or not.
     void makeAlways() { isAlwaysMade_ = true; }
 
@@ -71,6 +71,10 @@ class PartPlot : public PlotView, public PartView {
     void showPart(const Content& content) override;
     void showReference(const Content* content, const QString& name) override;
 };
+
+/// The answer below a widget, its lines and tables, as tab-separated text or as CSV.
+QString answerText(const QWidget& page);
+QString answerCsv(const QWidget& page);
 
 /// The plot of a part below a widget; null where there is none.
 PartPlot* partPlot(const QWidget& page, std::string_view id);

@@ -8,6 +8,7 @@
 #include "model/background_job.h"
 #include "model/reference_case.h"
 #include "page/mechanism_picture.h"
+#include "page/part_views.h"
 #include "pictures/wheel_guard.h"
 #include "plot/plot_view.h"
 #include "widgets/mnemonics.h"
@@ -53,6 +54,14 @@ void ScenePage::followDrags(SceneModel* model) {
 
 void ScenePage::addTable(TableEditor* table) {
     tables_ << table;
+}
+
+QString ScenePage::resultsAsText() const {
+    return answerText(*this);
+}
+
+QString ScenePage::resultsAsCsv() const {
+    return answerCsv(*this);
 }
 
 void ScenePage::setActive(bool active) {

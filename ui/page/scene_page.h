@@ -27,8 +27,8 @@ class ScenePage : public QWidget {
     /// Actions for the toolbar and the Scene menu, in order; null entries are separators.
     virtual QList<QAction*> sceneActions() { return {}; }
     /// The results as tab-separated text and as CSV.
-    virtual QString resultsAsText() const = 0;
-    virtual QString resultsAsCsv() const = 0;
+    virtual QString resultsAsText() const;
+    virtual QString resultsAsCsv() const;
     /// Called when the page comes to the front or leaves it (animations stop).
     virtual void setActive(bool active);
     /// Every plot of the page shows all it has.

@@ -25,9 +25,9 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
         readings << field;
         doubt(field, [this, field] { return !model_->solution().holds() && field->value(); });
     }
-    planes_ = new PartTable(model, "planes", tr("Correction planes"), this);
-    planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    current()->addWide(planes_);
+    auto* planes = new PartTable(model, "planes", tr("Correction planes"), this);
+    planes->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    current()->addWide(planes);
     addHold([this] { return model_->otherReadingsText(); }, [this] { model_->confirmReadings(); },
             readings);
     line(Theme::baseSize, [this] { return model_->isoText(); });

@@ -4,20 +4,12 @@
 
 namespace ravnoves {
 
-class PartTable;
-
 /// Sheet 5: the permissible residual unbalance, what the balancing machine reads, and the notes.
 class MachineSheet : public V8Sheet {
     Q_OBJECT
 
   public:
     explicit MachineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
-
-    /// The verdict on both planes.
-    PartTable* planes() const { return planes_; }
-
-  private:
-    PartTable* planes_;
 };
 
 }  // namespace ravnoves

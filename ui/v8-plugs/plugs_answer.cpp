@@ -183,17 +183,4 @@ void PlugsAnswer::showBobWeights() {
     colourText(weighing_, weighing.enough ? &Theme::mutedText : &Theme::warning);
 }
 
-QString PlugsAnswer::asText() const {
-    // The advice never goes without what is wrong with it.
-    QStringList said{excess_->text(), advice_->text(), boring_->text(), refused_->text(),
-                     troubles_->text()};
-    said.removeAll(QString());
-    return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + options_->asText() +
-           QLatin1Char('\n') + bobWeights_->asText();
-}
-
-QString PlugsAnswer::asCsv() const {
-    return options_->asCsv() + QLatin1Char('\n') + bobWeights_->asCsv();
-}
-
 }  // namespace ravnoves

@@ -22,9 +22,6 @@ class PlugsAnswer : public QWidget {
     /// Entries that the form refuses now: the answer is that of the values before them.
     void setRefused(const QStringList& refused);
 
-    QString asText() const;
-    QString asCsv() const;
-
   protected:
     void resizeEvent(QResizeEvent* event) override;
 

@@ -2,7 +2,6 @@
 
 #include <QTabWidget>
 
-#include "page/part_views.h"
 #include "v8-plugs/engine_sheet.h"
 #include "v8-plugs/job_sheet.h"
 #include "v8-plugs/machine_sheet.h"
@@ -24,13 +23,12 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel
     : WorkshopPage(parent), model_(takeOver<V8PlugsModel>(kept, journalPath)) {
     auto* engine = new EngineSheet(model_);
     connect(engine, &EngineSheet::status, this, &ScenePage::status);
-    machine_ = new MachineSheet(model_);
     answer_ = new PlugsAnswer(model_, this);
     build({{new JobSheet(model_), tr("&1 Job")},
            {engine, tr("&2 Engine")},
            {new WeighInSheet(model_), tr("&3 Weigh-in")},
            {new PlugSizesSheet(model_), tr("&4 Plug")},
-           {machine_, tr("&5 Machine")}},
+           {new MachineSheet(model_), tr("&5 Machine")}},
           answer_);
     connect(model_, &V8PlugsModel::sheetChosen, sheets(), &QTabWidget::setCurrentIndex);
 }
@@ -79,16 +77,6 @@ ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
 
 void V8PlugsPage::showRefused(const QStringList& refused) {
     answer_->setRefused(refused);
-}
-
-QString V8PlugsPage::resultsAsText() const {
-    machine_->planes()->refresh();  // seen or not
-    return answer_->asText() + QLatin1Char('\n') + machine_->planes()->asText();
-}
-
-QString V8PlugsPage::resultsAsCsv() const {
-    machine_->planes()->refresh();
-    return answer_->asCsv() + QLatin1Char('\n') + machine_->planes()->asCsv();
 }
 
 void V8PlugsPage::setActive(bool active) {

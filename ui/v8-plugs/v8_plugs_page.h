@@ -4,7 +4,6 @@
 
 namespace ravnoves {
 
-class MachineSheet;
 class PlugsAnswer;
 class V8PlugsModel;
 
@@ -19,8 +18,6 @@ class V8PlugsPage : public WorkshopPage {
 
     SceneModel* model() override;
     V8PlugsModel* viewModel() { return model_; }
-    QString resultsAsText() const override;
-    QString resultsAsCsv() const override;
     void setActive(bool active) override;
 
   protected:
@@ -33,7 +30,6 @@ class V8PlugsPage : public WorkshopPage {
 
   private:
     V8PlugsModel* model_;
-    MachineSheet* machine_ = nullptr;
     PlugsAnswer* answer_ = nullptr;
 };
 

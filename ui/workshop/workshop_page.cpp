@@ -97,6 +97,11 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
     connect(model(), &SceneModel::begunAnew, this, [this] { banner_->say({}); });
 }
 
+QString WorkshopPage::resultsAsText() const {
+    const QString refused = refusedNote(Words(), refusedInputs(this));
+    return (refused.isEmpty() ? refused : refused + QLatin1Char('\n')) + ScenePage::resultsAsText();
+}
+
 void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     auto* scroll = scrolled(form, sheets_);
     sheets_->addTab(scroll, title);

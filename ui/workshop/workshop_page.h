@@ -30,6 +30,8 @@ class WorkshopPage : public ScenePage {
     using ScenePage::ScenePage;
 
     QList<QAction*> sceneActions() override { return actions_; }
+    /// Never without what is refused: the answer is that of the values before it.
+    QString resultsAsText() const override;
     std::optional<bool> askToSave() override;
     void showJournal(const QString& search) override;
 

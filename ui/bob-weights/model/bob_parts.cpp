@@ -99,13 +99,13 @@ Notes matching(const BobWeightsModel& model) {
 
 using Maker = PartMaker<BobWeightsModel>;
 constexpr std::array makers{
-    Maker{{.id = "notes"}, made<notes>},
-    Maker{{.id = "lines"}, made<&BobWeightsModel::lineResults>},
-    Maker{{.id = "runs"}, made<&BobWeightsModel::runResults>},
-    Maker{{.id = "planes"}, made<&BobWeightsModel::planeResults>},
-    Maker{{.id = "holes"}, made<&BobWeightsModel::holeResults>},
-    Maker{{.id = "drilled"}, made<&BobWeightsModel::drilledResults>},
-    Maker{{.id = "hole-notes"}, made<holeNotes>},
+    Maker{{.id = "notes", .isAnswer = true}, made<notes>},
+    Maker{{.id = "lines", .isAnswer = true}, made<&BobWeightsModel::lineResults>},
+    Maker{{.id = "runs", .isAnswer = true}, made<&BobWeightsModel::runResults>},
+    Maker{{.id = "planes", .isAnswer = true}, made<&BobWeightsModel::planeResults>},
+    Maker{{.id = "holes", .isAnswer = true}, made<&BobWeightsModel::holeResults>},
+    Maker{{.id = "drilled", .isAnswer = true}, made<&BobWeightsModel::drilledResults>},
+    Maker{{.id = "hole-notes", .isAnswer = true}, made<holeNotes>},
     Maker{{.id = "force"}, made<force>},
     Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
     Maker{{.id = "effects", .tab = "sheet-3"}, made<&BobWeightsModel::effectResults>},

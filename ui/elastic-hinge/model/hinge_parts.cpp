@@ -335,8 +335,8 @@ Results quantities(const ElasticHingeModel& model) {
 
 using Maker = PartMaker<ElasticHingeModel>;
 constexpr std::array makers{
-    Maker{{.id = "verdict"}, made<verdict>},
-    Maker{{.id = "quantities"}, made<quantities>},
+    Maker{{.id = "quantities", .isAnswer = true}, made<quantities>},
+    Maker{{.id = "verdict", .isAnswer = true}, made<verdict>},
     Maker{{.id = "guides", .tab = "guides"}, made<guides>},
     Maker{{.id = "relief", .tab = "guides"}, made<relief>},
     Maker{{.id = "rod-moment", .tab = "rod-hinge"}, made<rodMoment>},
@@ -346,7 +346,7 @@ constexpr std::array makers{
     Maker{{.id = "crank-moment", .tab = "crank-moment"}, made<crankMoment>},
     Maker{{.id = "crank-moment-speeds", .tab = "crank-moment"}, made<crankMomentSpeeds>},
     Maker{{.id = "crank-speed", .tab = "motion", .hasBand = false}, made<crankSpeed>},
-    Maker{{.id = "motions", .tab = "motion", .hasBand = false}, made<motions>},
+    Maker{{.id = "motions", .tab = "motion", .hasBand = false, .isAnswer = true}, made<motions>},
 };
 
 }  // namespace

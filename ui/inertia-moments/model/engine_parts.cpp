@@ -6,6 +6,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "numerics/constants.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -386,20 +387,25 @@ Figure roll(const InertiaMomentsModel& model) {
 Notes verdict(const InertiaMomentsModel& model) {
     Notes notes;
     notes.say(model.verdict());
+    const double deadCentre = model.result().engine.top_dead_centre(0) / degree;
+    notes.say(Severity::note,
+              QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
+                  QStringLiteral(": %1°").arg(fixedNumber(deadCentre, 3, QLocale())));
     return notes;
 }
 
 using Model = InertiaMomentsModel;
 using Maker = PartMaker<Model>;
 constexpr std::array makers{
-    Maker{{.id = "verdict"}, made<verdict>},
+    Maker{{.id = "verdict", .isAnswer = true}, made<verdict>},
     Maker{{.id = "order-1"}, made<firstOrder>},
     Maker{{.id = "order-2"}, made<secondOrder>},
-    Maker{{.id = "orders", .tab = "table-orders"}, made<&Model::orderResults>},
-    Maker{{.id = "rotating", .tab = "table-rotating"}, made<&Model::rotatingResults>},
-    Maker{{.id = "shafts", .tab = "table-shafts"}, made<&Model::shaftResults>},
-    Maker{{.id = "weights", .tab = "table-weights"}, made<&Model::weightResults>},
-    Maker{{.id = "left", .tab = "table-left"}, made<&Model::remainingResults>},
+    Maker{{.id = "orders", .tab = "table-orders", .isAnswer = true}, made<&Model::orderResults>},
+    Maker{{.id = "rotating", .tab = "table-rotating", .isAnswer = true},
+          made<&Model::rotatingResults>},
+    Maker{{.id = "shafts", .tab = "table-shafts", .isAnswer = true}, made<&Model::shaftResults>},
+    Maker{{.id = "weights", .tab = "table-weights", .isAnswer = true}, made<&Model::weightResults>},
+    Maker{{.id = "left", .tab = "table-left", .isAnswer = true}, made<&Model::remainingResults>},
     Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodographOfForces>},
     Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodographOfMoments>},
     Maker{{.id = "roll", .tab = "roll"}, made<roll>},

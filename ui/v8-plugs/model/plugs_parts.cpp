@@ -180,9 +180,9 @@ Notes limits(const V8PlugsModel& model) {
 
 using Maker = PartMaker<V8PlugsModel>;
 constexpr std::array makers{
-    Maker{{.id = "notes"}, made<notes>},
-    Maker{{.id = "options"}, made<&V8PlugsModel::optionResults>},
-    Maker{{.id = "bob-weights"}, made<&V8PlugsModel::bobWeightResults>},
+    Maker{{.id = "notes", .isAnswer = true}, made<notes>},
+    Maker{{.id = "options", .isAnswer = true}, made<&V8PlugsModel::optionResults>},
+    Maker{{.id = "bob-weights", .isAnswer = true}, made<&V8PlugsModel::bobWeightResults>},
     Maker{{.id = "compensation"}, made<compensation>},
     Maker{{.id = "shift"}, made<shift>},
     Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
@@ -190,7 +190,7 @@ constexpr std::array makers{
     Maker{{.id = "assignment", .tab = "sheet-3"}, made<&V8PlugsModel::assignmentResults>},
     Maker{{.id = "take-off", .tab = "sheet-3"}, made<&V8PlugsModel::takeOffResults>},
     Maker{{.id = "crankpins", .tab = "sheet-3"}, made<&V8PlugsModel::crankpinResults>},
-    Maker{{.id = "planes", .tab = "sheet-5"}, made<&V8PlugsModel::planeResults>},
+    Maker{{.id = "planes", .tab = "sheet-5", .isAnswer = true}, made<&V8PlugsModel::planeResults>},
     Maker{{.id = "limits", .tab = "sheet-5"}, made<limits>},
 };
 
