@@ -36,8 +36,8 @@ QList<JobDesk*>& desks() {
 
 JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     : QObject(model), model_(model), scene_(std::move(scene)), journalPath_(journalPath) {
-    desks() << this;
     if (!journalPath_.isEmpty()) {
+        desks() << this;
         const QSettings settings;
         cardLanguage_ =
             settings.value(languageKey, settings.value(QStringLiteral("v8-plugs/card-language")))
@@ -48,7 +48,9 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
 }
 
 JobDesk::~JobDesk() {
-    desks().removeOne(this);
+    if (!journalPath_.isEmpty()) {  // one without may be of a model in another thread
+        desks().removeOne(this);
+    }
 }
 
 void JobDesk::setJournalTrouble(const QString& text) {
