@@ -10620,13 +10620,6 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::Comparison</name>
-    <message>
-        <source>Reference %1: %2</source>
-        <translation>Эталон %1: %2</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::CompensationPlot</name>
     <message>
         <source>Excess compensated</source>
@@ -15049,22 +15042,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Хранятся рядом с текущими исходными данными: %1.</translation>
     </message>
     <message>
-        <source>The present input is that of %1.</source>
-        <translation>Текущие исходные данные те же, что у %1.</translation>
-    </message>
-    <message>
-        <source>Inputs that differ</source>
-        <translation>Данные, которые отличаются</translation>
-    </message>
-    <message>
-        <source>Present</source>
-        <translation>Сейчас</translation>
-    </message>
-    <message>
-        <source>… and %1 more.</source>
-        <translation>… и ещё %1.</translation>
-    </message>
-    <message>
         <source>Inputs and their tolerances</source>
         <translation>Исходные данные и допуски</translation>
     </message>
@@ -15115,10 +15092,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>, not numbered there</source>
         <translation>, там без номера</translation>
-    </message>
-    <message>
-        <source>The results are seen against the variant %1: its curves are pale and wide, and Δ is the present value less its value.</source>
-        <translation>Результаты сопоставлены с вариантом %1: его кривые бледные и широкие, а Δ — текущее значение минус его значение.</translation>
     </message>
     <message>
         <source>A section: the plot is zoomed.</source>

@@ -184,14 +184,4 @@ QList<QAction*> BalanceShaftPage::sceneActions() {
     return {playAction_, bestRangeAction_, bestRmsAction_};
 }
 
-QString BalanceShaftPage::resultsAsText() const {
-    const QStringList parts{verdict_->text(),        criteria_->asText(),   quantities_->asText(),
-                            model_->bestRangeText(), model_->bestRmsText(), QString()};
-    return parts.join(QLatin1Char('\n'));
-}
-
-QString BalanceShaftPage::resultsAsCsv() const {
-    return criteria_->asCsv() + QLatin1Char('\n') + quantities_->asCsv();
-}
-
 }  // namespace ravnoves

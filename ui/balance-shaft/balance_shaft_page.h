@@ -27,8 +27,6 @@ class BalanceShaftPage : public ScenePage {
     SceneModel* model() override;
     BalanceShaftModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
-    QString resultsAsText() const override;
-    QString resultsAsCsv() const override;
 
     // For tests and for the frame benchmark.
     FieldSlider* angleSlider() const { return angle_; }

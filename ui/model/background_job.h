@@ -36,8 +36,6 @@ class BackgroundJob : public QObject {
     /// Stops what runs; what it has is thrown away.
     void cancel();
     bool isRunning() const { return running_; }
-    /// From within the work: to be done on the GUI thread before its result is.
-    void post(std::function<void()> telling) { worker_.post(std::move(telling)); }
 
   Q_SIGNALS:
     void progress(double part);

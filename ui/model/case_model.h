@@ -92,7 +92,6 @@ class CaseModel : public SceneModel {
     Json keptJson() const override;
     void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
     void loadInput(const Json& input, const CaseContext& context) override;
-    SolveApart solvesApart() override;
     void showInput(const Json& input) override;
     void loadDefault() override {
         load(newName(), {scene_.defaultInput(),

@@ -79,24 +79,6 @@ void CaseModel<Scene>::showInput(const Json& json) {
 }
 
 template <typename Scene>
-SceneModel::SolveApart CaseModel<Scene>::solvesApart() {
-    return [this, scene = std::make_shared<Scene>(scene_), kept = keptJson(),
-            context = context()](const Json& json) -> std::function<void()> {
-        Input input = scene->read(json, context);
-        if constexpr (requires { scene->keep(input, kept, context); }) {
-            scene->keep(input, kept, context);
-        }
-        clear_vector_state();
-        auto solved = std::make_shared<Solved>(scene->solve(input));
-        return [this, input = std::move(input), solved] {
-            State next = state();
-            next.input = input;
-            take(next, std::move(*solved));
-        };
-    };
-}
-
-template <typename Scene>
 QString CaseModel<Scene>::changeVariants(const QString& name, const Variants& next,
                                          const std::optional<std::string>& input) {
     State after = state();

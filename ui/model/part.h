@@ -13,7 +13,6 @@
 
 #include "case-file/verdict.h"
 #include "plot/model/figure.h"
-#include "text/message_text.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -42,7 +41,6 @@ struct Notes {
             say(severity, text);
         }
     }
-    void say(const Verdict& verdict) { say(verdict.severity, messageText(verdict.text)); }
 };
 
 /// What the tolerances do to the numbers of a part: from 5 % to each number, and from it to 95 %.

@@ -69,17 +69,12 @@ class SceneModel : public QObject {
     void loadCase(const Json& input, const CaseContext& context, const QString& title);
     /// Another input under the present title and notes.
     virtual void loadInput(const Json& input, const CaseContext& context);
-    /// Solves inputs that are like the present one, in a worker thread, one at a time, and throws
-    /// InputError for one that is refused. What it returns takes the solved input over, without a
-    /// step of the history, in this model's thread.
-    using SolveApart = std::function<std::function<void()>(const Json& input)>;
-    /// Empty where the model solves none.
-    virtual SolveApart solvesApart() { return {}; }
     /// What the page shows, in its order, the first the most important.
     virtual std::span<const PagePart> parts() const { return {}; }
     /// Makes one of them of the present input and of what is chosen to be seen of it.
     virtual Content part(std::string_view /*id*/) const { return {}; }
-    /// Begins what takes longer than a frame of a part, where someone looks; shownChanged() follows.
+    /// Begins what takes longer than a frame of a part, where someone looks; shownChanged()
+    /// follows.
     virtual void needPart(std::string_view /*id*/) {}
     /// The same of all.
     void needParts();
@@ -298,7 +293,7 @@ class SceneModel : public QObject {
     bool saidRefused_ = false;
     CaseContext context_;
     ReferenceCase* referenceCase_ = nullptr;  ///< from when it is asked for
-    QList<QObject*> refusedIn_;  ///< the newest last
+    QList<QObject*> refusedIn_;               ///< the newest last
     QUndoStack history_;
 };
 

@@ -26,11 +26,11 @@ struct Named {
     ResultCell cell;
 };
 
-/// The numbers of the tables that stand beside the tabs.
+/// The numbers of the answer's tables.
 std::vector<Named> numbersOf(const SceneModel& model) {
     std::vector<Named> numbers;
     for (const PagePart& part : model.parts()) {
-        const Content content = part.tab.empty() ? model.part(part.id) : Content();
+        const Content content = part.isAnswer ? model.part(part.id) : Content();
         const auto* results = std::get_if<Results>(&content);
         if (results == nullptr) {
             continue;

@@ -1,6 +1,7 @@
 #include "page/part_views.h"
 
 #include "model/reference_case.h"
+#include "text/message_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 
@@ -100,7 +101,7 @@ namespace {
 
 using TextOfTable = QString (ResultTable::*)() const;
 
-/// Calls for each part of the answer, in its order: with its lines, or with the text of its table.
+/// The parts of the answer in their order: tables as text, and their lines.
 QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
     QString text;
     const std::vector<PartView*> views = PartView::below(page, false);
@@ -125,6 +126,9 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
                 text += line + QLatin1Char('\n');
             }
         }
+    }
+    if (const auto verdict = withLines ? model.verdictShown() : std::nullopt) {
+        text += messageText(verdict->text) + QLatin1Char('\n');
     }
     return text;
 }

@@ -31,8 +31,6 @@ QColor ghostSwatch() {
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     makePlotsAccessible();
-    static int made = 0;
-    number_ = ++made;
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
@@ -47,12 +45,6 @@ PlotView::PlotView(const QString& title, QWidget* parent)
 }
 
 PlotView::~PlotView() {
-    if (referenceOf_ != nullptr) {
-        referenceOf_->setReference(nullptr, {});
-    }
-    if (reference_ != nullptr) {
-        reference_->referenceOf_ = nullptr;
-    }
     for (PlotView* other : stack_) {
         other->stack_.removeOne(this);
     }
@@ -64,24 +56,6 @@ void PlotView::stack(const QList<PlotView*>& plots) {
         plot->stack_.removeOne(plot);
         plot->chartChanged();
     }
-}
-
-void PlotView::setReference(PlotView* plot, const QString& name) {
-    if (reference_ == plot && data_.referenceName == name) {
-        return;
-    }
-    if (reference_ != nullptr) {
-        reference_->referenceOf_ = nullptr;
-    }
-    reference_ = plot;
-    data_.reference = plot != nullptr ? &plot->data_ : nullptr;
-    data_.referenceName = name;
-    if (plot != nullptr) {
-        plot->referenceOf_ = this;
-        nameReference(name);
-    }
-    chartChanged();
-    Q_EMIT referenceChanged();
 }
 
 void PlotView::nameReference(const QString& name) {
@@ -218,14 +192,6 @@ void PlotView::showLegend() {
     }
 }
 
-void PlotView::setCurveName(int number, const QString& name) {
-    CurveStyle style = data_.curve(number).style;
-    if (style.name != name) {
-        style.name = name;
-        setCurveStyle(number, style);
-    }
-}
-
 void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y) {
     PlotCurve& curve = data_.curve(number);
     const bool wasEmpty = curve.x.empty();
@@ -235,32 +201,6 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
         if (wasEmpty != curve.x.empty()) {
             showLegend();
             chartChanged();
-        }
-    }
-}
-
-PlotView::Family PlotView::addFamily(int most, CurveStyle style) {
-    const Family family{curveCount(), most};
-    style.name.clear();
-    style.shown = false;
-    for (int i = 0; i < most; ++i) {
-        addCurve(style);
-        ++style.colour;
-    }
-    return family;
-}
-
-void PlotView::setFamily(const Family& family, const std::vector<double>& x,
-                         const std::vector<Member>& members) {
-    for (int i = 0; i < family.most; ++i) {
-        const int curve = family.first + i;
-        const auto member = static_cast<std::size_t>(i);
-        const bool there = member < members.size() && !members[member].y.empty();
-        const bool before = !curveName(curve).isEmpty();
-        setCurveName(curve, there ? members[member].name : QString());
-        setCurve(curve, x, there ? members[member].y : std::vector<double>());
-        if (there != before) {
-            setCurveShown(curve, there);
         }
     }
 }
@@ -382,9 +322,6 @@ void PlotView::updateChart() {
 
 void PlotView::curvesChanged() {
     chartStale_ = true;
-    if (referenceOf_ != nullptr) {
-        referenceOf_->chartChanged();
-    }
     updateChart();
 }
 

@@ -38,8 +38,6 @@ class PlotView : public QWidget {
     using Mark = plot::Mark;
     using Band = plot::Band;
     using Line = plot::Line;
-    using Family = plot::Family;
-    using Member = plot::Member;
 
     explicit PlotView(const QString& title, QWidget* parent = nullptr);
     ~PlotView() override;
@@ -64,15 +62,7 @@ class PlotView : public QWidget {
     bool isCurveShown(int curve) const { return data_.curve(curve).shown; }
     /// Its name in the legend; a curve without a name has no entry there.
     QString curveName(int curve) const { return data_.curve(curve).style.name; }
-    void setCurveName(int curve, const QString& name);
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
-    /// Curves for the variants of one quantity, in colours from the style's on; at first none is
-    /// there.
-    Family addFamily(int most, CurveStyle style);
-    /// Replaces the family's variants, which share x; those beyond `most` are left out. A variant
-    /// that was not there is shown, one that stays keeps what the legend says.
-    void setFamily(const Family& family, const std::vector<double>& x,
-                   const std::vector<Member>& members);
     /// Error bars from low to high at each point of the curve, in y (vertical) or in x
     /// (horizontal); empty lists remove them.
     void setErrorBars(int curve, std::vector<double> low, std::vector<double> high,
@@ -117,14 +107,8 @@ class PlotView : public QWidget {
     /// Shows under the curves, pale, those of the same figure of another input. Null: none.
     void showReference(const Figure* figure, const QString& name);
 
-    /// Shows under the curves, pale and dashed, those that the same plot of a page with another
-    /// input has, by their numbers; they follow it. Null removes them.
-    void setReference(PlotView* plot, const QString& name);
-    const PlotView* reference() const { return reference_; }
     /// What is shown, for tests and for what compares plots.
     const PlotData& data() const { return data_; }
-    /// Plots made later have a greater number.
-    int number() const { return number_; }
 
     void resetZoom();
     bool isZoomed() const { return data_.zoomed; }
@@ -264,10 +248,7 @@ class PlotView : public QWidget {
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
     LegendItem* spreadItem_ = nullptr;
-    PlotView* reference_ = nullptr;
-    PlotView* referenceOf_ = nullptr;  ///< the plot that shows this one's curves
-    QList<PlotView*> stack_;           ///< those whose charts are aligned with this one
-    int number_;
+    QList<PlotView*> stack_;  ///< those whose charts are aligned with this one
     bool pickable_ = false;
     bool picking_ = false;
     bool wentTo_ = false;  ///< the focus came, when it last did, because the user went to it

@@ -1,10 +1,26 @@
 #pragma once
 
+#include <QList>
+#include <QString>
 #include <vector>
 
-#include "report/page_parts.h"
+#include "report/report.h"
 
 namespace ravnoves {
+
+class Patience;
+class ScenePage;
+
+/// What stands on one tab of a page, or beside the tabs.
+struct PageGroup {
+    QString title;  ///< plain; of the tab, empty beside them
+    std::vector<report::Item> words;
+    std::vector<report::Item> tables;
+    std::vector<report::Item> figures;
+    QStringList empty;  ///< titles of plots in which there is nothing to see
+
+    bool isEmpty() const { return words.empty() && tables.empty() && figures.empty(); }
+};
 
 /// What a page shows, part by part, with its pictures: those beside the tabs first, then tab by
 /// tab. Nothing of the page moves for it: plots and tables are made for the report alone.

@@ -21,7 +21,6 @@
 #include "page/scene_page.h"
 #include "report/case_parts.h"
 #include "report/input_tables.h"
-#include "report/page_parts.h"
 #include "report/report.h"
 #include "report/study_section.h"
 #include "scenes/scenes.h"
@@ -252,7 +251,6 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
 /// The variants of the case, and how the present input differs from the one that the curves and
 /// tables are seen against.
 void addVariants(Report& report, const SceneModel& model) {
-    const int reference = model.reference();
     if (model.variants().isEmpty()) {
         return;
     }
@@ -272,61 +270,22 @@ void addVariants(Report& report, const SceneModel& model) {
                           Paragraph::Kind::Warning});
         }
     }
-    if (!model.parts().empty()) {
-        QStringList troubles;  // they are said above
-        const Results results = variantResults(model, troubles);
-        Table table;
-        for (const ResultColumn& column : results.columns) {
-            table.numbers << !table.headings.isEmpty();
-            table.headings << column.heading.toHtmlEscaped();
-        }
-        for (const ResultRow& row : results.rows) {
-            QStringList cells;
-            for (const ResultCell& cell : row) {
-                cells << shortened(cell.text).toHtmlEscaped();
-            }
-            table.rows << cells;
-        }
-        table.isSmall = results.columns.size() > 4;
-        report.items.push_back(std::move(table));
-        return;
-    }
-    if (reference < 0) {
-        return;
-    }
-    const QString name = shortened(names[reference]);
-    report.items.push_back(
-        Paragraph{ReportWords::tr("The results are seen against the variant %1: its curves are "
-                                  "pale and wide, and Δ is the present value less its value.")
-                      .arg(name)
-                      .toHtmlEscaped()});
-    const auto differences = inputDifferences(model, model.variantInput(reference));
-    if (differences.empty()) {
-        report.items.push_back(Paragraph{
-            ReportWords::tr("The present input is that of %1.").arg(name).toHtmlEscaped()});
-        return;
-    }
+    QStringList troubles;  // they are said above
+    const Results results = variantResults(model, troubles);
     Table table;
-    table.caption = ReportWords::tr("Inputs that differ");
-    table.headings = {ReportWords::tr("Input"), ReportWords::tr("Present"), name.toHtmlEscaped(),
-                      ReportWords::tr("Unit"),  QStringLiteral("Δ"),        QStringLiteral("Δ, %")};
-    table.numbers = {false, true, true, false, true, true};
-    constexpr std::size_t most = 200;  // of long lists element by element
-    for (std::size_t i = 0; i < std::min(most, differences.size()); ++i) {
-        const InputDifference& each = differences[i];
+    for (const ResultColumn& column : results.columns) {
+        table.numbers << !table.headings.isEmpty();
+        table.headings << column.heading.toHtmlEscaped();
+    }
+    for (const ResultRow& row : results.rows) {
         QStringList cells;
-        for (const QString& text : {each.name, shortened(each.present), shortened(each.reference),
-                                    each.unit, each.absolute(), each.percent()}) {
-            cells << text.toHtmlEscaped();
+        for (const ResultCell& cell : row) {
+            cells << shortened(cell.text).toHtmlEscaped();
         }
         table.rows << cells;
     }
+    table.isSmall = results.columns.size() > 4;
     report.items.push_back(std::move(table));
-    if (differences.size() > most) {
-        report.items.push_back(
-            Paragraph{ReportWords::tr("… and %1 more.").arg(differences.size() - most),
-                      Paragraph::Kind::Muted});
-    }
 }
 
 /// The answer: what holds, the picture, the leading results.
@@ -361,8 +320,7 @@ Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& c
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
-    std::vector<PageGroup> groups =
-        model.parts().empty() ? pageParts(page, ofParts) : caseParts(page, ofParts);
+    std::vector<PageGroup> groups = caseParts(page, ofParts);
     addAnswer(report, model, groups.front());
     addVariants(report, model);
     if (!model.study().empty()) {

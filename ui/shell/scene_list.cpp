@@ -5,7 +5,6 @@
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
-#include "shell/comparison.h"
 #include "studies/tolerance_bands.h"
 #include "v8-plugs/v8_plugs_page.h"
 
@@ -16,10 +15,7 @@ namespace {
 template <typename Page>
 ScenePage* makePage(QWidget* parent, SceneModel* kept) {
     auto* page = new Page(parent, kept);
-    if (page->model()->parts().empty()) {
-        new Comparison(page);
-    }
-    new ToleranceBands(page, [] { return new Page; });
+    new ToleranceBands(page);
     return page;
 }
 

@@ -2,7 +2,6 @@
 
 #include <QDialog>
 #include <QTimer>
-#include <memory>
 
 class QLabel;
 
@@ -18,7 +17,6 @@ class VariantTable : public QDialog {
 
   public:
     VariantTable(ScenePage* page, QWidget* parent);
-    ~VariantTable() override;
 
     const ResultTable* table() const { return table_; }
     /// @return why it cannot be written; else empty
@@ -26,11 +24,9 @@ class VariantTable : public QDialog {
 
   private:
     void showVariants();
-    static QString noneText();
     void saveWithDialog();
 
     ScenePage* page_;
-    std::unique_ptr<ScenePage> twin_;  ///< nobody sees it: it holds one variant after the other
     QTimer rest_;
     QLabel* words_;
     ResultTable* table_;

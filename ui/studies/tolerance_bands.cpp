@@ -3,8 +3,6 @@
 #include <QEvent>
 #include <QTabWidget>
 #include <QThread>
-#include <condition_variable>
-#include <mutex>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
@@ -12,12 +10,8 @@
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
-#include "plot/plot_view.h"
 #include "studies/model/study_model.h"
-#include "studies/page_numbers.h"
 #include "studies/tolerance_switch.h"
-#include "widgets/page_columns.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 
@@ -25,38 +19,10 @@ namespace {
 
 constexpr int handRestsMs = 250;
 
-/// Numbers that the worker waits for.
-class AwaitedNumbers {
-  public:
-    using Numbers = std::optional<std::vector<double>>;
-    void give(Numbers numbers) {
-        const std::lock_guard lock(guard_);
-        numbers_ = std::move(numbers);
-        isThere_ = true;
-        there_.notify_one();
-    }
-    Numbers wait(const std::function<bool()>& goesOn) {
-        std::unique_lock lock(guard_);
-        while (!isThere_) {
-            there_.wait_for(lock, std::chrono::milliseconds(10));
-            if (!isThere_ && !goesOn()) {
-                return std::nullopt;
-            }
-        }
-        return std::move(numbers_);
-    }
-
-  private:
-    std::mutex guard_;
-    std::condition_variable there_;
-    Numbers numbers_;
-    bool isThere_ = false;
-};
-
 }  // namespace
 
-ToleranceBands::ToleranceBands(ScenePage* page, std::function<ScenePage*()> another)
-    : QObject(page), page_(page), another_(std::move(another)), job_(new BackgroundJob(this)) {
+ToleranceBands::ToleranceBands(ScenePage* page)
+    : QObject(page), page_(page), job_(new BackgroundJob(this)) {
     page->addBusy([this] { return isBusy(); });
     rest_.setSingleShot(true);
     rest_.setInterval(handRestsMs);
@@ -99,17 +65,6 @@ void ToleranceBands::findAll() {
     begin();
 }
 
-void ToleranceBands::hold(bool held) {
-    isHeld_ = held;
-    if (held) {
-        rest_.stop();
-        ++run_;
-        job_->cancel();
-    } else if (!isOfAll_) {
-        beginLater();
-    }
-}
-
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == page_ && event->type() == QEvent::Show) {
         isOfAll_ = false;
@@ -141,18 +96,17 @@ void ToleranceBands::outdate() {
     isOfAll_ = false;
     ++run_;
     job_->cancel();
-    if (numbers_ != nullptr || !spreads_.empty()) {
+    if (!spreads_.empty()) {
         clear(isWanted());
     }
     if (!isWanted()) {
         rest_.stop();
-        twin_.reset();
     }
     beginLater();
 }
 
 void ToleranceBands::beginLater() {
-    if (!isHeld_ && !isOfAll_ && isWanted() && page_->isVisible()) {
+    if (!isOfAll_ && isWanted() && page_->isVisible()) {
         ++run_;
         job_->cancel();
         rest_.start();
@@ -160,31 +114,10 @@ void ToleranceBands::beginLater() {
 }
 
 void ToleranceBands::clear(bool othersFollow) {
-    numbers_.reset();
     spreads_.clear();
     for (PartView* view : PartView::below(*page_, false)) {
         view->clearSpread(othersFollow);
     }
-    for (PlotView* plot : page_->findChildren<PlotView*>()) {
-        plot->clearSpreads();
-    }
-    for (ResultTable* table : page_->findChildren<ResultTable*>()) {
-        othersFollow ? table->awaitSpreads() : table->setSpreads({});
-    }
-}
-
-bool ToleranceBands::makeTwin() {
-    const SceneModel& model = *page_->model();
-    if (twin_ == nullptr) {
-        twin_.reset(another_());
-        twin_->model()->history()->setUndoLimit(1);
-    }
-    try {
-        twin_->model()->loadCase(model.inputJson(), model.context(), model.title());
-    } catch (const InputError&) {
-        return false;
-    }
-    return true;
 }
 
 void ToleranceBands::begin() {
@@ -194,49 +127,10 @@ void ToleranceBands::begin() {
         return;
     }
     ScatteredInputs inputs(page_->model()->caseFile().input, study_);  // with its defaults
-    if (!page_->model()->parts().empty()) {
-        inputs.isEmpty() ? clear(false) : beginParts(std::move(inputs));
-        return;
-    }
-    const bool canSolve = !inputs.isEmpty() && makeTwin();
-    const SceneModel::SolveApart solve =
-        canSolve ? twin_->model()->solvesApart() : SceneModel::SolveApart();
-    if (!solve) {
-        clear(false);
-        return;
-    }
-    numbers_ = std::make_unique<PageNumbers>(*page_, *twin_, isOfAll_);
-    job_->start([this, run = ++run_, inputs = std::make_shared<ScatteredInputs>(std::move(inputs)),
-                 samples = BandSamples(numbers_->nominal(), numbers_->periods()),
-                 solve](const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
-        for (int i = 0; i < ScatteredInputs::count; ++i) {
-            const auto goesOn = [&] {
-                return progress(static_cast<double>(i) / ScatteredInputs::count);
-            };
-            std::function<void()> take;
-            try {
-                take = solve(inputs->next());
-            } catch (const InputError&) {
-                continue;  // it has no numbers
-            }
-            auto awaited = std::make_shared<AwaitedNumbers>();
-            job_->post(
-                [this, run, take = std::move(take), awaited] { awaited->give(read(run, take)); });
-            const auto found = awaited->wait(goesOn);
-            if (!found || !goesOn()) {
-                return {};
-            }
-            samples.add(*found);
-        }
-        return [this, run, count = samples.size(), sides = samples.sides()] {
-            if (run == run_ && count > 0 && numbers_->isWhole()) {
-                numbers_->show(sides, howText(count));
-            }
-        };
-    });
+    inputs.isEmpty() ? clear(false) : findOf(std::move(inputs));
 }
 
-void ToleranceBands::beginParts(ScatteredInputs inputs) {
+void ToleranceBands::findOf(ScatteredInputs inputs) {
     const SceneModel& model = *page_->model();
     std::vector<std::string_view> ids;
     if (isOfAll_) {
@@ -298,20 +192,6 @@ QString ToleranceBands::howText(std::size_t count) {
     return tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both sides "
               "where they differ.")
         .arg(count);
-}
-
-std::optional<std::vector<double>> ToleranceBands::read(int run,
-                                                        const std::function<void()>& take) {
-    if (run != run_ || !numbers_->isWhole() || !page_->isVisible()) {
-        return std::nullopt;
-    }
-    take();
-    twin_->model()->takeView(*page_->model());
-    fillUnseen(*twin_, numbers_->twins());
-    for (BackgroundJob* job : twin_->findChildren<BackgroundJob*>()) {
-        job->cancel();  // what the twin computes in the background is not needed
-    }
-    return numbers_->ofTwin();
 }
 
 }  // namespace ravnoves

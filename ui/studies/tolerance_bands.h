@@ -3,9 +3,8 @@
 #include <QObject>
 #include <QTimer>
 #include <functional>
-#include <memory>
-#include <optional>
-#include <vector>
+#include <map>
+#include <string>
 
 #include "model/part.h"
 #include "studies/model/part_numbers.h"
@@ -14,23 +13,19 @@
 namespace ravnoves {
 
 class BackgroundJob;
-class BandSamples;
-class PageNumbers;
 class ScenePage;
 
 /// What the tolerances of a page's case do to what it shows: a band of 5…95 % about each curve, a ±
 /// beside each number of its tables.
 ///
-/// When the hand rests, a worker solves samples of the case; a second page of the same scene, which
-/// nobody sees, shows each in turn, and its plots and tables give the numbers. So no scene needs a
-/// line for it. What a page computes in the background itself has no bands.
+/// When the hand rests, a worker solves samples of the case with a model of its own, which makes
+/// the parts of each. So no scene needs a line for it. What takes longer than a frame has no bands.
 class ToleranceBands : public QObject {
     Q_OBJECT
 
   public:
     /// Belongs to the page and follows its model.
-    /// @param another  makes a page of the same scene
-    ToleranceBands(ScenePage* page, std::function<ScenePage*()> another);
+    explicit ToleranceBands(ScenePage* page);
     ~ToleranceBands() override;
 
     /// True until what is seen has its bands.
@@ -42,8 +37,6 @@ class ToleranceBands : public QObject {
     void findAll();
     /// What was found of a part; null where there is nothing.
     const PartSpread* spreadOf(std::string_view part) const;
-    /// Nothing else is begun meanwhile.
-    void hold(bool held);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -54,31 +47,23 @@ class ToleranceBands : public QObject {
     /// Those of what is seen now, when the hand rests.
     void beginLater();
     void begin();
-    bool makeTwin();
     void clear(bool othersFollow);
-    void beginParts(ScatteredInputs inputs);
+    void findOf(ScatteredInputs inputs);
     void showSpreads();
     static QString howText(std::size_t count);
     /// Whether there are tolerances to be shown.
     bool isWanted() const;
     /// The tolerances of the case as far as bands depend on them.
     studies::Study readStudy() const;
-    /// Numbers of the second page, for the worker. @return nothing where they are of no use any
-    /// more
-    std::optional<std::vector<double>> read(int run, const std::function<void()>& take);
 
     ScenePage* page_;
-    std::function<ScenePage*()> another_;
     BackgroundJob* job_;
-    std::unique_ptr<ScenePage> twin_;
-    std::unique_ptr<PageNumbers> numbers_;
     std::map<std::string, PartSpread, std::less<>> spreads_;
     studies::Study study_;
     QTimer rest_;
     int run_ = 0;  ///< whose samples count
     int solutions_ = -1;
     bool isOfAll_ = false;
-    bool isHeld_ = false;
 };
 
 }  // namespace ravnoves

@@ -167,11 +167,6 @@ void colourText(QLabel* label, Ink ink) {
     (known != nullptr ? known : new LabelInk(label))->set(ink);
 }
 
-Ink inkOf(const QLabel& label) {
-    const LabelInk* known = LabelInk::of(label);
-    return known != nullptr ? known->ink : &Theme::text;
-}
-
 void explain(QWidget* widget, const QString& hint) {
     widget->setToolTip(tipText(hint));
     widget->setWhatsThis(hint);

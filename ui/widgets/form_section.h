@@ -71,8 +71,6 @@ QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
 using Ink = QColor (Theme::*)() const;
 /// Gives a label's text an ink, whose colour follows the theme.
 void colourText(QLabel* label, Ink ink);
-/// That which it was given, else that of text.
-Ink inkOf(const QLabel& label);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 /// The same whose text can be copied.

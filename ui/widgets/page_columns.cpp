@@ -255,25 +255,6 @@ void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const 
     tabs->addTab(area, title);
 }
 
-void fillUnseen(const QWidget& page, const QList<QWidget*>& parts) {
-    QList<QWidget*> around;
-    for (QWidget* part : parts) {
-        showTabOf(part);
-        for (QWidget* view = part->parentWidget(); view != nullptr && view != &page;
-             view = view->parentWidget()) {
-            // Ours alone: a scroll area or a splitter passes nothing on to what lies in it.
-            if (QByteArray(view->metaObject()->className()).startsWith("ravnoves::") &&
-                !around.contains(view)) {
-                around.append(view);
-            }
-        }
-    }
-    for (QWidget* view : around) {
-        QShowEvent shown;
-        QCoreApplication::sendEvent(view, &shown);
-    }
-}
-
 void showTabOf(QWidget* view) {
     for (QWidget* around = view->parentWidget(); around != nullptr;
          around = around->parentWidget()) {

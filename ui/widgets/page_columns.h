@@ -112,9 +112,6 @@ class FittedTabs : public QTabWidget {
 /// tab for pictures.
 void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title);
 
-/// What of a page that nobody sees fills itself when it is shown: brings each part to the front of
-/// its tabs and tells all that stands about it that it is shown.
-void fillUnseen(const QWidget& page, const QList<QWidget*>& parts);
 /// Brings the tabs to the front that a view stands in.
 void showTabOf(QWidget* view);
 

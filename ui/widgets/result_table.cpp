@@ -140,8 +140,6 @@ class ResultDelegate final : public QStyledItemDelegate {
 };
 
 ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new WrappedHeader(this)) {
-    static int made = 0;
-    number_ = ++made;
     setHorizontalHeader(header_);
     setItemDelegate(new ResultDelegate(this));
     connect(header_, &QHeaderView::geometriesChanged, this, &QWidget::updateGeometry);
@@ -161,15 +159,6 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent), header_(new Wr
     verticalHeader()->setMinimumSectionSize(Theme::withText(18));
     header_->setSectionResizeMode(QHeaderView::Stretch);
     header_->setFont(Theme::font(Theme::smallSize + 1, true));
-}
-
-ResultTable::~ResultTable() {
-    if (referenceOf_ != nullptr) {
-        referenceOf_->setReference(nullptr, {});
-    }
-    if (reference_ != nullptr) {
-        reference_->referenceOf_ = nullptr;
-    }
 }
 
 int ResultTable::plainRowHeight() {
@@ -235,13 +224,10 @@ void ResultTable::setRows(const ResultRows& rows) {
     if (!spreads_.empty()) {
         showSpreads();
     }
-    if (rowsOfReference() != nullptr) {
+    if (referenceRows_) {
         showDifferences();
     } else if (!isSameShape) {
         fitColumns();
-    }
-    if (referenceOf_ != nullptr) {
-        referenceOf_->showDifferences();
     }
 }
 
@@ -266,23 +252,6 @@ void ResultTable::setCellToolTip(int row, int column, const QString& text) {
     if (QTableWidgetItem* cell = item(row, column)) {
         cell->setToolTip(text);
     }
-}
-
-void ResultTable::setReference(ResultTable* table, const QString& name) {
-    if (reference_ == table && referenceName_ == name) {
-        return;
-    }
-    if (reference_ != nullptr) {
-        reference_->referenceOf_ = nullptr;
-    }
-    reference_ = table;
-    referenceName_ = name;
-    if (table != nullptr) {
-        table->referenceOf_ = this;
-    }
-    fittedTo_ = -1;
-    showDifferences();
-    showTips();
 }
 
 void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
@@ -343,10 +312,6 @@ void ResultTable::showSpreads() {
     }
 }
 
-const ResultRows* ResultTable::rowsOfReference() const {
-    return reference_ != nullptr ? &reference_->rows_ : referenceRows_ ? &*referenceRows_ : nullptr;
-}
-
 void ResultTable::showReference(const Results* results, const QString& name) {
     if (results == nullptr && !referenceRows_) {
         return;
@@ -359,7 +324,7 @@ void ResultTable::showReference(const Results* results, const QString& name) {
 }
 
 int ResultTable::rowInReference(int row) const {
-    const ResultRows& reference = *rowsOfReference();
+    const ResultRows& reference = *referenceRows_;
     const QString wanted = rows_[row].key();
     if (row < reference.size() && reference[row].key() == wanted) {
         return row;
@@ -379,9 +344,8 @@ int ResultTable::rowInReference(int row) const {
 
 void ResultTable::showDifferences() {
     for (int row = 0; row < rows_.size(); ++row) {
-        const ResultRows* reference = rowsOfReference();
-        const int other = reference != nullptr ? rowInReference(row) : -1;
-        const ResultRow was = other >= 0 ? (*reference)[other] : ResultRow();
+        const int other = referenceRows_ ? rowInReference(row) : -1;
+        const ResultRow was = other >= 0 ? (*referenceRows_)[other] : ResultRow();
         for (int column = 1; column < columnCount(); ++column) {
             const auto found = rows_[row].value(column).from(was.value(column));
             const QStringList parts =
@@ -438,7 +402,7 @@ void ResultTable::fitColumns() {
             sum += width;
         }
         // Differences stand below each other before they shorten the words.
-        if (sum + (rowsOfReference() != nullptr ? cut : 0) <= room || room_ == Room::Little) {
+        if (sum + (referenceRows_ ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);

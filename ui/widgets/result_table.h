@@ -26,7 +26,6 @@ class ResultTable : public QTableWidget {
     ResultTable(const QString& name, QWidget* parent) : ResultTable(parent) {
         setAccessibleName(name);
     }
-    ~ResultTable() override;
 
     /// Sets headings once; rows follow with setRows().
     void setColumns(const ResultColumns& columns);
@@ -38,12 +37,8 @@ class ResultTable : public QTableWidget {
     /// Null where the cell holds no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);
-    /// Shows below its numbers how they differ from those that the same table of a page with
-    /// another input has, row by row's name: absolute and in percent. It follows that table. Null
-    /// removes them.
-    void setReference(ResultTable* table, const QString& name);
-    const ResultTable* reference() const { return reference_; }
-    /// The same against the rows that another input gives. Null removes them.
+    /// Shows below its numbers how they differ from those that another input gives, row by row's
+    /// key: absolute and in percent. Null removes them.
     void showReference(const Results* results, const QString& name);
     /// Absolute and percent of a cell, as shown; empty where there is nothing to compare.
     QStringList differenceAt(int row, int column) const;
@@ -56,8 +51,6 @@ class ResultTable : public QTableWidget {
     /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown; empty where it has
     /// none.
     QString spreadAt(int row, int column) const;
-    /// Tables made later have a greater number.
-    int number() const { return number_; }
 
     /// Besides the first, this column takes what room there is.
     void stretchColumn(int column);
@@ -94,8 +87,6 @@ class ResultTable : public QTableWidget {
     /// What stands below a cell, line by line.
     QStringList below(int row, int column) const;
     void fitRows();
-    /// Null where there is no reference.
-    const ResultRows* rowsOfReference() const;
     int rowInReference(int row) const;
     void showTips();
 
@@ -108,14 +99,11 @@ class ResultTable : public QTableWidget {
     int shownRows_ = 0;  ///< 0: all
     ResultColumns headings_;
     ResultRows rows_;
-    ResultTable* reference_ = nullptr;
     std::optional<ResultRows> referenceRows_;  ///< of results, not of a table
-    ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one
     QString referenceName_;
     std::vector<Spread> spreads_;
     QString spreadTip_;
     bool areSpreadsAwaited_ = false;
-    int number_;
 };
 
 }  // namespace ravnoves

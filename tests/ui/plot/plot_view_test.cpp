@@ -18,6 +18,7 @@
 #include "painted.h"
 #include "pictures/picture_file.h"
 #include "plot/legend_item.h"
+#include "plot/model/figure.h"
 #include "plot/model/ticks.h"
 #include "theme/theme.h"
 
@@ -465,27 +466,6 @@ TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
     EXPECT_FALSE(toggled[0][1].toBool());
 }
 
-TEST_F(PlotViewTest, AFamilyShowsTheVariantsThatAreThere) {
-    const auto family = plot.addFamily(3, {.name = {}, .colour = 2});
-    const int first = family.first;
-    EXPECT_EQ(plot.curveCount(), 4);
-    const std::vector<double> x{0.0, 720.0};
-    plot.setFamily(family, x, {{QStringLiteral("a"), {1, 1}}, {QStringLiteral("b"), {2, 2}}});
-    EXPECT_TRUE(plot.isCurveShown(first) && plot.isCurveShown(first + 1));
-    EXPECT_FALSE(plot.isCurveShown(first + 2));
-    EXPECT_EQ(plot.curveName(first + 1), QStringLiteral("b"));
-    EXPECT_EQ(plot.valueAt(first + 1, 360.0), 2.0);
-    // What the legend hides stays hidden, until the variant goes and comes back.
-    plot.setCurveShown(first, false);
-    plot.setFamily(family, x, {{QStringLiteral("c"), {3, 3}}, {QStringLiteral("b"), {}}});
-    EXPECT_FALSE(plot.isCurveShown(first));
-    EXPECT_FALSE(plot.isCurveShown(first + 1));
-    EXPECT_EQ(plot.curveName(first + 1), QString());
-    plot.setFamily(family, x, {});
-    plot.setFamily(family, x, {{QStringLiteral("c"), {3, 3}}});
-    EXPECT_TRUE(plot.isCurveShown(first));
-}
-
 TEST_F(PlotViewTest, AllPlotsOfAPageAreReset) {
     QWidget page;
     plot.setParent(&page);
@@ -546,15 +526,14 @@ TEST_F(PlotViewTest, EqualScaleKeepsCirclesRound) {
 
 /// A read-out with the values of a reference may be wider than its chart, or the whole plot.
 TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
-    PlotView reference(u"Means"_s);
+    Figure means;
+    means.title = u"Means"_s;
+    means.x = {u"α, °"_s, 0.0, 360.0};
+    means.add("mean", {.name = u"Mₛ mean (paper)"_s}, {0.0, 360.0}, {-1234.5, 1450.0});
     for (const int width : {190, 230, 320, 480}) {
         PlotView plot(u"Means"_s);
-        for (PlotView* each : {&plot, &reference}) {
-            each->setXAxis({u"α, °"_s, 0.0, 360.0});
-            each->addCurve({.name = u"Mₛ mean (paper)"_s});
-            each->setCurve(0, {0.0, 360.0}, {-1234.5, 1450.0});
-        }
-        plot.setReference(&reference, u"A"_s);
+        plot.showFigure(means);
+        plot.showReference(&means, u"A"_s);
         test::showAt(plot, {width, 220});
         const QRectF area = plot.plotArea();
         for (const double part : {0.05, 0.5, 0.95}) {
@@ -571,7 +550,6 @@ TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
             }
             QTest::mouseMove(&plot, QPoint(2, 2));
         }
-        plot.setReference(nullptr, {});
     }
 }
 

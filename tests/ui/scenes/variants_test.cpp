@@ -4,11 +4,13 @@
 
 #include <QApplication>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,20 +26,17 @@
 #include "model/input_differences.h"
 #include "model/reference_case.h"
 #include "model/variant_files.h"
-#include "page/compared_figure.h"
 #include "page/mechanism_picture.h"
+#include "page/part_views.h"
 #include "page/scene_page.h"
-#include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
-#include "shell/comparison.h"
 #include "shell/input_comparison.h"
 #include "shell/scene_list.h"
 #include "shell/variant_table.h"
 #include "shown_number.h"
 #include "text/file_path.h"
 #include "widgets/number_field.h"
-#include "widgets/result_table.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -58,17 +57,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
     static std::unique_ptr<ScenePage> make() { return test::makePage(GetParam()); }
     SceneModel& model() { return *page->model(); }
     /// What the page's case is seen against; null: nothing.
-    static const SceneModel* referenceOf(const ScenePage& page) {
-        if (const auto* comparison = page.findChild<Comparison*>()) {
-            return comparison->twin() != nullptr ? comparison->twin()->model() : nullptr;
-        }
-        return page.findChild<ReferenceCase*>()->model();
-    }
-    const SceneModel* reference() { return referenceOf(*page); }
-    QString trouble() {
-        const auto* comparison = page->findChild<Comparison*>();
-        return comparison != nullptr ? comparison->trouble() : model().referenceCase().trouble();
-    }
+    const SceneModel* reference() { return model().referenceCase().model(); }
 
     /// Types other numbers into fields of every tab, four at most on each.
     void changeByKeys() {
@@ -109,52 +98,114 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
         EXPECT_TRUE(QTest::qWaitFor([&] { return !shown.isBusy(); }, 60'000));
         QApplication::processEvents();
     }
-    template <typename Part>
-    static std::vector<Part*> parts(const ScenePage& of) {
-        const QList<Part*> found = of.findChildren<Part*>();
-        std::vector<Part*> all(found.begin(), found.end());
-        std::sort(all.begin(), all.end(),
-                  [](const Part* a, const Part* b) { return a->number() < b->number(); });
+    /// What each part shows.
+    std::map<std::string, Content> shown() {
+        std::map<std::string, Content> all;
+        for (const PagePart& part : model().parts()) {
+            all.emplace(part.id, model().part(part.id));
+        }
         return all;
+    }
+    static const Figure::Curve* curveOf(const Figure& figure, const std::string& id) {
+        const auto found = std::find_if(figure.curves.begin(), figure.curves.end(),
+                                        [&](const Figure::Curve& curve) { return curve.id == id; });
+        return found != figure.curves.end() ? &*found : nullptr;
+    }
+    static const ResultRow* rowOf(const Results& results, const QString& key) {
+        const auto found = std::find_if(results.rows.begin(), results.rows.end(),
+                                        [&](const ResultRow& row) { return row.key() == key; });
+        return found != results.rows.end() ? &*found : nullptr;
+    }
+    /// What is drawn of a curve: where it has a place.
+    static std::pair<std::vector<double>, std::vector<double>> drawn(const Figure::Curve& curve) {
+        std::pair<std::vector<double>, std::vector<double>> points;
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
+                points.first.push_back(curve.x[i]);
+                points.second.push_back(curve.y[i]);
+            }
+        }
+        return points;
     }
 
     std::unique_ptr<ScenePage> page = make();
 };
 
-TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
-    lookAtAll(*page);
-    const auto plots = parts<PlotView>(*page);
-    std::vector<std::vector<PlotCurve>> kept;
-    for (const PlotView* plot : plots) {
-        kept.push_back(plot->data().curves);
+TEST_P(EveryPagesVariants, PartsHaveWordsOfTheirOwn) {
+    std::set<std::string> words;
+    for (const PagePart& part : model().parts()) {
+        SCOPED_TRACE(part.id);
+        EXPECT_TRUE(words.insert(std::string(part.id)).second);
+        const Content content = model().part(part.id);
+        EXPECT_FALSE(std::holds_alternative<std::monostate>(content));
+        if (const auto* figure = std::get_if<Figure>(&content)) {
+            std::set<std::string> curves;
+            for (const Figure::Curve& curve : figure->curves) {
+                EXPECT_FALSE(curve.id.empty());
+                EXPECT_TRUE(curves.insert(curve.id).second) << curve.id;
+            }
+        }
     }
+    EXPECT_FALSE(words.empty());
+}
+
+TEST_P(EveryPagesVariants, PartsOfTheReferenceAreWhatTheCaseShowedThen) {
+    lookAtAll(*page);
+    const auto kept = shown();
     EXPECT_EQ(reference(), nullptr);  // nothing is there without a reference
     model().keepVariant();
     ASSERT_NE(reference(), nullptr);
     changeByKeys();
     lookAtAll(*page);
+    for (const auto& [id, before] : kept) {
+        SCOPED_TRACE(id);
+        const Content now = reference()->part(id);
+        ASSERT_EQ(now.index(), before.index());
+        if (const auto* figure = std::get_if<Figure>(&before)) {
+            const auto& curves = std::get<Figure>(now).curves;
+            ASSERT_EQ(curves.size(), figure->curves.size());
+            for (std::size_t i = 0; i < curves.size(); ++i) {
+                EXPECT_EQ(curves[i].id, figure->curves[i].id);
+                EXPECT_EQ(drawn(curves[i]), drawn(figure->curves[i])) << curves[i].id;
+            }
+        } else if (const auto* results = std::get_if<Results>(&before)) {
+            const ResultRows& rows = std::get<Results>(now).rows;
+            ASSERT_EQ(rows.size(), results->rows.size());
+            for (qsizetype i = 0; i < rows.size(); ++i) {
+                EXPECT_EQ(rows[i].texts(), results->rows[i].texts());
+            }
+        } else if (const auto* notes = std::get_if<Notes>(&before)) {
+            EXPECT_EQ(std::get<Notes>(now).lines, notes->lines);
+        }
+    }
+}
 
+TEST_P(EveryPagesVariants, GhostsAreTheCurvesOfTheSameWord) {
+    model().keepVariant();
+    changeByKeys();
+    lookAtAll(*page);
     int ghosts = 0;
     int moved = 0;
-    for (std::size_t p = 0; p < plots.size(); ++p) {
-        SCOPED_TRACE(plots[p]->title().toStdString());
-        const PlotData& data = plots[p]->data();
-        const auto isDrawn = [](const PlotCurve& curve) { return !curve.x.empty(); };
-        const bool hasCurves = std::any_of(kept[p].begin(), kept[p].end(), isDrawn) &&
-                               std::any_of(data.curves.begin(), data.curves.end(), isDrawn);
+    for (PartPlot* plot : page->findChildren<PartPlot*>()) {
+        SCOPED_TRACE(plot->id());
+        plot->refresh();
+        const Figure figure = std::get<Figure>(reference()->part(plot->id()));
+        const PlotData& data = plot->data();
         const int before = ghosts;
-        for (std::size_t c = 0; c < data.curves.size(); ++c) {
-            const PlotCurve* ghost = data.ghostOf(data.curves[c]);
-            if (ghost == nullptr) {
-                continue;
+        bool isAnyDrawn = false;
+        for (const PlotCurve& curve : data.curves) {
+            const Figure::Curve* same = curveOf(figure, curve.id);
+            const bool areBothDrawn =
+                same != nullptr && !drawn(*same).first.empty() && !curve.x.empty();
+            isAnyDrawn = isAnyDrawn || areBothDrawn;
+            if (const PlotCurve* ghost = data.ghostOf(curve)) {
+                ASSERT_NE(same, nullptr) << curve.id;
+                EXPECT_EQ(std::pair(ghost->x, ghost->y), drawn(*same)) << curve.id;
+                moved += ghost->y != curve.y ? 1 : 0;
+                ++ghosts;
             }
-            ++ghosts;
-            ASSERT_LT(c, kept[p].size());
-            EXPECT_EQ(ghost->x, kept[p][c].x) << c;
-            EXPECT_EQ(ghost->y, kept[p][c].y) << c;
-            moved += ghost->y != data.curves[c].y ? 1 : 0;
         }
-        EXPECT_TRUE(ghosts > before || !hasCurves);
+        EXPECT_TRUE(ghosts > before || !isAnyDrawn);
     }
     EXPECT_GT(ghosts, 0);
     EXPECT_GT(moved, 0);
@@ -166,7 +217,7 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
     model().chooseReference(-1);
     EXPECT_EQ(reference(), nullptr);
     lookAtAll(*page);
-    for (const PlotView* plot : plots) {
+    for (const PlotView* plot : page->findChildren<PlotView*>()) {
         EXPECT_EQ(plot->data().reference, nullptr);
     }
     for (std::size_t i = 0; i < compared.size(); ++i) {
@@ -174,87 +225,74 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
     }
 }
 
-TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
-    lookAtAll(*page);
-    const auto tables = parts<ResultTable>(*page);
-    struct Cell {
-        QString name;
-        QString text;
-    };
-    std::vector<std::vector<std::vector<Cell>>> kept;
-    std::vector<int> columns;
-    for (const ResultTable* table : tables) {
-        columns.push_back(table->columnCount());
-        kept.emplace_back();
-        for (int row = 0; row < table->rowCount(); ++row) {
-            kept.back().emplace_back();
-            for (int column = 0; column < table->columnCount(); ++column) {
-                kept.back().back().push_back(
-                    {table->item(row, 0)->text(), table->item(row, column)->text()});
-            }
-        }
-    }
+TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReferencesRowOfTheSameName) {
     model().keepVariant();
     changeByKeys();
     lookAtAll(*page);
     int compared = 0;
     int other = 0;
-    for (std::size_t t = 0; t < tables.size(); ++t) {
-        SCOPED_TRACE(tables[t]->accessibleName().toStdString());
-        const ResultTable& table = *tables[t];
-        const int comparedBefore = compared;
-        int numbers = 0;
-        for (int row = 0; row < table.rowCount() && row < static_cast<int>(kept[t].size()); ++row) {
-            for (int column = 1; column < columns[t]; ++column) {
-                const QStringList found = table.differenceAt(row, column);
-                const auto& was = kept[t][static_cast<std::size_t>(row)];
-                const Cell& cell = was[static_cast<std::size_t>(column)];
-                numbers +=
-                    cell.name == table.item(row, 0)->text() &&
-                            test::readShownNumber(cell.text).has_value() &&
-                            test::readShownNumber(table.item(row, column)->text()).has_value()
-                        ? 1
-                        : 0;
-                if (found.isEmpty() || cell.name != table.item(row, 0)->text()) {
+    for (PartTable* table : page->findChildren<PartTable*>()) {
+        SCOPED_TRACE(table->id());
+        table->refresh();
+        const Results now = std::get<Results>(model().part(table->id()));
+        const Results before = std::get<Results>(reference()->part(table->id()));
+        ASSERT_EQ(table->rowCount(), now.rows.size());
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const ResultRow* was = rowOf(before, now.rows[row].key());
+            for (int column = 1; column < table->columnCount(); ++column) {
+                const QStringList found = table->differenceAt(row, column);
+                const ResultNumber* is = now.rows[row].value(column).number();
+                const ResultNumber* number = was != nullptr ? was->value(column).number() : nullptr;
+                if (is == nullptr || number == nullptr) {
+                    continue;
+                }
+                const auto wanted = now.rows[row][column].from((*was)[column]);
+                ASSERT_EQ(found.isEmpty(), !wanted.has_value());
+                if (!wanted) {
                     continue;
                 }
                 ++compared;
-                const auto now = test::readShownNumber(table.item(row, column)->text());
-                const auto before = test::readShownNumber(cell.text);
-                if (!now || !before) {  // "178 × 305", "1.2·10⁻⁵"
-                    EXPECT_TRUE(found[0].contains(QRegularExpression(u"\\d"_s)));
+                const auto nowShown = test::readShownNumber(now.rows[row][column].text);
+                const auto wasShown = test::readShownNumber((*was)[column].text);
+                if (!nowShown || !wasShown) {  // "1.2·10⁻⁵"
+                    EXPECT_TRUE(std::any_of(found[0].begin(), found[0].end(),
+                                            [](QChar each) { return each.isDigit(); }));
                     continue;
                 }
                 const auto difference = test::readShownNumber(found[0]);
-                ASSERT_TRUE(difference) << cell.text.toStdString();
-                const bool isAngle = table.horizontalHeaderItem(column)->text().endsWith(u'°') ||
-                                     now->unit == u"°"_s;
-                const double wanted = now->value - before->value;
+                ASSERT_TRUE(difference) << found[0].toStdString();
+                const double step = nowShown->value - wasShown->value;
+                const double error = is->kind == ResultNumber::Kind::Direction
+                                         ? std::remainder(difference->value - step, 360.0)
+                                         : difference->value - step;
                 // Both are as shown, with as many digits as the greater has.
-                const double greater = std::max(std::abs(now->value), std::abs(before->value));
-                EXPECT_NEAR(
-                    isAngle ? std::remainder(difference->value - wanted, 360.0)
-                            : difference->value - wanted,
-                    0.0, now->isPlain && before->isPlain ? 1e-9 * greater + 1e-9 : 0.01 * greater)
-                    << table.item(row, column)->text().toStdString() << " after "
-                    << cell.text.toStdString() << ": " << found[0].toStdString();
-
-                other += wanted != 0.0 ? 1 : 0;
+                const double greater =
+                    std::max(std::abs(nowShown->value), std::abs(wasShown->value));
+                const bool isPlain = nowShown->isPlain && wasShown->isPlain;
+                EXPECT_NEAR(error, 0.0, isPlain ? 1e-9 * greater + 1e-9 : 0.01 * greater)
+                    << now.rows[row][column].text.toStdString() << " after "
+                    << (*was)[column].text.toStdString() << ": " << found[0].toStdString();
+                other += step != 0.0 ? 1 : 0;
             }
         }
-        EXPECT_TRUE(compared > comparedBefore || numbers == 0);
         // The whole table is copied with them.
-        if (table.reference() != nullptr && table.rowCount() > 0) {
-            const QStringList lines = table.asText().split(u'\n');
+        if (table->rowCount() > 0) {
+            const QStringList lines = table->asText().split(u'\n');
             EXPECT_EQ(lines[0].count(u'\t'), lines[1].count(u'\t'));
         }
     }
     EXPECT_GT(compared, 0);
     EXPECT_GT(other, 0);
+    const auto columns = [&] {
+        std::vector<int> all;
+        for (const PartTable* table : page->findChildren<PartTable*>()) {
+            all.push_back(table->columnCount());
+        }
+        return all;
+    };
+    const std::vector<int> with = columns();
     model().chooseReference(-1);
-    for (std::size_t t = 0; t < tables.size(); ++t) {
-        EXPECT_EQ(tables[t]->columnCount(), columns[t]);
-    }
+    EXPECT_EQ(columns(), with);
 }
 
 TEST_P(EveryPagesVariants, SwappedTwiceAllIsAsItWas) {
@@ -374,8 +412,8 @@ TEST_P(EveryPagesVariants, ComeBackFromTheFile) {
         EXPECT_EQ(other->model()->variantTrouble(place), QString());
     }
     other->model()->chooseReference(0);
-    ASSERT_NE(referenceOf(*other), nullptr);
-    EXPECT_EQ(referenceOf(*other)->inputJson(), model().variantInput(0));
+    ASSERT_NE(other->model()->referenceCase().model(), nullptr);
+    EXPECT_EQ(other->model()->referenceCase().model()->inputJson(), model().variantInput(0));
 }
 
 TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
@@ -388,9 +426,9 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
     ASSERT_EQ(model().variants().size(), 1);
     model().chooseReference(0);
     EXPECT_EQ(reference(), nullptr);
-    EXPECT_FALSE(trouble().isEmpty());
+    EXPECT_FALSE(model().referenceCase().trouble().isEmpty());
     model().chooseReference(-1);
-    EXPECT_TRUE(trouble().isEmpty());
+    EXPECT_TRUE(model().referenceCase().trouble().isEmpty());
 }
 
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {

@@ -21,34 +21,32 @@ using namespace Qt::StringLiterals;
 class ResultTableTest : public ::testing::Test {
   protected:
     ResultTableTest() {
-        for (ResultTable* each : {&table, &reference}) {
-            each->setColumns({u"Quantity"_s, {u"Value, N"_s, u"of this input"_s}});
-            each->setRows({force(1.5, u"1.5"_s)});
-        }
-        table.setReference(&reference, u"A"_s);
+        const Results results{{u"Quantity"_s, {u"Value, N"_s, u"of this input"_s}},
+                              {force(1.5, u"1.5"_s)}};
+        table.setResults(results);
+        table.showReference(&results, u"A"_s);
     }
     static ResultRow force(double value, const QString& shown) {
         return {{u"Force"_s, {value, shown}}, u"what it is"_s};
     }
     void show(const QString& value) { table.setRows({force(value.toDouble(), value)}); }
 
-    ResultTable reference;
     ResultTable table;
 };
 
 TEST(ResultTableWithReference, ShowsNamesAndDifferencesWithoutScrolling) {
-    ResultTable reference;
     ResultTable table;
-    for (ResultTable* each : {&reference, &table}) {
-        each->setColumns({u"Quantity"_s, u"Value"_s, u"Unit"_s});
-        const double size = each == &table ? 196.0 : 223.0;
-        each->setRows({{u"First order's share of Mup"_s, {26.3, u"26.3"_s}, u"%"_s},
-                       {u"Envelope, width × height"_s,
-                        ResultCell::two(u"%1 × %2"_s, {size, QString::number(size)},
-                                        {size + 68, QString::number(size + 68)}),
-                        u"mm"_s}});
-    }
-    table.setReference(&reference, u"A"_s);
+    const auto sized = [](double size) {
+        return Results{{u"Quantity"_s, u"Value"_s, u"Unit"_s},
+                       {{u"First order's share of Mup"_s, {26.3, u"26.3"_s}, u"%"_s},
+                        {u"Envelope, width × height"_s,
+                         ResultCell::two(u"%1 × %2"_s, {size, QString::number(size)},
+                                         {size + 68, QString::number(size + 68)}),
+                         u"mm"_s}}};
+    };
+    const Results reference = sized(223.0);
+    table.setResults(sized(196.0));
+    table.showReference(&reference, u"A"_s);
     for (int width = 340; width < 700; width += 10) {
         test::showAt(table, {width, 200});
         int sum = 0;
@@ -62,19 +60,18 @@ TEST(ResultTableWithReference, ShowsNamesAndDifferencesWithoutScrolling) {
 }
 
 TEST(ResultTableWithReference, ShowsItsVerdictWhereThereIsLittleRoom) {
-    ResultTable reference;
     ResultTable table;
-    for (ResultTable* each : {&reference, &table}) {
-        const double by = each == &table ? 0.8 : 1.0;
-        each->setColumns({u"N·m"_s, u"Mup"_s, u"Ms"_s, u"Mups"_s, u"change"_s});
+    const auto scaled = [](double by) {
         ResultRow row{u"range"_s};
         for (const double value : {623.1, 522.1, 644.3}) {
             row << ResultCell(by * value, QString::number(by * value, 'f', 1));
         }
         row << ResultCell(u"50.4\u00A0% better"_s);
-        each->setRows({row});
-    }
-    table.setReference(&reference, u"A"_s);
+        return Results{{u"N·m"_s, u"Mup"_s, u"Ms"_s, u"Mups"_s, u"change"_s}, {row}};
+    };
+    const Results reference = scaled(1.0);
+    table.setResults(scaled(0.8));
+    table.showReference(&reference, u"A"_s);
     test::showAt(table, {600, 160});
     const int plenty = table.verticalHeader()->defaultSectionSize();
     test::showAt(table, {310, 160});
@@ -127,14 +124,12 @@ TEST(ColumnsOfResultTable, FillTheTableWhateverTheNumbers) {
     };
     for (const bool compared : {false, true}) {
         for (const int width : {260, 330, 420}) {
-            ResultTable reference;
             ResultTable table;
-            for (ResultTable* each : {&reference, &table}) {
-                each->setColumns({u"N·m"_s, u"Mup"_s, u"Ms"_s, u"Mups"_s, u"change"_s});
-                each->setRows(rows());
-            }
+            const ResultColumns columns{u"N·m"_s, u"Mup"_s, u"Ms"_s, u"Mups"_s, u"change"_s};
+            const Results reference{columns, rows()};
+            table.setResults({columns, rows()});
             if (compared) {
-                table.setReference(&reference, u"A"_s);
+                table.showReference(&reference, u"A"_s);
             }
             test::showAt(table, {width, 200});
             for (int step = 0; step < 200; ++step) {

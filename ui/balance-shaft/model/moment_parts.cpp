@@ -151,10 +151,10 @@ Figure means(const BalanceShaftModel& model) {
 }
 
 constexpr std::array momentMakers{
-    PartMaker<BalanceShaftModel>{{.id = "criteria"}, made<criteria>},
-    PartMaker<BalanceShaftModel>{{.id = "best-range"}, made<bestRange>},
-    PartMaker<BalanceShaftModel>{{.id = "best-rms"}, made<bestRms>},
-    PartMaker<BalanceShaftModel>{{.id = "quantities"}, made<quantities>},
+    PartMaker<BalanceShaftModel>{{.id = "criteria", .isAnswer = true}, made<criteria>},
+    PartMaker<BalanceShaftModel>{{.id = "best-range", .isAnswer = true}, made<bestRange>},
+    PartMaker<BalanceShaftModel>{{.id = "best-rms", .isAnswer = true}, made<bestRms>},
+    PartMaker<BalanceShaftModel>{{.id = "quantities", .isAnswer = true}, made<quantities>},
     PartMaker<BalanceShaftModel>{{.id = "notes"}, made<notes>},
     PartMaker<BalanceShaftModel>{{.id = "moments", .tab = "moments"}, made<moments>},
     PartMaker<BalanceShaftModel>{{.id = "range", .tab = "moments"}, made<range>},

@@ -323,12 +323,6 @@ Notes motions(const ElasticHingeModel& model) {
     return notes;
 }
 
-Notes verdict(const ElasticHingeModel& model) {
-    Notes notes;
-    notes.say(model.verdict());
-    return notes;
-}
-
 Results quantities(const ElasticHingeModel& model) {
     return model.quantities();
 }
@@ -336,7 +330,6 @@ Results quantities(const ElasticHingeModel& model) {
 using Maker = PartMaker<ElasticHingeModel>;
 constexpr std::array makers{
     Maker{{.id = "quantities", .isAnswer = true}, made<quantities>},
-    Maker{{.id = "verdict", .isAnswer = true}, made<verdict>},
     Maker{{.id = "guides", .tab = "guides"}, made<guides>},
     Maker{{.id = "relief", .tab = "guides"}, made<relief>},
     Maker{{.id = "rod-moment", .tab = "rod-hinge"}, made<rodMoment>},

@@ -384,20 +384,19 @@ Figure roll(const InertiaMomentsModel& model) {
     return figure;
 }
 
-Notes verdict(const InertiaMomentsModel& model) {
+Notes deadCentre(const InertiaMomentsModel& model) {
     Notes notes;
-    notes.say(model.verdict());
-    const double deadCentre = model.result().engine.top_dead_centre(0) / degree;
+    const double angle = model.result().engine.top_dead_centre(0) / degree;
     notes.say(Severity::note,
               QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
-                  QStringLiteral(": %1°").arg(fixedNumber(deadCentre, 3, QLocale())));
+                  QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
     return notes;
 }
 
 using Model = InertiaMomentsModel;
 using Maker = PartMaker<Model>;
 constexpr std::array makers{
-    Maker{{.id = "verdict", .isAnswer = true}, made<verdict>},
+    Maker{{.id = "dead-centre"}, made<deadCentre>},
     Maker{{.id = "order-1"}, made<firstOrder>},
     Maker{{.id = "order-2"}, made<secondOrder>},
     Maker{{.id = "orders", .tab = "table-orders", .isAnswer = true}, made<&Model::orderResults>},

@@ -81,18 +81,6 @@ struct Line {
     bool keptAtEdge = false;  ///< beyond what is shown: an arrow at the edge, with its value
 };
 
-/// Curves of one quantity for several variants.
-struct Family {
-    int first = 0;  ///< curve
-    int most = 0;   ///< so many curves are kept for it
-};
-
-/// One variant of a family; without values it is left out.
-struct Member {
-    QString name;
-    std::vector<double> y;
-};
-
 }  // namespace plot
 
 /// One curve: its points, those that are not finite left out, and how they hang together.

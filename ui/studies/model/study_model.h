@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/scene_model.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/study.h"
@@ -17,7 +18,6 @@
 namespace ravnoves {
 
 class BackgroundJob;
-class SceneModel;
 
 /// The tolerances of a case: which inputs scatter, which results are watched, and what follows. It
 /// is the "study" of the case file; every change is one step of the case's history.
