@@ -149,7 +149,15 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
                     : i == reference ? *cell
                                      : against(*cell, base));
         }
-        results.rows << row;
+        // What a job computes is there of the present case alone.
+        const bool isCompared =
+            columns.size() == 1 ||
+            std::any_of(row.begin() + 2, row.end(), [](const ResultCell& cell) {
+                return cell.text != QStringLiteral("–");
+            });
+        if (isCompared) {
+            results.rows << row;
+        }
     }
     return results;
 }

@@ -548,6 +548,11 @@ void ResultTable::paintEvent(QPaintEvent* event) {
     }
 }
 
+void ResultTable::scrollContentsBy(int across, int down) {
+    QTableWidget::scrollContentsBy(across, down);
+    viewport()->update();
+}
+
 void ResultTable::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();

@@ -68,6 +68,8 @@ class ResultTable : public QTableWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    /// The frame of the focus does not scroll.
+    void scrollContentsBy(int across, int down) override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
