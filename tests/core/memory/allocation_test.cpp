@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "balance-shaft/table_reading.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
