@@ -15133,6 +15133,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Plots and tables</source>
         <translation>Графики и таблицы</translation>
     </message>
+    <message>
+        <source>The results are seen against the variant %1: its curves are pale and wide, and Δ is the present value less its value.</source>
+        <translation>Результаты сопоставлены с вариантом %1: его кривые бледные и широкие, а Δ — текущее значение минус его значение.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>

@@ -270,6 +270,13 @@ void addVariants(Report& report, const SceneModel& model) {
                           Paragraph::Kind::Warning});
         }
     }
+    if (model.reference() >= 0) {
+        report.items.push_back(
+            Paragraph{ReportWords::tr("The results are seen against the variant %1: its curves are "
+                                      "pale and wide, and Δ is the present value less its value.")
+                          .arg(shortened(names[model.reference()]))
+                          .toHtmlEscaped()});
+    }
     QStringList troubles;  // they are said above
     const Results results = variantResults(model, troubles);
     Table table;

@@ -115,13 +115,12 @@ VerdictLine::VerdictLine(QWidget* parent)
     text_->setObjectName(QStringLiteral("verdict"));
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
-    text_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     // Room for two lines: nothing moves under the hand where one becomes two.
     setMinimumHeight(2 * text_->fontMetrics().lineSpacing() + Theme::gap);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     act_->setObjectName(QStringLiteral("verdict_act"));
-    row->addWidget(sign_);
-    row->addWidget(word_);
+    row->addWidget(sign_, 0, Qt::AlignTop);
+    row->addWidget(word_, 0, Qt::AlignTop);
     row->addWidget(new Apart(text_, this), 1);
     row->addWidget(act_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);

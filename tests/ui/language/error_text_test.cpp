@@ -142,6 +142,9 @@ TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
     Refusals refusals;
     for (const auto& file : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
         const Json good = parse_json(read_text_file(file.path()));
+        if (good.at("scene") == "workshop") {
+            continue;  // it has no page: the command line speaks English
+        }
         std::vector<Json::json_pointer> places;
         collect(good, Json::json_pointer(), places);
         for (const Json::json_pointer& place : places) {

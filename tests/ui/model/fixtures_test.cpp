@@ -41,6 +41,13 @@ const std::vector<Difference> differences_of_saved_cases{
     {"*/relieved_shaft/permitted_sag_mm", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/speed_margin", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/bearing_load_limit_N", "bending of the relieved shaft is not computed"},
+    {"*/input/rod_length_mm", "the engine's sizes stand once, in cylinder"},
+    {"*/input/offset_mm", "the engine's sizes stand once, in cylinder"},
+    {"*/torque/cycle/*_mm", "the engine's sizes stand once, in cylinder"},
+    {"*/torque/pressure/bore_mm", "the engine's sizes stand once, in cylinder"},
+    {"*/envelope/cylinder_bore_mm", "the engine's sizes stand once, in cylinder"},
+    {"interrupted/input/envelope", "it had the bore alone, which stands in cylinder"},
+    {"two-stroke/input/envelope", "it had the bore alone, which stands in cylinder"},
 };
 /// "JOURNAL/jobs/ID/COLUMN", the same of what the journal lists.
 const std::vector<Difference> differences_of_journals{};

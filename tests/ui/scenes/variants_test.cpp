@@ -217,6 +217,9 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesOfTheSameWord) {
     model().chooseReference(-1);
     EXPECT_EQ(reference(), nullptr);
     lookAtAll(*page);
+    for (PartView* view : PartView::below(*page, false)) {
+        view->refresh();  // what is hidden follows when it is shown
+    }
     for (const PlotView* plot : page->findChildren<PlotView*>()) {
         EXPECT_EQ(plot->data().reference, nullptr);
     }

@@ -206,6 +206,7 @@ TEST_F(V8PageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
 TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     type("rod_big_end", u"1"_s);
     PartPlot* plot = partPlot(page, "compensation");
+    plot->refresh();  // it may stand behind another
     for (const OptionId id : all_options) {
         const auto& option = model->solution().option(id);
         const int curve = static_cast<int>(id);
@@ -285,7 +286,7 @@ TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
     int shown = 0;
     for (int height = 100; height <= 400; height += 20) {
         V8PlugsModel model({});
-        model.setByKey(u"crank_radius_mm"_s, u"40"_s);
+        model.edit(u"radius"_s, [](auto& input) { input.engine.crank_radius = 0.040; });
         PartPlot plot(&model, "shift");
         test::showAt(plot, {420, height});
         for (const test::PaintedText& each : test::painted(plot).texts) {
