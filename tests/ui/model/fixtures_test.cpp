@@ -44,7 +44,7 @@ const std::vector<Difference> differences_of_saved_cases{
     {"*/input/rod_length_mm", "the engine's sizes stand once, in cylinder"},
     {"*/input/offset_mm", "the engine's sizes stand once, in cylinder"},
     {"*/torque/cycle/*_mm", "the engine's sizes stand once, in cylinder"},
-    {"*/torque/pressure/bore_mm", "the engine's sizes stand once, in cylinder"},
+    {"*/torque/pressure/*_mm", "the engine's sizes stand once, in cylinder"},
     {"*/envelope/cylinder_bore_mm", "the engine's sizes stand once, in cylinder"},
     {"interrupted/input/envelope", "it had the bore alone, which stands in cylinder"},
     {"two-stroke/input/envelope", "it had the bore alone, which stands in cylinder"},
