@@ -63,7 +63,9 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, 
 
 /// Methods of older cases.
 void refuse_former_method(ObjectReader& reader) {
-    const Json& method = reader.raw("method");
+    // The library compares a value with a text by a copy that may not fail.
+    const auto* const text = reader.raw("method").get_ptr<const std::string*>();
+    const std::string_view method = text != nullptr ? std::string_view(*text) : std::string_view();
     if (method == "second-order") {
         throw InputError(reader.pointer_to("method"),
                          CORE_TEXT("studies",
