@@ -81,7 +81,8 @@ TEST(ShiftEffect, IsCorrectedInTheOrderOfItsShiftsAndSaysWhatIsBeyond) {
     Json input = example();
     input["mass_changes_g"] = {{"repair_piston_and_rings", 4.0}};
     input["crankshaft"] = "new-plugs";
-    for (const auto& [name, option] : solved(input).at("options").items()) {
+    const Json options = solved(input).at("options");
+    for (const auto& [name, option] : options.items()) {
         if (!option.contains("shift_effect")) {
             continue;
         }
