@@ -22,6 +22,7 @@ WeighIn random_sheet(Workshop& workshop) {
     for (const Part part : all_parts) {
         PartColumn& column = sheet[part];
         column.nominal = workshop.between(50, 900) * gram;
+        column.mass.resize(8);
         for (auto& mass : column.mass) {
             mass = *column.nominal + workshop.between(-2, 6) * gram;
         }
