@@ -338,6 +338,20 @@ TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
     }
 }
 
+TEST_F(JournalTest, ADatabaseOfAnotherProgramKeepsItsBytes) {
+    for (const QString& more :
+         {u"CREATE VIEW job AS SELECT * FROM q"_s,
+          u"CREATE TRIGGER lose AFTER INSERT ON q BEGIN DELETE FROM q; END"_s}) {
+        const QString file = path(u"other.sqlite"_s);
+        QFile::remove(file);
+        meddle(file, {u"CREATE TABLE q (a)"_s, more});
+        const QByteArray before = read(file);
+        Journal journal(file);
+        EXPECT_FALSE(journal.open()) << qPrintable(more);
+        EXPECT_EQ(read(file), before) << qPrintable(more);
+    }
+}
+
 /// In its place, or where SQLite looks for what belongs to it: neither is waited for.
 TEST_F(JournalTest, APipeIsRefused) {
     for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {

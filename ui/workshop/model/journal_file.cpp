@@ -144,7 +144,6 @@ bool Journal::openDatabase() {
     // What is in the file cannot call functions of the program that opens it. FULL syncs the log at
     // every commit: a job that was saved survives a power cut.
     return runText(QStringLiteral("PRAGMA trusted_schema = OFF"), cannot) &&
-           runText(QStringLiteral("PRAGMA journal_mode = WAL"), cannot) &&
            runText(QStringLiteral("PRAGMA synchronous = FULL"), cannot) && prepareSchema();
 }
 
@@ -232,7 +231,8 @@ bool Journal::prepareSchema() {
         return fail(
             tr("The journal %1 was written by a newer program; update to open it.").arg(path_), {});
     }
-    if (!isWhole()) {
+    // Writes into the file: not before it is known to be ours.
+    if (!runText(QStringLiteral("PRAGMA journal_mode = WAL"), cannot) || !isWhole()) {
         return false;
     }
     const QString named = QStringLiteral("PRAGMA application_id = %1").arg(applicationId);
