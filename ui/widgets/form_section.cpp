@@ -244,8 +244,12 @@ class NamedRow final : public QWidget {
             grid_->addWidget(field_, folded ? 1 : 0, folded ? 0 : 1);
             updateGeometry();
         }
-        grid_->setColumnMinimumWidth(0, folded ? 0 : words);
-        grid_->setColumnMinimumWidth(1, folded ? 0 : wanted);
+        for (const auto& [column, needed] : {std::pair(0, words), std::pair(1, wanted)}) {
+            // Set anew it asks for a layout anew, which comes here again.
+            if (const int to = folded ? 0 : needed; grid_->columnMinimumWidth(column) != to) {
+                grid_->setColumnMinimumWidth(column, to);
+            }
+        }
     }
 
     QGridLayout* grid_;

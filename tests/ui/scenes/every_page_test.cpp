@@ -279,6 +279,35 @@ TEST_P(EveryPage, ItsTabsKeepTheirLettersWhicheverIsInFront) {
 }
 
 // Between two tabs that stand beside each other Qt goes from one to the next.
+/// Counts what is asked to be laid out anew.
+class LayoutRequests final : public QObject {
+  public:
+    LayoutRequests() { qApp->installEventFilter(this); }
+    int count = 0;
+
+  protected:
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+        count += event->type() == QEvent::LayoutRequest ? 1 : 0;
+        return false;
+    }
+};
+
+/// A layout that asks for itself anew keeps a core busy as long as the window is open.
+TEST_P(EveryPage, RestsWhenNothingHappens) {
+    onEveryTab([&] {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+        constexpr int rounds = 20;
+        for (int i = 0; i < rounds; ++i) {
+            QApplication::processEvents();
+        }
+        LayoutRequests asked;
+        for (int i = 0; i < rounds; ++i) {
+            QApplication::processEvents();
+        }
+        EXPECT_EQ(asked.count, 0);
+    });
+}
+
 TEST_P(EveryPage, HasNoMnemonicTwiceInOneTab) {
     onEveryTab([&] {
         QMap<QChar, QList<std::pair<const QWidget*, QString>>> uses;
