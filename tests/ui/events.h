@@ -43,6 +43,17 @@ inline void showAt(QWidget& widget, const QSize& size) {
     QApplication::processEvents();
 }
 
+/// Points at a place of a widget until what it says there holds: a view made anew under the
+/// pointer reads nothing until the pointer moves again.
+template <typename Holds>
+bool pointUntil(QWidget* widget, const QPoint& at, Holds holds) {
+    return QTest::qWaitFor([&] {
+        QTest::mouseMove(widget, at + QPoint(1, 0));
+        QTest::mouseMove(widget, at);
+        return holds();
+    });
+}
+
 /// Acts once on the next modal dialog of that kind, as soon as it is there.
 /// @param context  while it lives
 template <typename Dialog, typename Act>

@@ -394,8 +394,8 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
     showTabOf(plot);
     QApplication::processEvents();
     const QPointF at = plot->toPixel(radius[0] / units::mm, 0.0);
-    QTest::mouseMove(plot, at.toPoint());
-    ASSERT_TRUE(plot->data().pointRead.has_value());
+    ASSERT_TRUE(test::pointUntil(plot, at.toPoint(),
+                                 [&] { return plot->data().pointRead.has_value(); }));
     const PlotCurve& curve = plot->data().curves[plot->data().pointRead->first];
     EXPECT_EQ(curve.text(0).section(QLatin1Char('\n'), 1, 1), QStringLiteral("φ = 0.0°"));
     EXPECT_TRUE(curve.text(0).contains(shownNumber(radius[0], units::mm, 4)));
