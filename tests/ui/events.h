@@ -44,12 +44,13 @@ inline void showAt(QWidget& widget, const QSize& size) {
 }
 
 /// Points at a place of a widget until what it says there holds: a view made anew under the
-/// pointer reads nothing until the pointer moves again.
-template <typename Holds>
-bool pointUntil(QWidget* widget, const QPoint& at, Holds holds) {
+/// pointer reads nothing until the pointer moves again, and its place may be another.
+template <typename Place, typename Holds>
+bool pointUntil(QWidget* widget, Place place, Holds holds) {
     return QTest::qWaitFor([&] {
-        QTest::mouseMove(widget, at + QPoint(1, 0));
-        QTest::mouseMove(widget, at);
+        const QPointF at = place();
+        QTest::mouseMove(widget, at.toPoint() + QPoint(1, 0));
+        QTest::mouseMove(widget, at.toPoint());
         return holds();
     });
 }

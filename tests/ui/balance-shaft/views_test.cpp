@@ -386,12 +386,14 @@ TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
     EXPECT_NEAR(there.M_ups.range / there.M_up.range, 1.0, 0.01);
     // The pointer reads α, speed and value.
     QSignalSpy hovered(plot, &SpeedMapPlot::hovered);
-    const QPoint at = plot->toPixel(90.0, model->input().angular_speed / units::rpm).toPoint();
     QString words;
-    ASSERT_TRUE(test::pointUntil(plot, at, [&] {
-        words = hovered.isEmpty() ? QString() : hovered.last().at(0).toString();
-        return words.startsWith(QStringLiteral("α "));
-    })) << words.toStdString();
+    ASSERT_TRUE(test::pointUntil(
+        plot, [&] { return plot->toPixel(90.0, model->input().angular_speed / units::rpm); },
+        [&] {
+            words = hovered.isEmpty() ? QString() : hovered.last().at(0).toString();
+            return words.startsWith(QStringLiteral("α "));
+        }))
+        << words.toStdString();
     EXPECT_TRUE(words.contains(QStringLiteral("min⁻¹")));
     EXPECT_TRUE(words.contains(QStringLiteral("better")) ||
                 words.contains(QStringLiteral("worse")));

@@ -393,9 +393,9 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
     // The point of 0° lies on the x axis.
     showTabOf(plot);
     QApplication::processEvents();
-    const QPointF at = plot->toPixel(radius[0] / units::mm, 0.0);
-    ASSERT_TRUE(test::pointUntil(plot, at.toPoint(),
-                                 [&] { return plot->data().pointRead.has_value(); }));
+    ASSERT_TRUE(test::pointUntil(
+        plot, [&] { return plot->toPixel(radius[0] / units::mm, 0.0); },
+        [&] { return plot->data().pointRead.has_value(); }));
     const PlotCurve& curve = plot->data().curves[plot->data().pointRead->first];
     EXPECT_EQ(curve.text(0).section(QLatin1Char('\n'), 1, 1), QStringLiteral("φ = 0.0°"));
     EXPECT_TRUE(curve.text(0).contains(shownNumber(radius[0], units::mm, 4)));

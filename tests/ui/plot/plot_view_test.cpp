@@ -539,10 +539,12 @@ TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
             const QImage before = plot.grab().toImage();
             const QPointF at(area.left() + part * area.width(), area.center().y());
             QImage after;
-            ASSERT_TRUE(test::pointUntil(&plot, at.toPoint(), [&] {
-                after = plot.grab().toImage();
-                return after != before;
-            }));
+            ASSERT_TRUE(test::pointUntil(
+                &plot, [&] { return at; },
+                [&] {
+                    after = plot.grab().toImage();
+                    return after != before;
+                }));
             // Nothing of it at the edges: its frame is whole.
             for (int y = static_cast<int>(area.top()); y < after.height(); ++y) {
                 for (const int x : {0, after.width() - 1}) {
@@ -565,10 +567,12 @@ TEST(PlotView, OfACurveThatFoldsBackNoXIsRead) {
         QTest::mouseMove(&plot, QPoint(2, 2));
         const QImage before = plot.grab().toImage();
         QImage after;
-        EXPECT_TRUE(test::pointUntil(&plot, middle, [&] {
-            after = plot.grab().toImage();
-            return after != before;
-        }));
+        EXPECT_TRUE(test::pointUntil(
+            &plot, [&] { return middle; },
+            [&] {
+                after = plot.grab().toImage();
+                return after != before;
+            }));
         // Beside the cursor's line, where the box stands.
         return after.copy(middle.x() + 14, 0, 60, 300) != before.copy(middle.x() + 14, 0, 60, 300);
     };
