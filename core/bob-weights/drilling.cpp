@@ -417,7 +417,7 @@ class Deepener {
         present_.assign(all_.size(), 0);
     }
 
-    DeepeningPlan plan(double enough) const {
+    DeepeningPlan plan(double enough, double limit) const {
         Depths best = present_;
         // One hole, two, and then any two of them at a time as long as that helps.
         for (const std::size_t count : {1, 2, 3}) {
@@ -425,7 +425,7 @@ class Deepener {
             if (left(found) < left(best) - rounding) {
                 best = found;
             }
-            if (left(best) <= std::max(enough, steps_of(best))) {
+            if (left(best) <= std::max(enough, std::min(steps_of(best), limit))) {
                 return {deepened(best), true};
             }
         }
@@ -629,8 +629,9 @@ class Deepener {
 }  // namespace
 
 DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
-                             const Cut& cut, const HoleLimits& limits, double enough) {
-    return Deepener(unbalance, holes, cut, limits).plan(enough);
+                             const Cut& cut, const HoleLimits& limits, double enough,
+                             double limit) {
+    return Deepener(unbalance, holes, cut, limits).plan(enough, limit);
 }
 
 std::array<std::complex<double>, 2> carried_over(

@@ -129,14 +129,16 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
 /// that is enough, else two, else as many as help. Each keeps its wall to all others.
 /// @param unbalance  of the plane, kg·m and direction
 /// @param holes      their present depth in `depth`; `limits.taken` holds none of them
-/// @param enough     what may be left, kg·m; what the steps of the depths leave is enough, too
+/// @param enough     what may be left, kg·m; what the steps of the depths leave is enough, too,
+///                   but for what exceeds the limit
+/// @param limit      kg·m; infinity where it is not known
 /// @return the deepened ones, with mass and unbalance of the difference; and whether that is enough
 struct DeepeningPlan {
     std::vector<Hole> holes;
     bool is_enough = false;
 };
 DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
-                             const Cut& cut, const HoleLimits& limits, double enough);
+                             const Cut& cut, const HoleLimits& limits, double enough, double limit);
 
 /// The two vectors U₁, U₂ at z₁, z₂ of the same force and moment as those at other positions.
 std::array<std::complex<double>, 2> carried_over(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
@@ -332,10 +333,12 @@ class PlanePlanner {
         // Another hole is worth its while where more than half of the limit would be left, to be
         // deepened where it is more than a tenth.
         const bool to_zero = correction_.aim == Aim::zero;
-        const DeepeningPlan deeper = deepens_
-                                         ? plan_deepening(unbalance, there_, cut_, limits_,
-                                                          to_zero ? 0.1 * tolerance_ : tolerance_)
-                                         : DeepeningPlan{};
+        const DeepeningPlan deeper =
+            deepens_
+                ? plan_deepening(unbalance, there_, cut_, limits_,
+                                 to_zero ? 0.1 * tolerance_ : tolerance_,
+                                 has_limit() ? tolerance_ : std::numeric_limits<double>::infinity())
+                : DeepeningPlan{};
         const double good = std::max(to_zero ? 0.5 * tolerance_ : tolerance_, 0.0);
         if (deeper.is_enough || std::abs(unbalance + effect_of({deeper.holes, {}})) <= good) {
             return {{deeper.holes, {}}, Shortfall::none};
@@ -418,6 +421,16 @@ class PlanePlanner {
         return is_enough(fresh) ? count(fresh) < count(both) : left(fresh) < left(both);
     }
 
+    bool has_limit() const { return tolerance_ >= 0.0; }
+
+    /// The plan by the aim; where the steps of its depths leave more than the limit, by the limit.
+    /// @param plan  of what may be left
+    HolePlan within_limit(const auto& plan) const {
+        HolePlan found = plan(enough_);
+        return enough_ < 0.0 && has_limit() && std::abs(found.left) > tolerance_ ? plan(tolerance_)
+                                                                                 : found;
+    }
+
     HolePlan plan_slugs(double target, double angle, const HoleLimits& limits) const {
         const Slug& slug = *correction_.slug;
         if (!limits.allows(angle)) {
@@ -427,7 +440,8 @@ class PlanePlanner {
             return {{}, target, Shortfall::light_slugs};
         }
         const double size[] = {*slug.diameter};
-        HolePlan slugs = plan_holes(target, angle, into_, size, limits, enough_);
+        HolePlan slugs = within_limit(
+            [&](double enough) { return plan_holes(target, angle, into_, size, limits, enough); });
         for (Hole& hole : slugs.holes) {
             hole.is_axial = into_.axial_wall.has_value();
         }
@@ -445,7 +459,9 @@ class PlanePlanner {
     Planned plan_new(Vector unbalance, HoleLimits limits) const {
         const double target = std::abs(unbalance);
         const double angle = turn_of(std::arg(unbalance));
-        HolePlan plan = plan_holes(target, angle, cut_, diameters_, limits, enough_);
+        HolePlan plan = within_limit([&](double enough) {
+            return plan_holes(target, angle, cut_, diameters_, limits, enough);
+        });
         Planned planned{{std::move(plan.holes), {}}, plan.shortfall};
         const bool is_left = plan.left > std::max(tolerance_, 0.0) &&
                              (plan.shortfall == Shortfall::too_little_room ||
@@ -458,7 +474,9 @@ class PlanePlanner {
         if (limits.allows(angle) || planned.shortfall == Shortfall::none) {
             return planned;
         }
-        HolePlan beside = plan_beside_sector(target, angle, cut_, diameters_, limits, enough_);
+        HolePlan beside = within_limit([&](double enough) {
+            return plan_beside_sector(target, angle, cut_, diameters_, limits, enough);
+        });
         Metal other{std::move(beside.holes), {}};
         const Vector rest = unbalance + effect_of(other);
         if (has_slugs_ && !other.holes.empty() && beside.shortfall != Shortfall::none) {

@@ -123,7 +123,7 @@ TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
     for (int i = 0; i < 200; ++i) {
         const State state = random_state(generator);
         const DeepeningPlan plan =
-            plan_deepening(state.unbalance, state.holes, state.cut, state.limits, -1.0);
+            plan_deepening(state.unbalance, state.holes, state.cut, state.limits, -1.0, INFINITY);
         std::vector<double> depths;
         for (const Hole& hole : state.holes) {
             depths.push_back(hole.depth);
@@ -158,14 +158,14 @@ TEST(Deepening, TakesOneHoleWhereThatIsEnough) {
         state.holes.push_back({0.014, 0.008, angle, 0.0, 0.0});
     }
     const DeepeningPlan plan =
-        plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6);
+        plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6, 50e-6);
     ASSERT_EQ(plan.holes.size(), 1U);
     EXPECT_TRUE(plan.is_enough);
     EXPECT_EQ(plan.holes[0].angle, 0.0);
     // A hole a quarter turn away is none that helps.
     state.holes = {{0.014, 0.008, 0.5 * pi, 0.0, 0.0}};
-    EXPECT_TRUE(
-        plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6).holes.empty());
+    EXPECT_TRUE(plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6, 50e-6)
+                    .holes.empty());
 }
 
 /// A second run whose heavy spot is at the hole that was drilled after the first.
@@ -242,6 +242,49 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
     correction["smallest_depth_mm"] = 5;
     for (const double depth : depths()) {
         EXPECT_GE(depth, 5.0 - 1e-9);
+    }
+}
+
+/// Every plan that leaves more than the limit says why.
+void expect_within_or_reason(const Json& plane, double limit, const std::string& of) {
+    if (plane.at("remaining_g_mm").get<double>() > limit) {
+        EXPECT_FALSE(plane.at("feasible").get<bool>()) << of << plane.dump(1);
+        EXPECT_TRUE(plane.contains("reason")) << of << plane.dump(1);
+    }
+}
+
+TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
+    Json input = card();
+    input["tolerance"] = {{"g_mm", 20}};
+    Json& correction = input["correction"];
+    correction["drill"]["depth_step_mm"] = 1;
+    correction["readings"][0]["unbalance_g_mm"] = 1005;
+    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
+    // A hole of 16 mm is nearest by its steps and leaves 31.7; one of 10 mm leaves 1.4.
+    const Json plane = front();
+    ASSERT_EQ(plane.at("holes").size(), 1U);
+    EXPECT_EQ(plane.at("holes")[0].at("diameter_mm"), 10);
+    EXPECT_NEAR(plane.at("remaining_g_mm").get<double>(), 1.376, 1e-3);
+    EXPECT_TRUE(plane.at("within_tolerance").get<bool>());
+    // A deepening alone leaves 49.2.
+    correction["earlier_runs"] = second_run().at("correction").at("earlier_runs");
+    correction["readings"][0]["unbalance_g_mm"] = 500;
+    for (const char* aim : {"zero", "tolerance"}) {
+        correction["aim"] = aim;
+        const Json deepened = front();
+        EXPECT_LE(deepened.at("remaining_g_mm").get<double>(), 20.0) << deepened.dump(1);
+    }
+    correction["earlier_runs"][0].erase("readings");
+    std::mt19937 generator(5);
+    for (int i = 0; i < 200; ++i) {
+        const double unbalance = std::uniform_real_distribution<double>(21, 3000)(generator);
+        const double step = std::uniform_real_distribution<double>(0.2, 3)(generator);
+        correction["readings"][0]["unbalance_g_mm"] = unbalance;
+        correction["drill"]["depth_step_mm"] = step;
+        for (const char* aim : {"zero", "tolerance"}) {
+            correction["aim"] = aim;
+            expect_within_or_reason(front(), 20.0, std::string(aim) + " " + std::to_string(step));
+        }
     }
 }
 
