@@ -33,8 +33,10 @@ class JobVisit {
     void visit_planes();
 
   private:
-    void visit_hole(const Hole& hole, bool added);
-    void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added);
+    /// @param planned  it is not there yet
+    void visit_hole(const Hole& hole, bool added, bool planned);
+    void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
+                     bool planned);
     void visit_plane(std::size_t i);
     void visit_run(const RunResult& run, bool is_newest);
     void visit_weigh_in();
@@ -52,7 +54,7 @@ class JobVisit {
     Withheld withheld_;
 };
 
-void JobVisit::visit_hole(const Hole& hole, bool added) {
+void JobVisit::visit_hole(const Hole& hole, bool added, bool planned) {
     // A slug takes off less than nothing: so every line counts in the same sense.
     const double sign = added ? -1.0 : 1.0;
     visitor_.number(key::diameter, hole.diameter);
@@ -73,21 +75,25 @@ void JobVisit::visit_hole(const Hole& hole, bool added) {
     if (added) {
         const auto speed = service_speed(input_);
         visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
-        visitor_.number(
-            key::centrifugal_force,
-            speed ? std::optional(hole.slug * hole.slug_radius * *speed * *speed) : std::nullopt);
+        visitor_.number(key::centrifugal_force,
+                        speed && hole.slug > 0.0
+                            ? std::optional(hole.slug * hole.slug_radius * *speed * *speed)
+                            : std::nullopt);
         return;
     }
     const bool is_deeper = hole.deepens && hole.from_depth > 0.0;
-    visitor_.word(key::deepens, is_deeper ? "/correction/earlier_runs/" +
-                                                std::to_string(hole.deepens->run) + "/drilled/" +
-                                                std::to_string(hole.deepens->hole)
-                                          : std::string());
+    visitor_.word(key::deepens, is_deeper && planned
+                                    ? "/correction/earlier_runs/" +
+                                          std::to_string(hole.deepens->run) + "/drilled/" +
+                                          std::to_string(hole.deepens->hole)
+                                    : std::string());
     visitor_.number(key::from_depth, is_deeper ? std::optional(hole.from_depth) : std::nullopt);
 }
 
-void JobVisit::visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added) {
-    visitor_.list(field, holes.size(), [&](std::size_t i) { visit_hole(holes[i], added); });
+void JobVisit::visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
+                           bool planned) {
+    visitor_.list(field, holes.size(),
+                  [&](std::size_t i) { visit_hole(holes[i], added, planned); });
 }
 
 void JobVisit::visit_plane(std::size_t i) {
@@ -116,8 +122,8 @@ void JobVisit::visit_plane(std::size_t i) {
         }
         return;
     }
-    visit_holes(key::holes, plane.holes, false);
-    visit_holes(key::slugs, plane.slugs, true);
+    visit_holes(key::holes, plane.holes, false, true);
+    visit_holes(key::slugs, plane.slugs, true, true);
     visitor_.number(key::remaining, plane.remaining);
     visitor_.number(key::remaining_angle, plane.remaining_angle);
     visitor_.flag(key::within, judged(plane.within_tolerance));
@@ -155,8 +161,8 @@ void JobVisit::visit_run(const RunResult& run, bool is_newest) {
             });
         }
         if (!is_newest) {
-            visit_holes(key::drilled_holes, run.drilled[i].holes, false);
-            visit_holes(key::drilled_slugs, run.drilled[i].slugs, true);
+            visit_holes(key::drilled_holes, run.drilled[i].holes, false, false);
+            visit_holes(key::drilled_slugs, run.drilled[i].slugs, true, false);
         }
     });
     visitor_.flag(key::within, judged(run.passes()));

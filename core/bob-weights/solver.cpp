@@ -274,6 +274,12 @@ Vector effect_of(const Metal& metal) {
     return sum;
 }
 
+/// Whether two holes of a plane are one: an angle that was measured is not quite the one planned.
+bool are_one_hole(const Hole& a, const Hole& b, double radius) {
+    return a.diameter == b.diameter &&
+           radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * pi)) < 0.5 * a.diameter;
+}
+
 /// What is planned for a plane.
 struct Planned {
     Metal metal;
@@ -391,10 +397,8 @@ class PlanePlanner {
 
     /// A hole that was deepened stands in the record more than once.
     void keep_deepest(const Hole& hole) {
-        constexpr double same = 1e-6;
         for (Hole& there : there_) {
-            if (there.diameter == hole.diameter &&
-                std::abs(std::remainder(there.angle - hole.angle, 2.0 * pi)) < same) {
+            if (are_one_hole(there, hole, cut_.radius)) {
                 there = there.depth >= hole.depth ? there : hole;
                 return;
             }
@@ -566,9 +570,10 @@ std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
 }
 
 /// What the case says is drilled and pressed in after a run.
-/// @param run  its place among the earlier runs
+/// @param run     its place among the earlier runs
+/// @param before  what was drilled there and pressed in after those before it
 std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
-                              std::size_t run) {
+                              std::size_t run, const std::array<Metal, 2>& before) {
     std::array<Metal, 2> drilled;
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const DrilledHole& hole = holes[i];
@@ -584,19 +589,28 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
                        is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
         };
         // What the hole alone took off, by its sizes.
+        const bool is_measured = hole.state == HoleState::measured;
+        const bool is_opposite = hole.state == HoleState::wrong_side;
+        const double angle = turn_of(hole.angle + (is_opposite ? pi : 0.0));
+        Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
+        // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
+        const auto& there = before[plane].holes;
+        const bool is_elsewhere =
+            is_opposite || (is_measured && !there.empty() &&
+                            std::none_of(there.begin(), there.end(), [&](const Hole& each) {
+                                return are_one_hole(each, made, radius);
+                            }));
+        made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
         const Cut cut = cut_with(drill.point_angle);
         Removed removed = cut.removed(hole.diameter, hole.depth);
-        if (hole.from_depth > 0.0) {
-            const Removed before = cut.removed(hole.diameter, hole.from_depth);
-            removed = {removed.mass - before.mass, removed.unbalance - before.unbalance};
+        if (made.from_depth > 0.0) {
+            const Removed shallow = cut.removed(hole.diameter, made.from_depth);
+            removed = {removed.mass - shallow.mass, removed.unbalance - shallow.unbalance};
         }
         const double lever =
             radius > 0.0 && removed.mass > 0.0 ? removed.unbalance / removed.mass : radius;
-        const double angle = turn_of(hole.angle + (hole.state == HoleState::wrong_side ? pi : 0.0));
-        const bool by_sizes = !hole.mass || hole.state == HoleState::measured;
-        Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
+        const bool by_sizes = !hole.mass || is_measured || made.from_depth != hole.from_depth;
         made.deepens = Hole::Place{run, i};
-        made.from_depth = hole.from_depth;
         made.is_axial = is_axial;
         if (!hole.is_slug()) {
             made.mass = by_sizes ? removed.mass : *hole.mass;
@@ -605,7 +619,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
             continue;
         }
         // Where the slug's own mass is not known, it is taken to fill its hole.
-        const double added = hole.mass ? -*hole.mass : *hole.slug - removed.mass;
+        const double added = hole.slug && by_sizes ? *hole.slug - removed.mass : -*hole.mass;
         const double slug = hole.slug.value_or(added);
         made.mass = added;
         made.slug = hole.slug.value_or(0.0);
@@ -695,7 +709,7 @@ void solve_correction(const Input& input, Format format, Result& result) {
         // Holes of another crankshaft are not in this one; after readings of another bob weight
         // those alone that were drilled before it changed.
         if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
-            run.drilled = recorded(*earlier.drilled, correction, at);
+            run.drilled = recorded(*earlier.drilled, correction, at, before);
         } else if (format == Format::bob_weights && !earlier.drilled && run.planes && run.holds() &&
                    can_drill(correction)) {
             for (std::size_t i = 0; i < 2; ++i) {

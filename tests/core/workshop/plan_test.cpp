@@ -204,10 +204,21 @@ TEST(Plan, DeepensTheHoleThatIsThere) {
                        {"angle_deg", 40},
                        {"depth_mm", hole.at("depth_mm")},
                        {"from_depth_mm", 10}}}}});
-    const Json again = solved(third).at("correction");
-    EXPECT_NEAR(
-        again.at("runs")[1].at("planes")[0].at("drilled_holes")[0].at("removed_g_mm").get<double>(),
-        hole.at("removed_g_mm").get<double>(), 1e-6);
+    third["tolerance"] = {{"g_mm", 50}};
+    // The second reading fits the third: what the deepening took off is gone.
+    runs[1]["readings"][0]["unbalance_g_mm"] = 450.0 + hole.at("removed_g_mm").get<double>();
+    const Json again = solved(third);
+    EXPECT_TRUE(again.at("doubtful").is_null()) << again.at("doubts").dump(1);
+    const Json& recorded =
+        again.at("correction").at("runs")[1].at("planes")[0].at("drilled_holes")[0];
+    EXPECT_NEAR(recorded.at("removed_g_mm").get<double>(), hole.at("removed_g_mm").get<double>(),
+                1e-6);
+    EXPECT_EQ(recorded.at("from_depth_mm"), 10);
+    EXPECT_TRUE(recorded.at("deepens").is_null());
+    const Json& holes = again.at("correction").at("planes")[0].at("holes");
+    ASSERT_EQ(holes.size(), 1U) << holes.dump(1);
+    EXPECT_EQ(holes[0].at("deepens"), "/correction/earlier_runs/1/drilled/0");
+    EXPECT_EQ(holes[0].at("from_depth_mm"), hole.at("depth_mm"));
 }
 
 TEST(Plan, KeepsToTheSmallestDepthAndAims) {
@@ -224,7 +235,9 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
         return list;
     };
     std::mt19937 generator(3);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 150; ++i) {
+        const double steps[] = {0.1, 0.5, 1.0};
+        correction["drill"]["depth_step_mm"] = steps[i % 3];
         correction["readings"][0]["unbalance_g_mm"] =
             std::uniform_real_distribution<double>(101, 4000)(generator);
         for (const double depth : depths()) {
@@ -309,6 +322,7 @@ TEST(Plan, CountsWhatWasReallyDrilled) {
     EXPECT_NEAR(number(drilled(), "angle_deg"), 220, 1e-9);
     hole["state"] = "not-drilled";
     EXPECT_TRUE(drilled().empty());
+    hole.erase("removed_g");
     // Holes that were there before the first run have no readings, and new ones keep clear of them.
     hole["state"] = "as-planned";
     input["correction"]["earlier_runs"][0].erase("readings");
@@ -318,15 +332,96 @@ TEST(Plan, CountsWhatWasReallyDrilled) {
               "/correction/earlier_runs/0/drilled/0");
 }
 
+/// A third run, after one that was to deepen the hole of the first from 10 to 13 mm.
+Json third_run() {
+    Json input = second_run();
+    Json& runs = input["correction"]["earlier_runs"];
+    runs.push_back(runs[0]);
+    runs[1]["drilled"][0].update({{"depth_mm", 13}, {"from_depth_mm", 10}});
+    for (Json& run : runs) {
+        run.erase("readings");
+    }
+    return input;
+}
+
+TEST(Plan, CountsADeepeningWhereItWasDrilled) {
+    Json input = third_run();
+    Json& deepening = input["correction"]["earlier_runs"][1]["drilled"][0];
+    const Cut cut{0.085, density, 118 * degree};
+    const double whole = 1e6 * cut.removed(0.016, 0.013).unbalance;
+    const double difference = whole - 1e6 * cut.removed(0.016, 0.010).unbalance;
+    const auto expect = [&](double angle, double from_depth, double removed, std::size_t there) {
+        const Json correction = solved(input).at("correction");
+        const Json& holes = correction.at("runs")[1].at("planes")[0].at("drilled_holes");
+        ASSERT_EQ(holes.size(), 1U);
+        EXPECT_NEAR(holes[0].at("angle_deg").get<double>(), angle, 1e-9);
+        EXPECT_EQ(holes[0].at("from_depth_mm"), from_depth > 0.0 ? Json(from_depth) : Json());
+        EXPECT_NEAR(holes[0].at("removed_g_mm").get<double>(), removed, 1e-6);
+        EXPECT_EQ(correction.at("planes")[0].at("holes")[0].at("deepens"),
+                  "/correction/earlier_runs/" + std::to_string(there) + "/drilled/0");
+    };
+    expect(40, 10, difference, 1);
+    // An angle that was measured is not quite the one planned.
+    deepening["state"] = "measured";
+    deepening["angle_deg"] = 40.04;
+    expect(40.04, 10, difference, 1);
+    // Where no hole was all of it is gone, whatever was planned, and the first is as deep as it
+    // was.
+    deepening["removed_g"] = 5;
+    deepening["angle_deg"] = 62;
+    expect(62, 0, whole, 0);
+    deepening["state"] = "wrong-side";
+    deepening["angle_deg"] = 40;
+    expect(220, 0, whole, 0);
+    // A hole that no record tells of was there all the same.
+    deepening["state"] = "measured";
+    input["correction"]["earlier_runs"][0]["drilled"] = Json::array();
+    expect(40, 10, difference, 1);
+}
+
+TEST(Plan, CountsTheSlugThatIsThere) {
+    Json input = third_run();
+    input["correction"]["earlier_runs"].erase(1);
+    Json& slug = input["correction"]["earlier_runs"][0]["drilled"][0];
+    slug = {{"plane", "front"}, {"diameter_mm", 20}, {"depth_mm", 20},      {"angle_deg", 220},
+            {"slug_g", 110},    {"removed_g", -70},  {"direction", "axial"}};
+    const auto pressed = [&] {
+        return solved(input).at("correction").at("runs")[0].at("planes")[0].at("drilled_slugs");
+    };
+    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
+    EXPECT_GT(pressed()[0].at("centrifugal_force_N").get<double>(), 0.0);
+    slug["state"] = "wrong-side";
+    EXPECT_NEAR(pressed()[0].at("angle_deg").get<double>(), 40, 1e-9);
+    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
+    slug["state"] = "measured";
+    slug["depth_mm"] = 18;
+    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(),
+                110 - 1e3 * Cut({0.085, density, 118 * degree}).removed(0.020, 0.018).mass, 1e-9);
+    slug["state"] = "not-drilled";
+    EXPECT_TRUE(pressed().empty());
+    // A slug that was not weighed has no force that is known.
+    slug["state"] = "as-planned";
+    slug.erase("slug_g");
+    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
+    EXPECT_TRUE(pressed()[0].at("centrifugal_force_N").is_null());
+}
+
 TEST(Plan, PutsHolesAtTheHeavySpotWhateverTheMachineShows) {
     Json input = card();
+    Json& correction = input["correction"];
+    correction["earlier_runs"] = parse_json(R"([{
+        "readings": [{"unbalance_g_mm": 3900, "angle_deg": 40},
+                     {"unbalance_g_mm": 1200, "angle_deg": 290}],
+        "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 10, "angle_deg": 40}]}])");
     const Json heavy = solved(input).at("correction");
-    input["machine"]["shows"] = "light";
-    for (Json& reading : input["correction"]["readings"]) {
-        reading["angle_deg"] = reading["angle_deg"].get<double>() - 180.0;
+    EXPECT_FALSE(heavy.at("planes")[0].at("holes").empty());
+    for (Json* readings : {&correction["readings"], &correction["earlier_runs"][0]["readings"]}) {
+        for (Json& reading : *readings) {
+            reading["angle_deg"] = reading["angle_deg"].get<double>() - 180.0;
+        }
     }
-    EXPECT_EQ(test::difference(heavy.at("planes"), solved(input).at("correction").at("planes")),
-              "");
+    input["machine"]["shows"] = "light";
+    EXPECT_EQ(test::difference(heavy, solved(input).at("correction")), "");
 }
 
 TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
