@@ -483,7 +483,8 @@ class PlanePlanner {
         });
         Metal other{std::move(beside.holes), {}};
         const Vector rest = unbalance + effect_of(other);
-        if (has_slugs_ && !other.holes.empty() && beside.shortfall != Shortfall::none) {
+        if (has_slugs_ && !other.holes.empty() && beside.shortfall != Shortfall::none &&
+            std::abs(rest) > std::max(tolerance_, 0.0)) {
             for (const Hole& hole : other.holes) {
                 take(hole, cut_, limits);
             }

@@ -424,6 +424,23 @@ TEST(Plan, PutsHolesAtTheHeavySpotWhateverTheMachineShows) {
     EXPECT_EQ(test::difference(heavy, solved(input).at("correction")), "");
 }
 
+TEST(Plan, PressesNothingIntoAPlaneThatHolesBringWithinItsLimit) {
+    Json input = card();
+    input["tolerance"] = {{"g_mm", 200}};
+    Json& correction = input["correction"];
+    correction["readings"][0]["unbalance_g_mm"] = 500;
+    // Holes at the edge of the sector leave 500 sin 10° and more, opposite of which a slug may lie.
+    correction["planes"][0].update({{"from_deg", 50}, {"to_deg", 200}});
+    correction["slug"] = {{"diameter_mm", 10}, {"density_kg_m3", 18'000}};
+    for (const char* aim : {"zero", "tolerance"}) {
+        correction["aim"] = aim;
+        const Json plane = solved(input).at("correction").at("planes")[0];
+        EXPECT_TRUE(plane.at("within_tolerance").get<bool>()) << plane.dump(1);
+        EXPECT_FALSE(plane.at("holes").empty()) << plane.dump(1);
+        EXPECT_TRUE(plane.at("slugs").empty()) << plane.dump(1);
+    }
+}
+
 TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
     Json input = card();
     input["tolerance"]["grade_mm_s"] = 6.3;
