@@ -103,6 +103,23 @@ void check_correction(const Correction& correction) {
     }
 }
 
+namespace {
+
+void check_drilled(const std::optional<std::vector<DrilledHole>>& drilled, const std::string& at) {
+    for (std::size_t i = 0; drilled && i < drilled->size(); ++i) {
+        const DrilledHole& hole = (*drilled)[i];
+        if (!hole.depths_agree()) {
+            throw InputError(at + std::string(field::drilled.key) + "/" + std::to_string(i) + "/" +
+                                 std::string(field::drilled_from_depth.key),
+                             {CORE_TEXT("bob-weights", "must be less than the depth, %1"),
+                              from_si(field::drilled_depth, hole.depth)},
+                             Number{from_si(field::drilled_from_depth, hole.from_depth)});
+        }
+    }
+}
+
+}  // namespace
+
 void check_runs(const Correction& correction, Format format) {
     const std::string place = correction_place;
     if (correction.earlier_runs.size() >= most_runs) {
@@ -111,10 +128,14 @@ void check_runs(const Correction& correction, Format format) {
                          Number{static_cast<double>(correction.earlier_runs.size())});
     }
     const bool is_job = format == Format::workshop;
+    check_drilled(correction.record.drilled, place);
     for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
-        const auto& readings = correction.earlier_runs[run].readings;
-        const std::string at = place + std::string(field::earlier_runs.key) + "/" +
-                               std::to_string(run) + "/" + std::string(field::readings.key);
+        const EarlierRun& earlier = correction.earlier_runs[run];
+        const auto& readings = earlier.readings;
+        const std::string of_run =
+            place + std::string(field::earlier_runs.key) + "/" + std::to_string(run) + "/";
+        const std::string at = of_run + std::string(field::readings.key);
+        check_drilled(earlier.drilled, of_run);
         if (is_job && readings.empty()) {
             continue;
         }

@@ -148,6 +148,8 @@ struct DrilledHole {
     HoleState state = HoleState::as_planned;
 
     bool is_slug() const { return slug || mass.value_or(0.0) < 0.0; }
+    /// False where a hole would be deepened to no more than its depth before.
+    bool depths_agree() const { return from_depth == 0.0 || depth > from_depth; }
 
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };

@@ -578,7 +578,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
     std::array<Metal, 2> drilled;
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const DrilledHole& hole = holes[i];
-        if (hole.state == HoleState::not_drilled) {
+        if (hole.state == HoleState::not_drilled || !hole.depths_agree()) {
             continue;
         }
         const auto plane = static_cast<std::size_t>(hole.plane);

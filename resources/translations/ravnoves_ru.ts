@@ -4356,6 +4356,10 @@
         <translation>должно быть больше, чем у вала (%1)</translation>
     </message>
     <message>
+        <source>must be less than the depth, %1</source>
+        <translation>должно быть меньше глубины (%1)</translation>
+    </message>
+    <message>
         <source>V</source>
         <translation>V-образный</translation>
     </message>

@@ -244,6 +244,21 @@ TEST(Job, GivesAVerdictForReadingsWithoutAngleOrPlanes) {
     EXPECT_FALSE(result.contains("correction"));
 }
 
+TEST(Job, OfASheetHalfFilledSkipsADeepeningToLess) {
+    Json input = card();
+    input["correction"]["earlier_runs"] = parse_json(R"([{
+        "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 10, "from_depth_mm": 12,
+                     "angle_deg": 40}]}])");
+    EXPECT_EQ(error_of(input),
+              "/input/correction/earlier_runs/0/drilled/0/from_depth_mm: must be less than the "
+              "depth, 10, got 12");
+    const Input half = read_input(input, Completeness::as_is);
+    EXPECT_FALSE(solve(half).shaft.runs[0].is_drilled());
+    Json newest = card();
+    newest["correction"]["drilled"] = input["correction"]["earlier_runs"][0]["drilled"];
+    EXPECT_TRUE(error_of(newest).starts_with("/input/correction/drilled/0/from_depth_mm: must"));
+}
+
 TEST(Job, OfASheetHalfFilledSaysWhatIsMissing) {
     for (Json input : {card(), plugs_card()}) {
         input.erase("parts_g");
