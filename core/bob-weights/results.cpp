@@ -310,7 +310,9 @@ Verdict verdict(const Input& input, const Result& result) {
         shop::add_machine_verdict(verdict, newest->unbalances(), result.permissible);
         if (verdict.text.empty()) {
             verdict = {Severity::note,
-                       {CORE_TEXT("bob-weights", "Enter what may remain for a verdict.")}};
+                       result.permissible
+                           ? CORE_TEXT("bob-weights", "Enter the reading of the other plane.")
+                           : CORE_TEXT("bob-weights", "Enter what may remain for a verdict.")};
         }
         if (result.correction && newest->passes() != true) {
             const auto& planes = *result.correction;

@@ -666,7 +666,8 @@ void solve_correction(const Input& input, Format format, Result& result) {
     const auto add_run = [&](const auto& readings) {
         RunResult run;
         const auto read = vectors_of(readings);
-        for (std::size_t i = 0; format == Format::workshop && i < readings.size() && i < 2; ++i) {
+        const bool stand_alone = format == Format::workshop && reads_in_planes(correction);
+        for (std::size_t i = 0; stand_alone && i < readings.size() && i < 2; ++i) {
             if (const auto& unbalance = readings[i].unbalance) {
                 run.alone[i] = {*unbalance, is_within(*unbalance, limit(i))};
             }
@@ -776,6 +777,11 @@ std::array<std::optional<double>, 2> RunResult::unbalances() const {
         }
     }
     return list;
+}
+
+bool reads_in_planes(const Correction& correction) {
+    const auto places = places_of(correction);
+    return !places || places->from == places->to;
 }
 
 std::optional<bool> RunResult::passes() const {

@@ -15,6 +15,9 @@ Result solve(const Input& given, bool places_parts = true);
 Result solve_job(const Input& given, const std::optional<KnownWeight>& known,
                  bool places_parts = true);
 
+/// Whether the machine reads in the planes, as far as it is known where both are.
+bool reads_in_planes(const Correction& correction);
+
 /// What is to be drilled by the run that is corrected, for the record of it: nothing where its
 /// readings do not hold.
 /// @return empty while there is no plan

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "bob-weights/solver.h"
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
 #include "shop/results.h"
@@ -341,6 +342,21 @@ Messages other_crankshaft(const DoubtCase& job) {
 bool is_by_grade(const DoubtCase& job) {
     return job.input.tolerance && job.input.tolerance->by_grade;
 }
+/// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
+Messages beside_planes(const DoubtCase& job) {
+    const auto& correction = job.input.correction;
+    if (!correction || bob_weights::reads_in_planes(*correction) ||
+        std::all_of(correction->readings.begin(), correction->readings.end(),
+                    [](const auto& reading) {
+                        return !reading.unbalance || bob_weights::is_read(reading);
+                    })) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "The machine reads beside the planes. Enter the angles of the "
+                       "readings.")}};
+}
+
 
 /// A crankshaft weighs more than the weights on it, and not a hundred times as much.
 Messages rotor_mass(const DoubtCase& job) {
@@ -466,6 +482,7 @@ std::span<const DoubtRule> doubt_rules() {
     constexpr bob_weights::Withheld nothing{};
     static constexpr DoubtRule rules[] = {
         {Kind::swapped_ends, "swapped-ends", error, all, swap_ends_act, swapped_ends},
+    constexpr bob_weights::Withheld verdict_alone{false, false, true};
         {Kind::kilograms, "kilograms", error, all, "", kilograms},
         {Kind::odd_mass, "odd-mass", error, all, "", odd_mass},
         {Kind::typed_against_weighed, "typed-against-weighed", error, all, "",
@@ -479,6 +496,7 @@ std::span<const DoubtRule> doubt_rules() {
         {Kind::rotor_mass, "rotor-mass", error, judged, "", rotor_mass},
         {Kind::service_speed, "service-speed", error, judged, "", service_speed},
         {Kind::bearings, "bearings", error, judged, "", bearings},
+        {Kind::beside_planes, "beside-planes", error, verdict_alone, "", beside_planes},
         {Kind::drilled_otherwise, "drilled-otherwise", error, holes, drilled_act,
          drilled_otherwise},
         {Kind::plane_radius, "plane-radius", error, holes, "", plane_radius},

@@ -24,6 +24,7 @@ enum class DoubtKind {
     drilled_otherwise,
     other_bob_weight,
     other_crankshaft,
+    beside_planes,
     rotor_mass,
     service_speed,
     bearings,

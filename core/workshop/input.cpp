@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "bob-weights/fields.h"
+#include "bob-weights/solver.h"
 #include "case-file/field_visitor.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
@@ -147,7 +148,9 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
         sheet.rotor_mass = tolerance->rotor_mass;
         sheet.service_speed = tolerance->service_speed;
         sheet.front_share = tolerance->front_share;
-        if (input.correction && input.correction->readings.size() == 2) {
+        // What is read elsewhere has no verdict before it is taken to the planes.
+        if (input.correction && input.correction->readings.size() == 2 &&
+            bob_weights::reads_in_planes(*input.correction)) {
             const auto& [front, rear] =
                 std::tie(input.correction->readings[0], input.correction->readings[1]);
             sheet.front_reading = front.unbalance;

@@ -5184,6 +5184,10 @@
         <translation>Для вывода введите допустимый остаточный дисбаланс.</translation>
     </message>
     <message>
+        <source>Enter the reading of the other plane.</source>
+        <translation>Введите показание другой плоскости.</translation>
+    </message>
+    <message>
         <source>The heavy spot lies outside the sector that may be drilled, and holes at its edge take off only a part.</source>
         <translation>Тяжёлое место вне сектора сверления, а отверстия на его краю снимают только часть.</translation>
     </message>
@@ -18584,6 +18588,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The machine reads far outside the planes: an error of its readings may be %1 times as large in them. Read nearer to the planes.</source>
         <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
+    </message>
+    <message>
+        <source>The machine reads beside the planes. Enter the angles of the readings.</source>
+        <translation>Станок измеряет не в плоскостях коррекции. Введите углы показаний.</translation>
     </message>
     <message>
         <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled. Check that there is metal enough.</source>

@@ -244,6 +244,40 @@ TEST(Job, GivesAVerdictForReadingsWithoutAngleOrPlanes) {
     EXPECT_FALSE(result.contains("correction"));
 }
 
+TEST(Job, JudgesReadingsBesideThePlanesWithAnglesAlone) {
+    Json input = plugs_card();
+    input["correction"]["readings"] =
+        parse_json(R"([{"unbalance_g_mm": 300, "position_mm": -1000}, {"unbalance_g_mm": 400}])");
+    const auto front = [](const Json& result) {
+        return result.at("plugs").at("balancing").at("front");
+    };
+    Json result = solved(input);
+    EXPECT_TRUE(result.at("correction").at("runs")[0].at("within_tolerance").is_null());
+    EXPECT_EQ(result.at("verdict").at("severity"), "error");
+    EXPECT_FALSE(front(result).contains("passes"));
+    // With angles it is known what they are in the planes: far beyond their limits.
+    for (Json& reading : input["correction"]["readings"]) {
+        reading["angle_deg"] = reading.contains("position_mm") ? 0 : 180;
+    }
+    result = solved(input);
+    const Json& plane = result.at("correction").at("planes")[0];
+    EXPECT_NEAR(plane.at("unbalance_g_mm").get<double>(), 300.0 * 1480.0 / 420.0, 1e-6);
+    EXPECT_FALSE(plane.at("within_tolerance_as_measured").get<bool>());
+    EXPECT_FALSE(front(result).contains("passes"));
+    // In the planes the plugs' limits judge them, too.
+    input["correction"]["readings"][0]["position_mm"] = 60;
+    EXPECT_TRUE(front(solved(input)).at("passes").get<bool>());
+}
+
+TEST(Job, AsksForTheReadingOfTheOtherPlane) {
+    Json input = card();
+    input["correction"]["readings"] = parse_json(R"([{"unbalance_g_mm": 300}, {}])");
+    const auto said = [&] { return solved(input).at("verdict").at("text"); };
+    EXPECT_EQ(said(), "Enter the reading of the other plane.");
+    input.erase("tolerance");
+    EXPECT_EQ(said(), "Enter what may remain for a verdict.");
+}
+
 TEST(Job, OfASheetHalfFilledSkipsADeepeningToLess) {
     Json input = card();
     input["correction"]["earlier_runs"] = parse_json(R"([{
