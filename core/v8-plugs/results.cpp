@@ -61,7 +61,7 @@ void visit_boring(ResultVisitor& visitor, const Boring& boring,
 }
 
 void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, double crank_radius,
-                  double tolerance) {
+                  double tolerance, bool doubted) {
     const auto& option = result.option(id);
     const auto& weights = result.bob_weights[index(id)];
     const auto number = [&](const ResultField& field, double Option::*member) {
@@ -70,6 +70,14 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     number(key::constant, &Option::constant);
     number(key::slope, &Option::slope);
     number(key::maximum, &Option::maximum);
+    if (option && doubted) {
+        for (const ResultField* field :
+             {&key::required_reduction, &key::reduction, &feasible, &key::residual_mass,
+              &key::residual_unbalance, &key::bob_weight_sum, &key::with_plugs_in}) {
+            visitor.nothing(*field);
+        }
+        return;
+    }
     number(key::required_reduction, &Option::required_reduction);
     number(key::reduction, &Option::reduction);
     visitor.flag(feasible, option && option->feasible);
@@ -198,6 +206,22 @@ std::string_view recommended_word(const Advice& advice) {
                                                     : "";
 }
 
+void visit_advice(ResultVisitor& visitor, const Input& input, const Result& result) {
+    const std::string_view recommended = recommended_word(*result.advice);
+    visitor.word(key::recommended, recommended);
+    if (visitor.wants(reason.key)) {
+        visitor.text(reason, advice_text(input, result));
+    }
+    // Green, amber or red: works; works by the method's count only; does not.
+    const ShiftEffect* shift = result.shift_that_matters();
+    visitor.word(key::state, recommended.empty() ? "fails"
+                             : shift != nullptr  ? "warning"
+                                                 : "works");
+    if (shift != nullptr) {
+        visitor.text(key::warning, describe(*shift, input.tolerance));
+    }
+}
+
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
@@ -207,7 +231,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     visit_plugs(visitor, input, result);
 }
 
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result, bool doubted) {
     RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass && result.advice,
                     "what is written is the result of a whole input");
     const PlugSet& plugs = *result.plugs;
@@ -230,24 +254,18 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     visitor.object(key::options, [&] {
         for (const OptionId id : all_options) {
             visitor.object({.key = option_word(id).word, .label = option_word(id).label}, [&] {
-                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance);
+                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance, doubted);
             });
         }
     });
-    const std::string_view recommended = recommended_word(*result.advice);
-    visitor.word(key::recommended, recommended);
-    if (visitor.wants(reason.key)) {
-        visitor.text(reason, advice_text(input, result));
+    if (doubted) {
+        for (const ResultField* field : {&key::recommended, &reason, &key::state, &key::warning}) {
+            visitor.nothing(*field);
+        }
+    } else {
+        visit_advice(visitor, input, result);
     }
-    // Green, amber or red: works; works by the method's count only; does not.
-    const ShiftEffect* shift = result.shift_that_matters();
-    visitor.word(key::state, recommended.empty() ? "fails"
-                             : shift != nullptr  ? "warning"
-                                                 : "works");
-    if (shift != nullptr) {
-        visitor.text(key::warning, describe(*shift, input.tolerance));
-    }
-    if (result.nominal && result.before) {
+    if (result.nominal && result.before && !doubted) {
         visitor.object(key::bob_weight, [&] {
             visit_bob_weight(visitor, key::nominal, *result.nominal);
             visit_bob_weight(visitor, key::before, *result.before);

@@ -14,7 +14,9 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 void visit_results(ResultVisitor& visitor, const Input& input);
 
 /// The same of a workshop's job, without its verdict.
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
+/// @param doubted  the masses are: what is to be done with the plugs is null
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
+                 bool doubted = false);
 
 /// Whether the plugs can compensate, and what the machine reads.
 Verdict verdict(const Input& input, const Result& result);

@@ -33,26 +33,21 @@ std::vector<Message> words_of(const Withheld& blocks) {
 }
 
 /// Without what the doubts block.
-v8_plugs::Result without(v8_plugs::Result plugs, const Withheld& withheld) {
-    if (withheld.bob_weight) {
-        plugs.nominal.reset();
-        plugs.before.reset();
-        plugs.bob_weights = {};
-    }
+void visit_undoubted(ResultVisitor& visitor, const Input& input, v8_plugs::Result plugs,
+                     const Withheld& withheld) {
     if (withheld.verdict) {
         for (v8_plugs::PlaneVerdict& plane : plugs.planes) {
             plane.passes.reset();
         }
     }
-    return plugs;
+    v8_plugs::visit_plugs(visitor, *whole_plugs(input), plugs, withheld.bob_weight);
 }
 
 /// Whatever is doubted.
 Verdict undoubted(const Input& input, const Result& result) {
     Verdict verdict = bob_weights::verdict(input, result.shaft);
     if (result.plugs) {
-        const Verdict plugs =
-            v8_plugs::verdict_of_plugs(*whole_plugs(with_heavy_spots(input)), *result.plugs);
+        const Verdict plugs = v8_plugs::verdict_of_plugs(*whole_plugs(input), *result.plugs);
         verdict.text = {Text{"", "%1 %2"}, verdict.text, plugs.text};
         if (plugs.severity == Severity::error) {
             verdict.severity = Severity::error;
@@ -98,16 +93,19 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     });
     visit_job(visitor, input, result.shaft, withheld);
     if (result.plugs) {
-        visitor.object(key::plugs, [&] {
-            v8_plugs::visit_plugs(visitor, *whole_plugs(with_heavy_spots(input)),
-                                  without(*result.plugs, withheld));
-        });
+        visitor.object(key::plugs,
+                       [&] { visit_undoubted(visitor, input, *result.plugs, withheld); });
     }
     visitor.object_or_null(key::doubtful, withheld.any(), [&] {
         if (withheld.verdict) {
             visit_verdict(visitor, undoubted(input, result));
         }
         visit_withheld(visitor, input, result.shaft, withheld);
+        if (result.plugs && withheld.bob_weight) {
+            visitor.object(key::plugs, [&] {
+                v8_plugs::visit_plugs(visitor, *whole_plugs(input), *result.plugs);
+            });
+        }
     });
 }
 

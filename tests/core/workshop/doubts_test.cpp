@@ -217,6 +217,23 @@ void expect_no_pass(const Json& value, const std::string& where) {
     }
 }
 
+/// Nothing that would have a plug machined or left.
+void expect_no_plug(const Json& plugs) {
+    for (const char* key : {"recommended", "reason", "state", "warning"}) {
+        EXPECT_TRUE(plugs.at(key).is_null()) << key;
+    }
+    EXPECT_FALSE(plugs.contains("bobweight"));
+    for (const Json& option : plugs.at("options")) {
+        for (const char* key : {"reduction_g", "required_reduction_g", "feasible", "bobweight_g",
+                                "residual_mass_g", "residual_unbalance_g_mm"}) {
+            EXPECT_TRUE(option.at(key).is_null()) << key;
+        }
+        for (const char* key : {"bobweight", "boring", "shift_effect", "plug_mass_g", "reason"}) {
+            EXPECT_FALSE(option.contains(key)) << key;
+        }
+    }
+}
+
 class EveryDoubt : public testing::TestWithParam<DoubtRule> {};
 
 TEST_P(EveryDoubt, BlocksWhatItNames) {
@@ -239,6 +256,9 @@ TEST_P(EveryDoubt, BlocksWhatItNames) {
         EXPECT_TRUE(result.at("doubtful").is_null()) << doubts.dump(1);
         EXPECT_TRUE(result.at("bobweight_g").is_number());
         EXPECT_TRUE(planes[0].at("holes").is_array());
+        if (result.contains("plugs")) {
+            EXPECT_TRUE(result.at("plugs").at("state").is_string());
+        }
         if (rule.severity == Severity::warning) {
             EXPECT_NE(result.at("verdict").at("text").get<std::string>().find(
                           found->at("text").get<std::string>()),
@@ -255,11 +275,8 @@ TEST_P(EveryDoubt, BlocksWhatItNames) {
         EXPECT_TRUE(result.at("lines").is_null());
         EXPECT_TRUE(doubtful.at("bobweight_g").is_number());
         if (result.contains("plugs")) {
-            for (const Json& option : result.at("plugs").at("options")) {
-                EXPECT_TRUE(option.at("bobweight_g").is_null());
-                EXPECT_FALSE(option.contains("bobweight"));
-            }
-            EXPECT_FALSE(result.at("plugs").contains("bobweight"));
+            expect_no_plug(result.at("plugs"));
+            EXPECT_TRUE(doubtful.at("plugs").at("state").is_string());
         }
     }
     for (std::size_t i = 0; i < 2; ++i) {
@@ -284,6 +301,22 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryDoubt,
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+TEST(Doubts, OfAPistonLeaveNoPlugToBore) {
+    Json input = plugs_card();
+    input["plugs"]["plug"]["cutter_diameter_mm"] = 14;
+    input["plugs"].erase("mass_changes_g");
+    input["plugs"]["mass_changes_from"] = "weigh-in";
+    input["weigh_in"]["piston"] = {{"nominal_g", 560}, {"mass_g", eight(562)}};
+    const Json sound = solved(input).at("plugs");
+    EXPECT_EQ(sound.at("state"), "works");
+    input["weigh_in"]["piston"]["mass_g"][3] = 650;
+    const Json result = solved(input);
+    expect_no_plug(result.at("plugs"));
+    const Json& doubtful = result.at("doubtful").at("plugs");
+    EXPECT_TRUE(doubtful.at("state").is_string());
+    EXPECT_EQ(doubtful.at("options").size(), sound.at("options").size());
+}
 
 TEST(Doubts, AreNoneWhereNothingIsOdd) {
     for (const Json& input : {card(), weighed_card(), plugs_card()}) {
