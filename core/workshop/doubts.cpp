@@ -40,8 +40,11 @@ Message at_angle(double unbalance, double angle) {
             Number{angle / units::degree, units::degree, -1}};
 }
 
-Text plane_name(std::size_t plane) {
-    return plane == 0 ? CORE_TEXT("v8-plugs", "Front plane") : CORE_TEXT("v8-plugs", "Rear plane");
+Message plane_name(const DoubtCase& job, std::size_t plane) {
+    const std::string& name = job.input.machine.planes.at(plane);
+    return !name.empty() ? Message(name)
+           : plane == 0  ? CORE_TEXT("v8-plugs", "Front plane")
+                         : CORE_TEXT("v8-plugs", "Rear plane");
 }
 
 bool differ(double a, double b, double times) {
@@ -316,7 +319,7 @@ Messages drilled_otherwise(const DoubtCase& job) {
                     : CORE_TEXT("workshop",
                                 "%1: the drilling has left %2 instead of %3. Enter what was really "
                                 "drilled: angle, depth, zero and direction of counting."),
-                plane_name(i), at_angle(now.unbalance, now.angle),
+                plane_name(job, i), at_angle(now.unbalance, now.angle),
                 at_angle(other->expected, other->expected_angle));
         }
     }
@@ -339,9 +342,6 @@ Messages other_crankshaft(const DoubtCase& job) {
     return other_readings(job, true);
 }
 
-bool is_by_grade(const DoubtCase& job) {
-    return job.input.tolerance && job.input.tolerance->by_grade;
-}
 /// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
 Messages beside_planes(const DoubtCase& job) {
     const auto& correction = job.input.correction;
@@ -357,6 +357,9 @@ Messages beside_planes(const DoubtCase& job) {
                        "readings.")}};
 }
 
+bool is_by_grade(const DoubtCase& job) {
+    return job.input.tolerance && job.input.tolerance->by_grade;
+}
 
 /// A crankshaft weighs more than the weights on it, and not a hundred times as much.
 Messages rotor_mass(const DoubtCase& job) {
@@ -425,7 +428,7 @@ Messages plane_radius(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 does not go with a crank "
                                         "radius of %3. Enter the radius, not the diameter."),
-                              plane_name(i), millimetres(*radius), millimetres(*crank));
+                              plane_name(job, i), millimetres(*radius), millimetres(*crank));
         }
     }
     return list;
@@ -450,7 +453,7 @@ Messages beyond_sector(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: the edge of a hole reaches %2 beyond the sector that "
                                         "may be drilled. Check that there is metal enough."),
-                              plane_name(i), Number{beyond / units::mm, units::mm, -2});
+                              plane_name(job, i), Number{beyond / units::mm, units::mm, -2});
         }
     }
     return list;
@@ -463,7 +466,7 @@ Messages all_round(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: no sector is given; holes may lie anywhere on the "
                                         "rim. Enter the sector of the counterweight."),
-                              plane_name(i));
+                              plane_name(job, i));
         }
     }
     return list;
@@ -479,10 +482,10 @@ std::span<const DoubtRule> doubt_rules() {
     constexpr bob_weights::Withheld all{true, true, true};
     constexpr bob_weights::Withheld holes{false, true, false};
     constexpr bob_weights::Withheld judged{false, true, true};
+    constexpr bob_weights::Withheld verdict_alone{false, false, true};
     constexpr bob_weights::Withheld nothing{};
     static constexpr DoubtRule rules[] = {
         {Kind::swapped_ends, "swapped-ends", error, all, swap_ends_act, swapped_ends},
-    constexpr bob_weights::Withheld verdict_alone{false, false, true};
         {Kind::kilograms, "kilograms", error, all, "", kilograms},
         {Kind::odd_mass, "odd-mass", error, all, "", odd_mass},
         {Kind::typed_against_weighed, "typed-against-weighed", error, all, "",
@@ -493,10 +496,10 @@ std::span<const DoubtRule> doubt_rules() {
         {Kind::plug_mass, "plug-mass", error, all, "", plug_mass},
         {Kind::other_crankshaft, "other-crankshaft", error, judged, "", other_crankshaft},
         {Kind::other_bob_weight, "other-bob-weight", error, judged, "", other_bob_weight},
+        {Kind::beside_planes, "beside-planes", error, verdict_alone, "", beside_planes},
         {Kind::rotor_mass, "rotor-mass", error, judged, "", rotor_mass},
         {Kind::service_speed, "service-speed", error, judged, "", service_speed},
         {Kind::bearings, "bearings", error, judged, "", bearings},
-        {Kind::beside_planes, "beside-planes", error, verdict_alone, "", beside_planes},
         {Kind::drilled_otherwise, "drilled-otherwise", error, holes, drilled_act,
          drilled_otherwise},
         {Kind::plane_radius, "plane-radius", error, holes, "", plane_radius},

@@ -318,6 +318,17 @@ TEST(Doubts, OfAPistonLeaveNoPlugToBore) {
     EXPECT_EQ(doubtful.at("options").size(), sound.at("options").size());
 }
 
+TEST(Doubts, NameThePlanesAsTheMachineDoes) {
+    Json input = card();
+    Json& plane = input["correction"]["planes"][0];
+    plane.erase("from_deg");
+    plane.erase("to_deg");
+    const auto text = [&] { return solved(input).at("doubts")[0].at("text").get<std::string>(); };
+    EXPECT_TRUE(text().starts_with("Front plane: no sector"));
+    input["machine"]["planes"] = {"Left", "Right"};
+    EXPECT_TRUE(text().starts_with("Left: no sector"));
+}
+
 TEST(Doubts, AreNoneWhereNothingIsOdd) {
     for (const Json& input : {card(), weighed_card(), plugs_card()}) {
         const Json result = solved(input);
