@@ -589,7 +589,6 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
             return Cut{radius, drill.density, point_angle, std::nullopt,
                        is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
         };
-        // What the hole alone took off, by its sizes.
         const bool is_measured = hole.state == HoleState::measured;
         const bool is_opposite = hole.state == HoleState::wrong_side;
         const double angle = turn_of(hole.angle + (is_opposite ? pi : 0.0));
@@ -602,6 +601,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
                                 return are_one_hole(each, made, radius);
                             }));
         made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
+        // What the hole alone took off, by its sizes.
         const Cut cut = cut_with(drill.point_angle);
         Removed removed = cut.removed(hole.diameter, hole.depth);
         if (made.from_depth > 0.0) {
@@ -892,9 +892,10 @@ std::optional<std::array<double, 2>> plane_limits(
 
 namespace {
 
-/// @param known  the bob weight, where it does not follow from the masses of the parts
+/// @param known     the bob weight, where it does not follow from the masses of the parts
+/// @param by_parts  false: without that it is not known at all
 Result solve(const Input& input, Format format, const std::optional<KnownWeight>& known,
-             bool places_parts) {
+             bool by_parts, bool places_parts) {
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
@@ -906,10 +907,10 @@ Result solve(const Input& input, Format format, const std::optional<KnownWeight>
         result.bob_weight = known->sum;
         result.first_order = first_order(input.engine, factor, known->reciprocating);
         result.first_order_bare = first_order(input.engine, 0.0, known->reciprocating);
-    } else {
+    } else if (by_parts) {
         solve_bob_weight(input, factor, result);
     }
-    solve_weigh_in(input, factor, places_parts && !known, result);
+    solve_weigh_in(input, factor, places_parts && by_parts, result);
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;
@@ -940,11 +941,15 @@ Result solve(const Input& given, bool places_parts) {
             input.correction->slug->direction = SlugDirection::radial;
         }
     }
-    return solve(input, Format::bob_weights, std::nullopt, places_parts);
+    return solve(input, Format::bob_weights, std::nullopt, true, places_parts);
 }
 
-Result solve_job(const Input& given, const std::optional<KnownWeight>& known, bool places_parts) {
-    return solve(fitted(given), Format::workshop, known, places_parts);
+Result solve_job(const Input& given, bool places_parts) {
+    return solve(fitted(given), Format::workshop, std::nullopt, true, places_parts);
+}
+
+Result solve_job_with_weight(const Input& given, const std::optional<KnownWeight>& known) {
+    return solve(fitted(given), Format::workshop, known, false, false);
 }
 
 }  // namespace ravnoves::bob_weights

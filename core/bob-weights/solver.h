@@ -11,9 +11,10 @@ Result solve(const Input& given, bool places_parts = true);
 
 /// The same of a workshop's job: holes that are there are deepened first, aim, smallest depth and
 /// direction of slugs are those of the input, and nothing is drilled that no record tells of.
-/// @param known  the bob weight, where it does not follow from the masses of the parts
-Result solve_job(const Input& given, const std::optional<KnownWeight>& known,
-                 bool places_parts = true);
+Result solve_job(const Input& given, bool places_parts = true);
+/// The same where the bob weight does not follow from the masses of the parts.
+/// @param known  nothing while it is not known
+Result solve_job_with_weight(const Input& given, const std::optional<KnownWeight>& known);
 
 /// Whether the machine reads in the planes, as far as it is known where both are.
 bool reads_in_planes(const Correction& correction);

@@ -28,12 +28,12 @@ using shop::SetNumbers;
 
 /// Of eight cylinders.
 struct WeighIn : shop::WeighIn {
-    WeighIn() {
+    WeighIn() : WeighIn(shop::WeighIn()) {}
+    explicit WeighIn(shop::WeighIn sheet) : shop::WeighIn(std::move(sheet)) {
         for (PartColumn& column : columns) {
             column.mass.resize(cylinder_count);
         }
     }
-    explicit WeighIn(shop::WeighIn sheet) : shop::WeighIn(std::move(sheet)) {}
 
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };

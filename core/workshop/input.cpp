@@ -65,7 +65,7 @@ void check_plugs(const Input& input) {
     } catch (const InputError& error) {
         constexpr std::string_view root = "/input/";
         const std::string where = error.where();
-        const bool is_of_job = where.starts_with("/input/weigh_in/") || !where.starts_with(root);
+        const bool is_of_job = where.starts_with("/input/weigh_in") || !where.starts_with(root);
         throw InputError(is_of_job ? where : "/input/plugs/" + where.substr(root.size()),
                          error.allowed_message(), error.found_message());
     }

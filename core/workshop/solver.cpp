@@ -55,7 +55,8 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
         result.plugs = v8_plugs::solve(*plugs, changes_known, places_parts);
         known = weight_of(*plugs, *result.plugs);
     }
-    result.shaft = bob_weights::solve_job(input, known, places_parts && !plugs);
+    result.shaft = plugs ? bob_weights::solve_job_with_weight(input, known)
+                         : bob_weights::solve_job(input, places_parts);
     if (known && result.plugs->assignment) {
         result.shaft.placing = result.plugs->assignment;
         result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);

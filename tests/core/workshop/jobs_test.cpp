@@ -278,6 +278,37 @@ TEST(Job, AsksForTheReadingOfTheOtherPlane) {
     EXPECT_EQ(said(), "Enter what may remain for a verdict.");
 }
 
+TEST(Job, OfASheetHalfFilledHangsNothingWithoutThePlugs) {
+    Json input = plugs_card();
+    input["plugs"]["engine"].erase("plug_radius_mm");
+    for (const char* part : {"piston", "rod_big_end"}) {
+        input["weigh_in"][part] = {{"nominal_g", 560}, {"mass_g", std::vector<double>(8, 562.0)}};
+    }
+    const Input half = read_input(input, Completeness::as_is);
+    const Result result = solve(half);
+    EXPECT_FALSE(result.shaft.bob_weight);
+    EXPECT_TRUE(result.shaft.lines.empty());
+    EXPECT_EQ(verdict(half, result).text.english(),
+              "Enter the missing values of engine and parts.");
+}
+
+TEST(Job, OfASheetHalfFilledHasAsManyRowsAsThePlugsNeed) {
+    Json input = plugs_card();
+    input["plugs"].erase("mass_changes_g");
+    input["plugs"]["mass_changes_from"] = "weigh-in";
+    for (const int cylinders : {6, 8, 10}) {
+        Json other = input;
+        other["engine"]["cylinders"] = cylinders;
+        other["weigh_in"]["piston"] = {
+            {"nominal_g", 560},
+            {"mass_g", std::vector<double>(static_cast<std::size_t>(cylinders), 562.0)}};
+        const Input half = read_input(other, Completeness::as_is);
+        const auto whole = whole_plugs(half);
+        EXPECT_EQ(whole->weigh_in->columns[0].mass.size(), 8U);
+        EXPECT_EQ(solve(half).plugs->assignment.has_value(), cylinders >= 8) << cylinders;
+    }
+}
+
 TEST(Job, OfASheetHalfFilledSkipsADeepeningToLess) {
     Json input = card();
     input["correction"]["earlier_runs"] = parse_json(R"([{
@@ -328,6 +359,11 @@ TEST(Job, RefusesWhatDoesNotGoTogether) {
     EXPECT_TRUE(with("/plugs/balancing", Json::object())
                     .starts_with("/input/plugs/balancing: is not a known key"));
     EXPECT_TRUE(with("/plugs/weigh_in", Json::object()).starts_with("/input/plugs/weigh_in: "));
+    Json unweighed = plugs_card();
+    unweighed["plugs"].erase("mass_changes_g");
+    unweighed["plugs"]["mass_changes_from"] = "weigh-in";
+    EXPECT_EQ(error_of(unweighed),
+              "/input/weigh_in: is required where mass_changes_from is \"weigh-in\"");
     EXPECT_TRUE(with("/machine/planes", {"left"}).starts_with("/input/machine/planes: must be"));
     EXPECT_TRUE(
         with("/correction/earlier_runs", Json::array({{{"readings", {{{"angle_deg", 1}}}}}}))
