@@ -10,6 +10,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "synthetic_engine.h"
+#include "temporary_folder.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -234,22 +235,20 @@ TEST(TableReading, ProposesWhatANumberLooksLike) {
 }
 
 TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("ravnoves-columns-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
+    const ravnoves::test::TemporaryFolder folder;
     const SyntheticEngine engine = test::synthetic_engines()[0];
-    write_text_file(folder / "p.csv", file_as(engine, {.columns = 13,
-                                                       .angle = 4,
-                                                       .pressure = 7,
-                                                       .unit = units::MPa,
-                                                       .gauge = true,
-                                                       .is_named = false,
-                                                       .cycles = 3}));
+    write_text_file(folder.path() / "p.csv", file_as(engine, {.columns = 13,
+                                                              .angle = 4,
+                                                              .pressure = 7,
+                                                              .unit = units::MPa,
+                                                              .gauge = true,
+                                                              .is_named = false,
+                                                              .cycles = 3}));
     Json json = write_input(test::diesel());
     json["torque"] = {
         {"pressure",
          {{"csv", "p.csv"}, {"columns", {5, "cyl1"}}, {"unit", "MPa"}, {"gauge", true}}}};
-    const CaseContext context{folder};
+    const CaseContext context{folder.path()};
     const Input input = read_input(json, context);
     EXPECT_EQ(input.torque.trace.pressure.size(), 721U);
     EXPECT_NEAR(work_of(engine, input.torque.trace), work_of(engine, exact_trace(engine, 1.0)),
@@ -275,7 +274,6 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
                                            "\"psi\", \"mbar\", \"Pa\", got \"mmHg\"");
     EXPECT_EQ(refusal("gauge", 1), place + "gauge: must be true or false, got 1");
     EXPECT_NE(refusal("gauge", nullptr), "no error");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(TableReading, CyclesOfATwoStrokeAreToldByTheirValues) {
