@@ -361,6 +361,11 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
     for (std::size_t i = 0; i < 2; ++i) {
         rows.column[i] = takes_all ? i : named_column(columns[i], rows.view);
     }
+    if (rows.column[1] == row_number) {
+        throw InputError("",
+                         CORE_TEXT("core", "must have a column of values: columns count from 1"),
+                         Number{0.0});
+    }
     const bool counts = rows.column[0] == row_number;
     const std::size_t needed =
         (counts ? rows.column[1] : std::max(rows.column[0], rows.column[1])) + 1;

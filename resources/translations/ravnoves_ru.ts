@@ -5870,6 +5870,10 @@
         <source>must have a column with the heading %1</source>
         <translation>должен быть столбец с заголовком %1</translation>
     </message>
+    <message>
+        <source>must have a column of values: columns count from 1</source>
+        <translation>должен быть столбец значений: столбцы считаются с 1</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/table_reading.h"
@@ -27,6 +28,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         balance_shaft::check_pressure_trace(trace, "");
     } catch (const InputError&) {
         // refused in words
+    }
+    // As a case names the columns.
+    for (const auto& [angle, value] :
+         {std::pair("1", "0"), std::pair("0", "1"), std::pair("2", "1")}) {
+        balance_shaft::TableReading reading;
+        reading.columns = {angle, value};
+        try {
+            const auto table = balance_shaft::parse_torque_table(text, reading).table;
+            balance_shaft::check_torque_table(table, "");
+        } catch (const InputError&) {
+            // refused in words
+        }
     }
     for (const auto what : {balance_shaft::Measured::torque, balance_shaft::Measured::pressure}) {
         try {

@@ -267,6 +267,9 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
                   "of the value, got [1]");
     EXPECT_EQ(refusal("columns", {5, 14}),
               place + "csv: p.csv: line 2: must hold at least 14 columns, got 13 columns");
+    EXPECT_EQ(refusal("columns", {"1", "0"}),
+              place + "csv: p.csv: must have a column of values: columns count from 1, got 0");
+    EXPECT_EQ(refusal("columns", {"0", "0"}), refusal("columns", {"1", "0"}));
     EXPECT_EQ(refusal("columns", {"CA", 8}),
               place + "csv: p.csv: must have a column with the heading \"CA\"");
     EXPECT_EQ(refusal("unit", "mmHg"), place +
@@ -300,6 +303,16 @@ TEST(TableReading, CyclesOfATwoStrokeAreToldByTheirValues) {
 TEST(TableReading, ATraceReadsBackAsItIsWritten) {
     const auto read = parse_pressure_trace("deg;bar\n0;1\n180;1.5\n360;60\n540;3\n720;1\n");
     EXPECT_EQ(parse_pressure_trace(write_pressure_trace(read.trace)).trace, read.trace);
+}
+
+TEST(TableReading, TheColumnOfValuesCountsFromOne) {
+    TableReading reading;
+    for (const char* angle : {"0", "1"}) {
+        reading.columns = {angle, "0"};
+        const auto proposal = propose_reading("0;1\n360;2\n720;1\n", Measured::torque, reading);
+        ASSERT_EQ(proposal.doubts.size(), 1U);
+        EXPECT_NE(proposal.doubts[0].english().find("columns count from 1"), std::string::npos);
+    }
 }
 
 }  // namespace
