@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <vector>
@@ -259,6 +260,9 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
             highest = &bin;
         }
     }
+    if (highest == nullptr) {
+        return std::nullopt;  // no degree of that cycle has rows
+    }
     const double peak_deg = highest->angle_deg;
     const double peak = highest->pressure;
     constexpr double line_begin = 105.0;  // before the peak, at most
@@ -281,10 +285,15 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     // Later, where the intake shuts late.
     constexpr double first_end = 50.0;
     constexpr double usual_lateness = 8.0;  // of the peak
+    constexpr double latest = 78.0;
+    constexpr std::size_t fewest_of_line = 6;
+    if (line.rows(peak_deg - latest, peak_deg - first_end) < fewest_of_line) {
+        return std::nullopt;
+    }
     double from = peak_deg - line_begin;
     CompressionLine::Fit fit =
         line.fit(from, peak_deg - first_end, peak_deg - usual_lateness, 20.0);
-    for (const double later : {90.0, 78.0}) {
+    for (const double later : {90.0, latest}) {
         if (fit.cost < 2.0 * static_cast<double>(fit.rows)) {
             break;
         }

@@ -111,5 +111,29 @@ TEST(DeadCentre, IsNoneWithoutACompression) {
     EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, coarse));
 }
 
+TEST(DeadCentre, IsNoneWhereTheLineHasNoRows) {
+    const SyntheticEngine engine = test::synthetic_engines()[0];
+    constexpr double step = 0.5;
+    const auto pressure = engine.pressure(step);
+    // Rows about the peak alone.
+    PressureTrace gap{{0.0}, {pressure[0]}};
+    for (std::size_t i = 640; i < 800; ++i) {
+        gap.crank_angle_deg.push_back(step * static_cast<double>(i));
+        gap.pressure.push_back(pressure[i]);
+    }
+    gap.crank_angle_deg.push_back(720.0);
+    gap.pressure.push_back(pressure[0]);
+    EXPECT_FALSE(find_dead_centre(engine.crank, gap));
+    // All but the last within a degree.
+    PressureTrace point;
+    for (int i = 0; i < 100; ++i) {
+        point.crank_angle_deg.push_back(0.009 * i);
+        point.pressure.push_back(1e5);
+    }
+    point.crank_angle_deg.push_back(720.0);
+    point.pressure.push_back(1e5);
+    EXPECT_FALSE(find_dead_centre(engine.crank, point));
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
