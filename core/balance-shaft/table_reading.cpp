@@ -177,6 +177,8 @@ namespace {
 
 // ------------------------------------------------------------------------- rows of several cycles
 
+constexpr std::size_t fewest_rows = 3;
+
 /// Rows whose angles go on over all turns.
 struct Series {
     std::vector<double> angle;  ///< °
@@ -302,6 +304,14 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
     }
 }
 
+void check_rows(std::size_t rows, const Column& column) {
+    if (rows < fewest_rows) {
+        throw InputError(
+            "", {CORE_TEXT("balance-shaft", "the %1 table must have at least 3 rows"), column.name},
+            Number{static_cast<double>(rows)});
+    }
+}
+
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle in degrees.
 Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const Column& column = column_of(what);
@@ -317,11 +327,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     format.unit_named = named.has_value() || what == Measured::torque;
     format.gauge =
         what == Measured::pressure && reading.gauge.value_or(names_gauge_pressure(rows.heading(1)));
-    if (rows.first.size() < 3) {
-        throw InputError(
-            "", {CORE_TEXT("balance-shaft", "the %1 table must have at least 3 rows"), column.name},
-            Number{static_cast<double>(rows.first.size())});
-    }
+    check_rows(rows.first.size(), column);
     convert(rows, column, reading, format, rows.second);
     if (rows.column[0] == row_number) {  // equal steps over one cycle
         const double step =
@@ -349,6 +355,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     }
     Series& series = cycle.rows;
     series = unrolled(rows.first, std::move(rows.second));
+    check_rows(series.angle.size(), column);
     check_ascending(series.angle, [&](std::size_t i) { return rows.place(series.row[i], 0); });
 
     constexpr double cycle_deg = 2.0 * turn_deg;
@@ -358,9 +365,9 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const bool is_closed = is_cycle(span, false);
     double period = near(is_closed ? span : whole, turn_deg) ? turn_deg : cycle_deg;
     // Of fewer rows it is no curve: the unit of the angles is another.
-    constexpr double fewest_rows = 6.0;
+    constexpr double fewest_of_curve = 6.0;
     const bool is_dense =
-        static_cast<double>(series.angle.size()) * cycle_deg >= fewest_rows * span;
+        static_cast<double>(series.angle.size()) * cycle_deg >= fewest_of_curve * span;
     if ((span > cycle_deg * 1.001 && is_dense && (may_be_open || whole > 1.99 * cycle_deg)) ||
         (period == cycle_deg && is_cycle(is_closed ? span : whole, false) && reading.strokes == 2 &&
          repeats_each_turn(series))) {
@@ -463,17 +470,19 @@ ColumnLook look_at_column(const std::vector<double>& cells) {
             values.push_back(cell);
         }
     }
-    if (values.size() < 3) {
+    if (values.size() < fewest_rows) {
         return look;
     }
     look.numbers = static_cast<double>(values.size()) / static_cast<double>(cells.size());
     const Series series = unrolled(values, std::vector<double>(values));
-    std::size_t up = 0;
-    for (std::size_t i = 1; i < series.angle.size(); ++i) {
-        up += series.angle[i] > series.angle[i - 1] ? 1 : 0;
+    if (series.angle.size() >= fewest_rows) {
+        std::size_t up = 0;
+        for (std::size_t i = 1; i < series.angle.size(); ++i) {
+            up += series.angle[i] > series.angle[i - 1] ? 1 : 0;
+        }
+        look.ascending = static_cast<double>(up) / static_cast<double>(series.angle.size() - 1);
+        look.span_deg = series.span() + series.last_step();
     }
-    look.ascending = static_cast<double>(up) / static_cast<double>(series.angle.size() - 1);
-    look.span_deg = series.span() + series.last_step();
     std::sort(values.begin(), values.end());
     look.lowest = values.front();
     look.low = values[values.size() / 5];
@@ -575,7 +584,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
     for (const std::vector<double>& column : cells) {
         looks.push_back(look_at_column(column));
     }
-    if (looks.empty() || cells.front().size() < 3 || looks.front().numbers == 0.0) {
+    if (looks.empty() || cells.front().size() < fewest_rows || looks.front().numbers == 0.0) {
         throw InputError("", CORE_TEXT("balance-shaft", "must hold rows of numbers"));
     }
     const auto heading = [&](std::size_t column) {

@@ -315,5 +315,21 @@ TEST(TableReading, TheColumnOfValuesCountsFromOne) {
     }
 }
 
+// A row that repeats the instant before is none: what is left may be no table.
+TEST(TableReading, RowsAreCountedWithoutThoseThatRepeat) {
+    const std::string text = "deg,bar\n0,1\n-360,2\n-720,1\n";
+    EXPECT_EQ(test::error_of([&] { parse_torque_table(text); }),
+              "the torque table must have at least 3 rows, got 1");
+    EXPECT_EQ(test::error_of([&] { parse_pressure_trace(text); }),
+              "the pressure table must have at least 3 rows, got 1");
+    for (const Measured what : {Measured::torque, Measured::pressure}) {
+        const auto proposal = propose_reading(text, what);
+        ASSERT_FALSE(proposal.doubts.empty());
+        // Nor is it a column of angles.
+        EXPECT_EQ(proposal.doubts.front().english(),
+                  "No column is certain to be the crank angle; column 1 is proposed.");
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
