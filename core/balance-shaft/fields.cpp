@@ -125,19 +125,35 @@ struct ColumnsValue final : FieldVisitor::Custom {
     TableReading& reading;
 };
 
+/// As who has no dot on the keyboard writes it: "kNm" for kN·m.
+std::string without_dots(std::string_view unit) {
+    constexpr std::string_view dot = "·";
+    std::string text(unit);
+    for (std::size_t at = text.find(dot); at != std::string::npos; at = text.find(dot, at)) {
+        text.erase(at, dot.size());
+    }
+    return text;
+}
+
+/// The unit alone; what else may stand in a heading is none.
 struct UnitValue final : FieldVisitor::Custom {
     UnitValue(TableReading& it, Measured what) : reading(it), measured(what) {}
     void read(const Json& value, const std::string& pointer) override {
-        reading.unit = value.is_string() ? named_unit(measured, value.get_ref<const std::string&>())
-                                         : std::nullopt;
-        if (!reading.unit) {
+        const std::vector<Unit> units = units_of(measured);
+        const auto is_it = [&](const Unit& unit) {
+            return value.is_string() &&
+                   without_dots(value.get_ref<const std::string&>()) == without_dots(unit.name);
+        };
+        const auto found = std::find_if(units.begin(), units.end(), is_it);
+        if (found == units.end()) {
             std::vector<std::string> names;
-            for (const Unit& unit : units_of(measured)) {
+            for (const Unit& unit : units) {
                 names.emplace_back(unit.name);
             }
             throw InputError(pointer, {CORE_TEXT("core", "must be one of %1"), quoted_list(names)},
                              show(value));
         }
+        reading.unit = *found;
     }
     Json write() override { return reading.unit ? Json(std::string(reading.unit->name)) : Json(); }
     TableReading& reading;

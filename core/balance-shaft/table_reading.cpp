@@ -91,39 +91,49 @@ std::optional<Unit> named_pressure_unit(std::string_view text) {
     return std::nullopt;
 }
 
-/// "M (kN·m)", "torque, lb-ft".
+/// "M (kN·m)", "torque, lb-ft": whole words, for daN·m and MN·m end in N·m too.
 std::optional<Unit> named_torque_unit(std::string_view text) {
-    std::string word;  // without what stands between the parts of a unit
-    for (std::size_t at = 0; at <= text.size(); ++at) {
-        const char c = at < text.size() ? text[at] : ';';
-        constexpr std::string_view dot = "·";
-        if (text.substr(at, dot.size()) == dot) {
-            at += dot.size() - 1;
-        } else if (std::string_view(",;()[]\t\n\"").find(c) == std::string_view::npos) {
-            if (c != ' ' && c != '*' && c != '-' && c != '.') {
-                word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-            }
-        } else {
-            const auto ends = [&](std::initializer_list<std::string_view> names) {
-                return std::ranges::any_of(
-                    names, [&](std::string_view name) { return word.ends_with(name); });
-            };
-            if (ends({"knm", "кНм"})) {
-                return units::kN_m;
-            }
-            if (ends({"nm", "Нм"})) {
-                return units::N_m;
-            }
-            if (ends({"lbfft", "lbft", "ftlbf", "ftlb", "ftlbs"})) {
-                return units::lbf_ft;
-            }
-            if (ends({"lbfin", "lbin", "inlbf", "inlb", "inlbs"})) {
-                return units::lbf_in;
-            }
-            word.clear();
+    constexpr std::pair<std::string_view, Unit> names[] = {
+        {"nm", units::N_m},       {"Нм", units::N_m},       {"knm", units::kN_m},
+        {"кНм", units::kN_m},     {"lbfft", units::lbf_ft}, {"lbft", units::lbf_ft},
+        {"ftlbf", units::lbf_ft}, {"ftlb", units::lbf_ft},  {"ftlbs", units::lbf_ft},
+        {"lbfin", units::lbf_in}, {"lbin", units::lbf_in},  {"inlbf", units::lbf_in},
+        {"inlb", units::lbf_in},  {"inlbs", units::lbf_in}};
+    // What stands between the parts of a unit.
+    constexpr std::string_view joints[] = {"·", "⋅", "*", "-", ".", " ", "_"};
+    std::string joined;
+    std::vector<std::size_t> words{0};  // where they begin
+    for (std::size_t at = 0; at <= text.size();) {
+        const auto joint = std::ranges::find_if(
+            joints, [&](std::string_view each) { return text.substr(at).starts_with(each); });
+        if (joint != std::end(joints)) {
+            words.push_back(joined.size());
+            at += joint->size();
+            continue;
         }
+        const char c = at < text.size() ? text[at] : ';';
+        ++at;
+        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                               (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+        if (is_letter) {
+            joined += in_small_letters({&c, 1});
+            continue;
+        }
+        for (const std::size_t begin : words) {
+            const auto name = std::ranges::find(names, std::string_view(joined).substr(begin),
+                                                [](const auto& each) { return each.first; });
+            if (name != std::end(names) && c != '/') {
+                return name->second;
+            }
+        }
+        joined.clear();
+        words.assign(1, 0);
     }
     return std::nullopt;
+}
+
+std::optional<Unit> named_unit(Measured what, std::string_view text) {
+    return what == Measured::torque ? named_torque_unit(text) : named_pressure_unit(text);
 }
 
 }  // namespace
@@ -133,10 +143,6 @@ std::vector<Unit> units_of(Measured what) {
                ? std::vector{units::N_m, units::kN_m, units::lbf_ft, units::lbf_in}
                : std::vector{units::bar, units::kPa,  units::MPa,
                              units::psi, units::mbar, units::pascal};
-}
-
-std::optional<Unit> named_unit(Measured what, std::string_view text) {
-    return what == Measured::torque ? named_torque_unit(text) : named_pressure_unit(text);
 }
 
 Message TableFormat::describe() const {
@@ -162,8 +168,13 @@ Message TableFormat::describe() const {
                    : gauge     ? CORE_TEXT("balance-shaft", "gauge pressure in %1")
                                : CORE_TEXT("balance-shaft", "pressure in %1"),
                    name});
-    } else {
+    } else if (unit_named) {
         add(unit != units::N_m, {CORE_TEXT("balance-shaft", "torque in %1"), name});
+    } else {
+        add(header_lines > 0, {CORE_TEXT("balance-shaft",
+                                         "torque taken for %1, as the heading names no unit that "
+                                         "is known"),
+                               name});
     }
     add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
     add(cycles > 1, {CORE_TEXT("balance-shaft", "mean of %1 cycles"), cycles});
@@ -292,7 +303,7 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
                                                  "%1; is it gauge pressure? Then the case says "
                                                  "\"gauge\": true"),
                                        shown.message())
-                : format.unit_named || si < column.range.min
+                : format.unit_named || format.what == Measured::torque || si < column.range.min
                     ? shown.message()
                     : Message(CORE_TEXT("balance-shaft",
                                         "%1 in %2, which is taken where the heading names no unit; "
@@ -324,7 +335,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     format.header_lines = rows.view.header_lines;
     format.decimal_comma = rows.decimal_comma;
     format.unit = named.value_or(units_of(what).front());
-    format.unit_named = named.has_value() || what == Measured::torque;
+    format.unit_named = named.has_value();
     format.gauge =
         what == Measured::pressure && reading.gauge.value_or(names_gauge_pressure(rows.heading(1)));
     check_rows(rows.first.size(), column);

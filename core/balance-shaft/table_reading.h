@@ -35,8 +35,6 @@ struct TableReading {
 
 /// The units that a file may have, the usual one first.
 std::vector<Unit> units_of(Measured what);
-/// Of these the one that a text names, as a heading would: "p, kPa"; nothing where it names none.
-std::optional<Unit> named_unit(Measured what, std::string_view text);
 
 /// How a file of measured values was read, for the page to say.
 struct TableFormat {

@@ -3001,6 +3001,10 @@
         <translation>давление принято в единицах %1: заголовок не называет известной единицы</translation>
     </message>
     <message>
+        <source>torque taken for %1, as the heading names no unit that is known</source>
+        <translation>момент принят в единицах %1: заголовок не называет известной единицы</translation>
+    </message>
+    <message>
         <source>two-stroke</source>
         <translation>двухтактный</translation>
     </message>

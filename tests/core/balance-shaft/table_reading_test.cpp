@@ -331,5 +331,78 @@ TEST(TableReading, RowsAreCountedWithoutThoseThatRepeat) {
     }
 }
 
+TEST(TableReading, UnitsOfTorqueAreWholeWords) {
+    const struct {
+        const char* heading;
+        std::optional<Unit> unit;
+    } headings[] = {{"M (N·m)", units::N_m},
+                    {"torque Nm", units::N_m},
+                    {"torque_Nm", units::N_m},
+                    {"M / N⋅m", units::N_m},
+                    {"момент, Н·м", units::N_m},
+                    {"M [kNm]", units::kN_m},
+                    {"M kN*m", units::kN_m},
+                    {"момент (кН·м)", units::kN_m},
+                    {"torque, lb-ft", units::lbf_ft},
+                    {"torque (ft.lbs)", units::lbf_ft},
+                    {"torque lbf in", units::lbf_in},
+                    {"M (daN·m)", {}},
+                    {"M (daNm)", {}},
+                    {"M (mNm)", {}},
+                    {"M (MN·m)", {}},
+                    {"M (kgf·m)", {}},
+                    {"момент (кгс·м)", {}},
+                    {"момент (даН·м)", {}},
+                    {"c (Nm/rad)", {}},
+                    {"p (N/m)", {}},
+                    {"M", {}}};
+    for (const auto& [heading, unit] : headings) {
+        const std::string text = "deg;" + std::string(heading) + "\n0;1\n180;2\n720;1\n";
+        const auto read = parse_torque_table(text);
+        EXPECT_EQ(read.unit_named, unit.has_value()) << heading;
+        EXPECT_EQ(read.unit, unit.value_or(units::N_m)) << heading;
+        EXPECT_EQ(read.table.torque[0], unit.value_or(units::N_m).to_si) << heading;
+        EXPECT_EQ(read.describe().english().find("torque taken for N·m, as the heading names no "
+                                                 "unit that is known") == std::string::npos,
+                  unit.has_value())
+            << heading;
+    }
+    // Without words above the rows there is nothing to doubt.
+    EXPECT_EQ(parse_torque_table("0;1\n180;2\n720;1\n").describe().english(),
+              "3 rows, separated by semicolons, angles in degrees");
+}
+
+TEST(TableReading, ACaseNamesAUnitAndNothingBeside) {
+    const ravnoves::test::TemporaryFolder folder;
+    write_text_file(folder.path() / "t.csv", "0;1\n180;2\n720;1\n");
+    write_text_file(folder.path() / "p.csv", "0;1\n180;2\n360;40\n720;1\n");
+    const CaseContext context{folder.path()};
+    const auto read_with = [&](Measured what, const std::string& unit) {
+        Json json = write_input(test::diesel());
+        json["torque"] = what == Measured::torque
+                             ? Json{{"csv", "t.csv"}, {"unit", unit}}
+                             : Json{{"pressure", {{"csv", "p.csv"}, {"unit", unit}}}};
+        return read_input(json, context);
+    };
+    for (const Unit& unit : units_of(Measured::torque)) {
+        const Input input = read_with(Measured::torque, std::string(unit.name));
+        EXPECT_EQ(input.torque.table.torque[0], unit.to_si) << unit.name;
+    }
+    for (const Unit& unit : units_of(Measured::pressure)) {
+        const Input input = read_with(Measured::pressure, std::string(unit.name));
+        EXPECT_NEAR(input.torque.trace.pressure[0], unit.to_si, 1e-9 * unit.to_si) << unit.name;
+    }
+    EXPECT_EQ(read_with(Measured::torque, "kNm").torque.table.torque[0], 1000.0);
+    for (const char* unit : {"mNm", "daN·m", "MN·m", "kg pressure Nm", "N·m.", ""}) {
+        EXPECT_EQ(test::error_of([&] { read_with(Measured::torque, unit); }),
+                  "/input/torque/unit: must be one of \"N·m\", \"kN·m\", \"lbf·ft\", "
+                  "\"lbf·in\", got \"" +
+                      std::string(unit) + "\"");
+    }
+    EXPECT_NE(
+        test::error_of([&] { read_with(Measured::pressure, "kg pressure kPa"); }).find("one of"),
+        std::string::npos);
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft

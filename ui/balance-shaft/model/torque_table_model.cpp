@@ -311,9 +311,10 @@ void TorqueTableModel::removeRowRange(int first, int count) {
 
 QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
     balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text);
-    if (isShown && text.find("N·m") == std::string::npos && text.find("Nm") == std::string::npos) {
+    if (isShown && !read.unit_named) {
+        read.unit = shownAs(units::N_m);
         for (double& torque : read.table.torque) {
-            torque = torque * shownAs(units::N_m);
+            torque = torque * read.unit;
         }
     }
     // Read again from a file that has changed, it becomes the case's own.
