@@ -1,7 +1,6 @@
 #include "balance-shaft/scene.h"
 
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "balance-shaft/engine_torque.h"
@@ -47,13 +46,13 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
 }
 
 /// The strokes say how long a cycle of a file with more than one is.
-TableReading with_strokes(TableReading reading, std::optional<int> strokes) {
+TableReading with_strokes(TableReading reading, int strokes) {
     reading.strokes = strokes;
     return reading;
 }
 
 void read_table(TorqueSource& source, const std::string& place, const CaseContext& context,
-                std::optional<int> strokes) {
+                int strokes) {
     source.table =
         read_beside(source.csv, place, context, source.csv_sum, [&](const std::string& text) {
             return parse_torque_table(text, with_strokes(source.csv_reading, strokes)).table;
@@ -61,7 +60,7 @@ void read_table(TorqueSource& source, const std::string& place, const CaseContex
 }
 
 void read_trace(TorqueSource& source, const std::string& place, const CaseContext& context,
-                std::optional<int> strokes) {
+                int strokes) {
     source.trace = read_beside(
         source.trace_csv, place, context, source.trace_sum, [&](const std::string& text) {
             return parse_pressure_trace(text, with_strokes(source.trace_reading, strokes)).trace;
@@ -157,13 +156,13 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
                 source.csv = other.csv;
                 source.csv_sum = other.csv_sum;
                 source.csv_reading = other.csv_reading;
-                read_table(source, "/kept/torque/csv", context, std::nullopt);
+                read_table(source, "/kept/torque/csv", context, input.strokes);
             } else if (other.kind == Kind::pressure) {
                 source.trace_csv = other.trace_csv;
                 source.trace_sum = other.trace_sum;
                 source.trace_reading = other.trace_reading;
                 source.trace_shift = other.trace_shift;
-                read_trace(source, "/kept/torque/pressure/csv", context, std::nullopt);
+                read_trace(source, "/kept/torque/pressure/csv", context, input.strokes);
             } else if (other.kind == Kind::table) {
                 source.table = other.table;
             } else {

@@ -57,6 +57,29 @@ TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
     }
 }
 
+TEST(KeptTorque, OfATwoStrokeItComesBackAsOne) {
+    const ravnoves::test::TemporaryFolder folder;
+    const CaseContext context{folder.path()};
+    std::string trace = "deg;bar\n";
+    std::string table;
+    for (int angle = 0; angle <= 720; angle += 10) {
+        const bool is_high = angle % 360 > 160 && angle % 360 < 220;
+        trace += std::to_string(angle) + (is_high ? ";40\n" : ";1\n");
+        table += std::to_string(angle) + (is_high ? ";90\n" : ";-20\n");
+    }
+    write_text_file(folder.path() / "trace.csv", trace);
+    write_text_file(folder.path() / "table.csv", table);
+    for (const char* kept : {R"({"torque": {"pressure": {"csv": "trace.csv"}}})",
+                             R"({"torque": {"csv": "table.csv"}})"}) {
+        Input input = test::two_stroke();
+        read_kept(parse_json(kept), context, input);
+        const auto& angles = input.torque.csv.empty() ? input.torque.trace.crank_angle_deg
+                                                      : input.torque.table.crank_angle_deg;
+        ASSERT_EQ(angles.size(), 37U) << kept;
+        EXPECT_EQ(angles.back(), 360.0) << kept;
+    }
+}
+
 TEST(KeptTorque, NothingIsKeptWhereThereIsOneSource) {
     EXPECT_TRUE(write_kept(preset_tmz_650d()).is_null());
     EXPECT_TRUE(write_kept(test::diesel()).is_null());
