@@ -340,9 +340,12 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
         what == Measured::pressure && reading.gauge.value_or(names_gauge_pressure(rows.heading(1)));
     check_rows(rows.first.size(), column);
     convert(rows, column, reading, format, rows.second);
-    if (rows.column[0] == row_number) {  // equal steps over one cycle
-        const double step =
-            180.0 * reading.strokes.value_or(4) / static_cast<double>(rows.first.size());
+    const bool counts = rows.column[0] == row_number;
+    if (counts) {  // equal steps over one cycle; a closing row of torque is none
+        const bool is_closed =
+            what == Measured::torque && rows.second.back() == rows.second.front();
+        const double step = 180.0 * reading.strokes.value_or(4) /
+                            static_cast<double>(rows.first.size() - (is_closed ? 1 : 0));
         for (double& angle : rows.first) {
             angle *= step;
         }
@@ -371,7 +374,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
 
     constexpr double cycle_deg = 2.0 * turn_deg;
     const double span = series.span();
-    const bool may_be_open = what == Measured::pressure;
+    const bool may_be_open = what == Measured::pressure || counts;
     const double whole = may_be_open || span > cycle_deg ? span + series.last_step() : span;
     const bool is_closed = is_cycle(span, false);
     double period = near(is_closed ? span : whole, turn_deg) ? turn_deg : cycle_deg;

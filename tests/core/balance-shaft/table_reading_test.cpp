@@ -404,5 +404,18 @@ TEST(TableReading, ACaseNamesAUnitAndNothingBeside) {
         std::string::npos);
 }
 
+// As the field "columns" says: 0 for the angle.
+TEST(TableReading, RowsWithoutAnglesAreEqualStepsOfATorqueToo) {
+    TableReading reading;
+    reading.columns = {"0", "1"};
+    const TorqueTable table{{0, 240, 480, 720}, {1, 2, 3, 1}};
+    EXPECT_EQ(parse_torque_table("1\n2\n3\n1\n", reading).table, table);  // with a closing row
+    EXPECT_EQ(parse_torque_table("1\n2\n3\n", reading).table, table);
+    reading.columns = {"0", "2"};
+    reading.strokes = 2;
+    EXPECT_EQ(parse_torque_table("7;1\n7;2\n7;3\n7;1\n", reading).table,
+              (TorqueTable{{0, 120, 240, 360}, {1, 2, 3, 1}}));
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
