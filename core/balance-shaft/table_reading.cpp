@@ -376,7 +376,11 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const double span = series.span();
     const bool may_be_open = what == Measured::pressure || counts;
     const double whole = may_be_open || span > cycle_deg ? span + series.last_step() : span;
-    const bool is_closed = is_cycle(span, false);
+    const double nominal = near(whole, turn_deg) ? turn_deg : cycle_deg;
+    // Of fine steps either may be a cycle: the nearer one is.
+    const bool is_closed =
+        is_cycle(span, false) && !(may_be_open && is_cycle(whole, false) &&
+                                   std::abs(whole - nominal) < std::abs(span - nominal));
     double period = near(is_closed ? span : whole, turn_deg) ? turn_deg : cycle_deg;
     // Of fewer rows it is no curve: the unit of the angles is another.
     constexpr double fewest_of_curve = 6.0;

@@ -417,5 +417,43 @@ TEST(TableReading, RowsWithoutAnglesAreEqualStepsOfATorqueToo) {
               (TorqueTable{{0, 120, 240, 360}, {1, 2, 3, 1}}));
 }
 
+// 719.5° are nearer to a whole cycle with the step that is missing than without it.
+TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
+    for (const SyntheticEngine& engine :
+         {test::synthetic_engines()[0], test::synthetic_engines()[10]}) {
+        for (const double step : {1.0, 0.5, 0.25, 0.1}) {
+            SCOPED_TRACE(std::string(engine.name) + " " + std::to_string(step));
+            const auto exact = exact_trace(engine, step);
+            for (const bool is_closed : {false, true}) {
+                std::string text = file_as(engine, {.step = step});
+                if (is_closed) {
+                    text += cell_text(180.0 * engine.strokes, false) + ";" +
+                            cell_text(exact.pressure.front() / 1e5, false) + "\n";
+                }
+                ParsedPressureTrace read;
+                ASSERT_EQ(test::error_of([&] { read = parse_pressure_trace(text); }), "no error");
+                EXPECT_EQ(read.closed, !is_closed);
+                ASSERT_EQ(read.trace.pressure.size(), exact.pressure.size());
+                double largest = 0.0;
+                for (std::size_t i = 0; i < exact.pressure.size(); ++i) {
+                    largest = std::max(
+                        {largest,
+                         1e5 * std::abs(read.trace.crank_angle_deg[i] - exact.crank_angle_deg[i]),
+                         std::abs(read.trace.pressure[i] - exact.pressure[i])});
+                }
+                EXPECT_LT(largest, 0.01);
+            }
+        }
+    }
+    // The end far from the start, as between the strokes of a supercharged engine.
+    std::string text = "deg;bar\n";
+    for (int i = 0; i < 7200; ++i) {
+        text += cell_text(0.1 * i, false) + ";" + cell_text(2.0 + i / 7200.0, false) + "\n";
+    }
+    EXPECT_EQ(
+        test::error_of([&] { EXPECT_EQ(parse_pressure_trace(text).trace.pressure.size(), 7201U); }),
+        "no error");
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
