@@ -386,7 +386,8 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     constexpr double fewest_of_curve = 6.0;
     const bool is_dense =
         static_cast<double>(series.angle.size()) * cycle_deg >= fewest_of_curve * span;
-    if ((span > cycle_deg * 1.001 && is_dense && (may_be_open || whole > 1.99 * cycle_deg)) ||
+    if ((span > cycle_deg * 1.001 && is_dense &&
+         (may_be_open || whole > 1.99 * turn_deg * reading.strokes.value_or(4) / 2.0)) ||
         (period == cycle_deg && is_cycle(is_closed ? span : whole, false) && reading.strokes == 2 &&
          repeats_each_turn(series))) {
         format.strokes = reading.strokes.value_or(repeats_each_turn(series) ? 2 : 4);

@@ -455,5 +455,20 @@ TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
         "no error");
 }
 
+TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
+    std::string text;
+    for (int angle = 0; angle <= 3 * 360; angle += 10) {
+        text += std::to_string(angle) + ";" + std::to_string(angle % 360 + angle / 360 % 3) + "\n";
+    }
+    TableReading reading;
+    reading.strokes = 2;
+    ParsedTorqueTable read;
+    ASSERT_EQ(test::error_of([&] { read = parse_torque_table(text, reading); }), "no error");
+    EXPECT_EQ(read.cycles, 3U);
+    EXPECT_EQ(read.strokes, 2);
+    ASSERT_EQ(read.table.torque.size(), 37U);
+    EXPECT_EQ(read.table.torque[9], 91.0);
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
