@@ -1,6 +1,8 @@
 #include "balance-shaft/older_cases.h"
 
 #include <array>
+#include <map>
+#include <optional>
 #include <string>
 
 #include "balance-shaft/fields.h"
@@ -29,15 +31,25 @@ constexpr Size sizes[] = {
      {"/torque/pressure/offset_mm", "/torque/cycle/offset_mm", "/offset_mm"}},
 };
 
-/// What there was at a place, which goes; null where there was nothing.
-Json take(Json& input, const char* place) {
+/// What there was at a place, which goes.
+std::optional<Json> take(Json& input, const char* place) {
     const Pointer pointer(place);
     if (!input.contains(pointer)) {
-        return {};
+        return std::nullopt;
     }
     Json value = input.at(pointer);
     input.at(pointer.parent_pointer()).erase(pointer.back());
     return value;
+}
+
+void demand_same(const Json& first, const std::string& place, const Json& other,
+                 const std::string& other_place) {
+    if (other != first) {
+        throw InputError(
+            other_place,
+            {CORE_TEXT("balance-shaft", "must be %1 as in %2, or be left out"), show(first), place},
+            show(other));
+    }
 }
 
 void gather(Json& input, const std::string& root) {
@@ -49,18 +61,15 @@ void gather(Json& input, const std::string& root) {
         const Pointer place(size.place);
         const char* given_at = size.place;
         for (const char* older : size.older) {
-            const Json value = take(input, older);
-            if (value.is_null()) {
+            const std::optional<Json> value = take(input, older);
+            if (!value) {
                 continue;
             }
             if (!input.contains(place)) {
-                input[key][place.back()] = value;
+                input[key][place.back()] = *value;
                 given_at = older;
-            } else if (input.at(place) != value) {
-                throw InputError(root + older,
-                                 {CORE_TEXT("balance-shaft", "must be %1 as in %2, or be left out"),
-                                  show(input.at(place)), root + given_at},
-                                 show(value));
+            } else {
+                demand_same(input.at(place), root + given_at, *value, root + older);
             }
         }
     }
@@ -68,6 +77,10 @@ void gather(Json& input, const std::string& root) {
 
 void move_varied(Json& vary) {
     Json moved = Json::object();
+    std::map<std::string, std::string> given_at;
+    const auto place_of = [](const std::string& pointer) {
+        return "/study/vary/" + escape_segment(pointer);
+    };
     for (const auto& [pointer, spread] : vary.items()) {
         std::string place = pointer;
         for (const Size& size : sizes) {
@@ -75,7 +88,11 @@ void move_varied(Json& vary) {
                 place = place == older ? size.place : place;
             }
         }
-        moved[place] = spread;
+        if (const auto [first, is_new] = given_at.emplace(place, pointer); is_new) {
+            moved[place] = spread;
+        } else {
+            demand_same(moved[place], place_of(first->second), spread, place_of(pointer));
+        }
     }
     vary = std::move(moved);
 }
@@ -101,13 +118,13 @@ void gather_cylinder(CaseFile& file) {
     const Json bore = given > 0.0 ? given : 2.0 * number("/crank_radius_mm");
     for (const Size& size : sizes) {
         for (const char* older : size.older) {
-            const Json value = take(file.kept, older);
-            if (&size == &sizes[0] && !value.is_null() && value != bore) {
+            const std::optional<Json> value = take(file.kept, older);
+            if (&size == &sizes[0] && value && !value->is_null() && *value != bore) {
                 file.changes.push_back(
                     {CORE_TEXT("balance-shaft",
                                "A torque source that is not in use had the bore %1. All sources "
                                "have one bore now: enter it at the cylinder if it is right."),
-                     show(value)});
+                     show(*value)});
             }
         }
     }

@@ -65,6 +65,29 @@ TEST(OlderCases, StudiesVaryTheSizesWhereTheyAreNow) {
               R"("/crank_radius_mm":{"plus_minus":0.1}})");
 }
 
+TEST(OlderCases, TwoSpreadsOfOneSizeAreRefusedUnlessTheyAreTheSame) {
+    const auto refusal = [](const char* study) { return test::error_of([&] { older(study); }); };
+    EXPECT_EQ(refusal(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
+                                             "/cylinder/bore_mm": {"plus_minus": 0.2}}}})"),
+              "/study/vary/~1cylinder~1bore_mm: must be {\"plus_minus\":0.1} as in "
+              "/study/vary/~1torque~1cycle~1bore_mm, or be left out, got {\"plus_minus\":0.2}");
+    EXPECT_EQ(refusal(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
+                                             "/cylinder/bore_mm": {"plus_minus": 0.1}}}})"),
+              "no error");
+}
+
+TEST(OlderCases, ANullIsRefusedWhereItWouldBeNow) {
+    Json document = {{"format", case_format},
+                     {"version", 1},
+                     {"scene", "balance-shaft"},
+                     {"input", write_input(test::diesel())}};
+    document["input"].erase("cylinder");
+    document["input"]["cylinder"]["bore_mm"] = 95.5;
+    document["input"]["rod_length_mm"] = nullptr;
+    EXPECT_EQ(test::error_of([&] { read_input(read_case(document).input, {}); }),
+              "/input/cylinder/rod_length_mm: must be a number, got null");
+}
+
 TEST(OlderCases, OfAKeptTorqueTheBoreIsSaid) {
     EXPECT_TRUE(older(R"({"kept": {"torque": {"pressure": {"csv": "p.csv", "bore_mm": 95.5,
                                                            "rod_length_mm": 140}}}})")
