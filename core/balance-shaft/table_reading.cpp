@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "balance-shaft/cycle_rows.h"
-#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
-#include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -445,11 +443,15 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     return cycle;
 }
 
-Cycle read_cycle(std::string_view text, Measured what, const TableReading& reading) {
+TwoColumns read_columns(std::string_view text, Measured what, const TableReading& reading) {
     constexpr double most_turns = 1e5;
     const TwoColumnsRule rule{CORE_TEXT("balance-shaft", "crank angle"), column_of(what).name,
                               Range::between(-most_turns * turn_deg, most_turns * turn_deg)};
-    return to_cycle(read_two_columns(text, rule, reading.layout, reading.columns), what, reading);
+    return read_two_columns(text, rule, reading.layout, reading.columns);
+}
+
+Cycle read_cycle(std::string_view text, Measured what, const TableReading& reading) {
+    return to_cycle(read_columns(text, what, reading), what, reading);
 }
 
 }  // namespace
@@ -635,16 +637,13 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
     }
     TwoColumns chosen;
     try {
-        chosen = read_two_columns(
-            text, {CORE_TEXT("balance-shaft", "crank angle"), column_of(what).name, Range{}},
-            reading.layout, reading.columns);
-        reading.layout.decimal_comma = chosen.decimal_comma;
+        chosen = read_columns(text, what, reading);
     } catch (const InputError& error) {
         proposal.doubts.push_back(
             {Text{"", "%1: %2."}, error.where_message(), error.allowed_message()});
         return proposal;
     }
-    const ColumnLook look = look_at_column(cells[chosen.column[1]]);
+    const ColumnLook& look = looks[chosen.column[1]];
     const std::optional<Unit> named = named_unit(what, chosen.heading(1));
     if (!decided.unit) {
         reading.unit = named ? *named : what == Measured::torque ? units::N_m : likely_unit(look);
@@ -666,9 +665,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         }
     }
     try {
-        const TableFormat format = what == Measured::pressure
-                                       ? TableFormat(parse_pressure_trace(text, reading))
-                                       : TableFormat(parse_torque_table(text, reading));
+        const TableFormat format = to_cycle(std::move(chosen), what, reading).format;
         reading.in_radians = format.in_radians;
         reading.strokes = format.strokes;
     } catch (const InputError& error) {

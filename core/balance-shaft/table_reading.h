@@ -87,7 +87,7 @@ ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReadi
 
 /// What a look at a file proposes, for a person to change.
 struct ReadingProposal {
-    TableReading reading;               ///< all of it decided
+    TableReading reading;  ///< all of it decided but the decimal sign, which the numbers show
     std::vector<std::string> headings;  ///< of the columns; empty where there are none
     std::size_t columns = 0;
     std::vector<std::vector<std::string>> rows;  ///< the first ones, as they stand there

@@ -470,5 +470,16 @@ TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
     EXPECT_EQ(read.table.torque[9], 91.0);
 }
 
+TEST(TableReading, AProposalDecidesNoDecimalSign) {
+    const std::string text = "deg;bar\n0;1,5\n180;1.5\n360;60\n540;3\n720;1,5\n";
+    const auto proposal = propose_reading(text, Measured::pressure);
+    EXPECT_FALSE(proposal.reading.layout.decimal_comma);
+    EXPECT_EQ(proposal.reading.strokes, 4);
+    EXPECT_TRUE(proposal.doubts.empty()) << proposal.doubts.front().english();
+    TableReading decided;
+    decided.layout.decimal_comma = true;
+    EXPECT_FALSE(propose_reading(text, Measured::pressure, decided).doubts.empty());
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
