@@ -432,7 +432,7 @@ std::vector<Message> notes_of(const Result& result) {
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& result) {
-    visit_verdict(visitor, verdict(result));
+    visit_verdict(visitor, [&] { return verdict(result); });
     visit_moments(visitor, result);
     visitor.object(key::printed_mean, [&] {
         visitor.number(key::M_s_25_nodes, result.printed_mean_M_s);
@@ -451,7 +451,7 @@ void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& r
         visitor.number(key::width, result.envelope.width());
         visitor.number(key::height, result.envelope.height());
     });
-    visitor.texts(notes, notes_of(result));
+    visitor.texts(notes, [&] { return notes_of(result); });
     visit_inertia_check(visitor, result.inertia_check);
     visit_spectrum(visitor, result);
     visit_flywheel(visitor, result.flywheel);

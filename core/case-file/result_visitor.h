@@ -79,6 +79,13 @@ class ResultVisitor {
     void texts(const ResultField& field, const std::vector<Message>& texts) {
         leaf(field, std::span(texts));
     }
+    template <typename Compute>
+    requires std::is_invocable_v<Compute>
+    void texts(const ResultField& field, Compute&& compute) {
+        if (wants(field.key)) {
+            texts(field, std::forward<Compute>(compute)());
+        }
+    }
     /// A list of numbers; of an empty one null.
     void numbers(const ResultField& field, const std::vector<double>& si) {
         leaf(field, si.empty() ? ResultValue() : std::span(si));

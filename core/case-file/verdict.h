@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "case-file/message.h"
 #include "case-file/result_visitor.h"
@@ -49,6 +51,13 @@ inline void visit_verdict(ResultVisitor& visitor, const Verdict& verdict) {
         visitor.word(result_field::severity, severity_word(verdict.severity));
         visitor.text(result_field::text, verdict.text);
     });
+}
+template <typename Compute>
+requires std::is_invocable_r_v<Verdict, Compute>
+void visit_verdict(ResultVisitor& visitor, Compute&& compute) {
+    if (visitor.wants(result_field::verdict.key)) {
+        visit_verdict(visitor, std::forward<Compute>(compute)());
+    }
 }
 
 }  // namespace ravnoves

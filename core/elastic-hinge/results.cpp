@@ -150,7 +150,7 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
     const double g = result.design->mechanism().gravity;
-    visit_verdict(visitor, verdict(input, result));
+    visit_verdict(visitor, [&] { return verdict(input, result); });
     visitor.number(key::rod_hinge_moment_integral, result.rod_hinge_integral);
     if (result.has_counterweight) {
         visitor.number(key::counterweight_weight, result.counterweight_mass * g);
@@ -191,10 +191,12 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     if (input.motion) {
         visitor.object(key::motion, [&] { visit_motions(visitor, input, result); });
     }
-    std::vector<Message> said = result.doubts;
-    said.insert(said.end(), result.notes.begin(), result.notes.end());
-    said.insert(said.end(), result.guide_notes.begin(), result.guide_notes.end());
-    visitor.texts(notes, said);
+    visitor.texts(notes, [&] {
+        std::vector<Message> said = result.doubts;
+        said.insert(said.end(), result.notes.begin(), result.notes.end());
+        said.insert(said.end(), result.guide_notes.begin(), result.guide_notes.end());
+        return said;
+    });
     visitor.object(key::curves, [&] {
         const MechanismCurves& curves = result.curves;
         visitor.numbers(key::crank_angle, result.crank_angle_deg);

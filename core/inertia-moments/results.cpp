@@ -144,13 +144,15 @@ void visit_differences(ResultVisitor& visitor, const Result& result) {
                 visitor.number(key::roll_moment_percent, all[i + 4].relative);
             });
         }
-        std::vector<Message> warnings;
-        for (const Difference& difference : all) {
-            if (difference.warning) {
-                warnings.push_back(describe(difference));
+        visitor.texts(key::warnings, [&] {
+            std::vector<Message> warnings;
+            for (const Difference& difference : all) {
+                if (difference.warning) {
+                    warnings.push_back(describe(difference));
+                }
             }
-        }
-        visitor.texts(key::warnings, warnings);
+            return warnings;
+        });
     });
 }
 
@@ -228,7 +230,7 @@ void visit_curves(ResultVisitor& visitor, const ResultField& field, const Wrench
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    visit_verdict(visitor, verdict(input, result));
+    visit_verdict(visitor, [&] { return verdict(input, result); });
     const Engine& engine = result.engine;
     std::vector<double> pins;
     std::vector<double> tops;

@@ -4,6 +4,8 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
+#include "case-file/verdict.h"
 
 namespace ravnoves {
 namespace {
@@ -65,6 +67,28 @@ TEST(Wanted, RefusesWhatIsNoPointerOrNotThere) {
     EXPECT_THROW(Wanted({"/list/7"}).pick({{"list", {1, 2}}}), InputError);
     EXPECT_THROW(Wanted({"/list/01"}).pick({{"list", {1, 2}}}), InputError);
     EXPECT_THROW(Wanted({"/list/x"}).pick({{"list", {1, 2}}}), InputError);
+}
+
+TEST(Wanted, SentencesThatNoOneWantsAreNotBuilt) {
+    int built = 0;
+    const auto visited = [&](const Wanted& wanted) {
+        ResultJson json(wanted);
+        visit_verdict(json, [&] {
+            ++built;
+            return Verdict{Severity::note, CORE_TEXT("core", "a")};
+        });
+        json.texts(result_field::notes, [&] {
+            ++built;
+            return std::vector<Message>{CORE_TEXT("core", "b")};
+        });
+        json.flag(result_field::feasible, true);
+        return json.take();
+    };
+    EXPECT_EQ(visited(Wanted({"/feasible"})), (Json{{"feasible", true}}));
+    EXPECT_EQ(built, 0);
+    EXPECT_EQ(visited(Wanted({"/notes", "/verdict/text"})),
+              (Json{{"verdict", {{"text", "a"}}}, {"notes", {"b"}}}));
+    EXPECT_EQ(built, 2);
 }
 
 }  // namespace
