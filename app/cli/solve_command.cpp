@@ -107,6 +107,7 @@ class SolveCommand final : public Command {
                          "Compute and print only these values of the result: JSON pointers below "
                          "it, such as /metrics/M_ups/range_Nm,/optimum")
             ->delimiter(',')
+            ->allow_extra_args(false)
             ->type_name("POINTER[,POINTER...]");
         app_->add_flag("--allow-files", allow_files_,
                        "Let the cases of --batch read files outside the working directory")

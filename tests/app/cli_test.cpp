@@ -322,6 +322,11 @@ TEST_F(CommandLine, OnlyWhatIsAskedForIsPrintedUnderItsOwnPath) {
               (Json{{"optimum", {{"range", {{"range_Nm", whole["optimum"]["range"]["range_Nm"]}}}}},
                     {"metrics", {{"M_ups", whole["metrics"]["M_ups"]}}},
                     {"curves", {{"M_s_Nm", {{"3", whole["curves"]["M_s_Nm"][3]}}}}}}));
+    // Each takes one list, and what follows is the case.
+    EXPECT_EQ(run("solve --only /optimum/range/range_Nm,/metrics/M_ups --only /curves/M_s_Nm/3 "
+                  "case.json")
+                  .out,
+              some.out);
     // Each value alone is what it is among all.
     for (const auto& value : whole.items()) {
         const Outcome one = run("solve case.json --only /" + value.key());
