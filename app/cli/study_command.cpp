@@ -261,12 +261,29 @@ class StudyCommand final : public Command {
         return exit_bad_input;
     }
 
+    /// Whether the output is there and holds the finished study of another case.
+    bool would_destroy(const studies::Problem& problem) const {
+        try {
+            const std::string its_case =
+                studies::case_of_results(parse_json(read_text_file(output_path_)));
+            return !its_case.empty() && its_case != problem.origin.case_sha256;
+        } catch (const InputError&) {
+            return false;  // no JSON, or not there
+        }
+    }
+
     int run_problem(const studies::Problem& problem) {
         const Shard shard = read_shard();
         std::error_code ignored;
         const bool keeps =
             !output_path_.empty() && (!std::filesystem::exists(output_path_, ignored) ||
                                       std::filesystem::is_regular_file(output_path_, ignored));
+        if (keeps && would_destroy(problem)) {
+            complain(output_path_,
+                     "holds the study of another case, or of this one before it changed; move it "
+                     "or choose another file");
+            return exit_bad_input;
+        }
         auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
         auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
         Part part = left ? std::move(*left)

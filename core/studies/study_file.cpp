@@ -493,4 +493,12 @@ Json write_results(const Part& part) {
     return json;
 }
 
+std::string case_of_results(const Json& json) {
+    const auto text = [&](const char* key) {
+        const bool is_there = json.is_object() && json.contains(key) && json.at(key).is_string();
+        return is_there ? json.at(key).get<std::string>() : std::string();
+    };
+    return text("format") == study_format ? text("case_sha256") : std::string();
+}
+
 }  // namespace ravnoves::studies

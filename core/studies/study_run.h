@@ -145,5 +145,7 @@ std::vector<Refusal> refusals_of(const Part& part);
 
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
 Json write_results(const Part& part);
+/// SHA-256 of the case whose study such a document holds; empty where it is none.
+std::string case_of_results(const Json& json);
 
 }  // namespace ravnoves::studies

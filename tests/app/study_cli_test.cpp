@@ -195,6 +195,30 @@ TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
     }
 }
 
+TEST_F(StudyCommandLine, WritesOverNoStudyOfAnotherCase) {
+    write("case.json", study_case().dump());
+    ASSERT_EQ(run("study case.json -o r.json").status, 0);
+    const std::string finished = read_all(folder / "r.json");
+    Json other = study_case();
+    other["input"]["crank_radius_mm"] = 47;
+    write("other.json", other.dump());
+    for (const char* options : {"", " --shard 1/2"}) {
+        expect_refused(run(std::string("study other.json -o r.json") + options),
+                       "r.json: holds the study of another case, or of this one before it "
+                       "changed; move it or choose another file");
+        EXPECT_EQ(read_all(folder / "r.json"), finished);
+        EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
+    }
+    // Its own it writes anew, and over what is no study.
+    EXPECT_EQ(run("study case.json -o r.json").status, 0);
+    EXPECT_EQ(read_all(folder / "r.json"), finished);
+    for (const char* text : {"my notes", "[1]", "{\"format\": 1}"}) {
+        write("r.json", text);
+        EXPECT_EQ(run("study case.json -o r.json").status, 0);
+        EXPECT_EQ(read_all(folder / "r.json"), finished);
+    }
+}
+
 TEST_F(StudyCommandLine, PrintsAGridAsATable) {
     Json document = study_case();
     document["study"] = {{"vary",
