@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -12,6 +13,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "case-file/case_file.h"
@@ -182,7 +184,8 @@ class StudyCommand final : public Command {
                              "Take the K-th of N parts of the samples and print its counts")
                 ->type_name("K/N");
         CLI::Option* threads_option =
-            app_->add_option("--threads", threads_, "Work with so many threads; usually one a core")
+            app_->add_option("--threads", threads_,
+                             "Work with so many threads; usually, and at most, one a core")
                 ->type_name("COUNT")
                 ->check(CLI::Range(1, 1024));
         app_->add_option("--merge", parts_, "Put the parts of a study together")
@@ -227,6 +230,12 @@ class StudyCommand final : public Command {
                                                       ", got " + *shard_text_);
         }
         return shard;
+    }
+
+    /// More than there are cores are no faster, and their stacks may leave the work no memory.
+    int threads() const {
+        return std::min(threads_,
+                        static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     }
 
     int deliver(const Part& part) const {
@@ -287,7 +296,7 @@ class StudyCommand final : public Command {
         auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
         auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
         Part part = left ? std::move(*left)
-                         : studies::begin_part(problem, shard.number, shard.of, threads_);
+                         : studies::begin_part(problem, shard.number, shard.of, threads());
         run(problem, part, progress.get());
         if (stop_signal != 0 && !part.finished()) {
             progress.reset();
@@ -305,7 +314,7 @@ class StudyCommand final : public Command {
         auto kept = Clock::now();
         ProgressLine line;
         const auto noted = progress != nullptr ? std::make_unique<StopNoted>() : nullptr;
-        studies::run_part(problem, part, threads_, [&](const Part& now) {
+        studies::run_part(problem, part, threads(), [&](const Part& now) {
             line.show(now);
             constexpr auto often = std::chrono::seconds(5);
             if (progress != nullptr && (stop_signal != 0 || Clock::now() - kept > often) &&

@@ -65,5 +65,12 @@ study flat.json
 study --merge flat.json pieces.json
 END
 done
+# More threads than there are cores leave as much memory for the work.
+"$cli" study study.json >few
+(
+    ulimit -v $((200000 + 80000 * $(nproc --all)))
+    exec "$cli" study study.json --threads 1024
+) >many 2>&1 || fault "1024 threads: $(head -c 200 many)"
+cmp -s few many || fault "1024 threads give other numbers"
 [ $said -gt 0 ] || fault "nothing needed more memory than there was"
 [ $faults -eq 0 ] || exit 1
