@@ -18,6 +18,8 @@
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "text/preferences.h"
+#include "text/shown_units.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 
@@ -175,6 +177,24 @@ TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
     source->tableEditor()->paste();
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_EQ(model->input().torque.table.size(), 5U);
+}
+
+TEST_F(TorqueSourceTest, APastedTextInItsOwnUnitIsNotConvertedByTheShownOne) {
+    Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Imperial);
+    const auto pasted = [&](const char* heading) {
+        QApplication::clipboard()->setText(QString::fromUtf8(heading) +
+                                           QStringLiteral("0;0\n360;100\n720;0\n"));
+        source->tableEditor()->paste();
+        return model->input().torque.table.torque.at(1);
+    };
+    const double shown = 100 * shownAs(units::N_m);
+    EXPECT_NE(shown, 100.0);
+    EXPECT_NEAR(pasted(""), shown, 1e-9);
+    EXPECT_NEAR(pasted("deg;M (lbf·in)\n"), 100 * units::lbf_in, 1e-9);
+    EXPECT_NEAR(pasted("deg;M\n"), shown, 1e-9);
+    EXPECT_NEAR(pasted("deg;M (N·m)\n"), 100.0, 1e-9);
+    EXPECT_NEAR(pasted("deg;M (lb-ft)\n"), 100 * units::lbf_ft, 1e-9);
+    Preferences::instance().setUnits(Preferences::Torque, Preferences::Units::Own);
 }
 
 TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
