@@ -105,9 +105,9 @@ QWidget* PlugsAnswer::buildPlots() {
 void PlugsAnswer::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool isNarrow = width() < Theme::withText(wholeNames);
+    model_->setShortNames(isNarrow);  // a page before this one may have been narrow
     if (isNarrow != isNarrow_) {
         isNarrow_ = isNarrow;
-        model_->setShortNames(isNarrow);
         for (const int column : {1, 2, 5}) {
             options_->setColumnHidden(column, isNarrow);
         }
@@ -142,13 +142,12 @@ void PlugsAnswer::showAdvice() {
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, !isStale));
     const bool isUneven = v8_text::hasUnequalCrankpins(model_->input(), model_->solution());
-    const bool doubtful =
-        isStale || isDoubted || isUneven || model_->solution().shift_that_matters() != nullptr;
+    const Severity severity = v8_text::adviceSeverity(model_->input(), model_->solution());
     colourText(excess_, isUneven || isDoubted ? &Theme::warning : &Theme::text);
-    colourText(advice_, !advice    ? &Theme::mutedText
-                        : doubtful ? &Theme::warning
-                        : works    ? &Theme::text
-                                   : &Theme::error);
+    colourText(advice_, !advice                                    ? &Theme::mutedText
+                        : isStale || severity == Severity::warning ? &Theme::warning
+                        : severity == Severity::error              ? &Theme::error
+                                                                   : &Theme::text);
     sayOrHide(boring_, model_->boringText());
     sayOrHide(hang_, model_->hangText());
     colourText(hang_, isDoubted ? &Theme::warning : &Theme::text);

@@ -146,10 +146,7 @@ Notes notes(const V8PlugsModel& model) {
     if (solution.before) {
         notes.say(warnWhere(isUneven || isDoubted), model.excessText());
     }
-    notes.say(solution.advice && !v8_text::works(solution)
-                  ? Severity::error
-                  : warnWhere(isDoubted || isUneven || shifts),
-              model.adviceText());
+    notes.say(v8_text::adviceSeverity(model.input(), solution), model.adviceText());
     notes.say(Severity::note, model.boringText());
     notes.say(warnWhere(isDoubted), model.hangText());
     notes.say(Severity::note, model.plugsText());

@@ -303,6 +303,14 @@ bool works(const Result& solution) {
                                solution.advice->kind == Advice::Kind::none_needed);
 }
 
+Severity adviceSeverity(const v8_plugs::Input& input, const v8_plugs::Result& solution) {
+    if (solution.advice && (doubtsWeights(input) || hasUnequalCrankpins(input, solution) ||
+                            solution.shift_that_matters() != nullptr)) {
+        return Severity::warning;
+    }
+    return solution.advice && !works(solution) ? Severity::error : Severity::note;
+}
+
 const BobWeight* bobWeightAfter(const Result& solution) {
     const auto option = chosenOption(solution);
     const auto* weights = option ? &solution.bob_weights[index(option->id)] : nullptr;

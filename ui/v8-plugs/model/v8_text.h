@@ -74,6 +74,8 @@ ResultRow bobWeightCells(const Words& words, const v8_plugs::Result& solution,
                          const QString& missing);
 /// True where the advice is something that works.
 bool works(const v8_plugs::Result& solution);
+/// How good the advice is: doubtful, of no use, or to be followed.
+Severity adviceSeverity(const v8_plugs::Input& input, const v8_plugs::Result& solution);
 /// What to hang on the crankpins, to 0.1 g; empty while it is not known.
 QString hang(const Words& words, const v8_plugs::Result& solution);
 /// "The bob weight after is that of the nominal engine" or by how much it is not; where the shift
