@@ -30,6 +30,12 @@ struct PagePart {
 struct Notes {
     std::vector<std::pair<Severity, QString>> lines;
 
+    /// Each line of a text for itself.
+    static Notes of(Severity severity, const QString& text) {
+        Notes notes;
+        notes.say(severity, text.split(QLatin1Char('\n')));
+        return notes;
+    }
     /// Nothing where there is no text.
     void say(Severity severity, const QString& text) {
         if (!text.isEmpty()) {

@@ -115,7 +115,7 @@ void BalanceShaftModel::setSpeedCriterion(SpeedCriterion criterion) {
 }
 
 void BalanceShaftModel::needPart(std::string_view id) {
-    if (id == "places" || id == "distances" || id == "front") {
+    if (id == "places" || id == "best-place" || id == "distances" || id == "front") {
         shaftMap()->need();
     } else if (id == "best-angles" || id == "speed-map" || id == "least-bad") {
         speedStudy()->need();
@@ -283,6 +283,7 @@ void BalanceShaftModel::applyShaftAngle(double radians) {
     inputInPlace().shaft_angle = radians;
     clear_vector_state();
     solver().move_shaft(radians, solvedInPlace().result);
+    solvedInPlace().gears.reset();
     countSolution();
     Q_EMIT shownChanged();
 }
@@ -334,6 +335,14 @@ void BalanceShaftModel::setSpeed(double angularSpeed) {
         input.angular_speed = angularSpeed;
         input.speed_in_rpm = true;
     });
+}
+
+const balance_shaft::GearError& BalanceShaftModel::gearError() const {
+    if (!solved().gears) {
+        clear_vector_state();
+        solved().gears = balance_shaft::gear_error(solver(), input().shaft_angle);
+    }
+    return *solved().gears;
 }
 
 const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "balance-shaft/envelope_study.h"
+#include "balance-shaft/gear_error.h"
 #include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/presets.h"
@@ -28,6 +29,7 @@ struct BalanceShaftScene {
         balance_shaft::Solver solver;
         balance_shaft::Result result;
         mutable std::optional<balance_shaft::EnvelopeStudy> envelopes;
+        mutable std::optional<balance_shaft::GearError> gears;  ///< at the present α
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle();
@@ -43,7 +45,7 @@ struct BalanceShaftScene {
     Solved solve(const Input& input) const {
         balance_shaft::Solver solver(input);
         balance_shaft::Result result = solver.result();
-        return {std::move(solver), std::move(result), {}};
+        return {std::move(solver), std::move(result), {}, {}};
     }
 };
 
@@ -140,6 +142,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     // What views show beside the result; found when first asked for.
     const balance_shaft::EnvelopeStudy& envelopeStudy() const;
+    const balance_shaft::GearError& gearError() const;
     balance_shaft::RelievedShaft relievedShaft() const { return result().relieved_shaft; }
 
     /// The mass of a named part, kg; 0 where there is none.

@@ -27,10 +27,6 @@ struct RowWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ForcesModel)
 };
 
-GearError gearError(const BalanceShaftModel& model) {
-    return balance_shaft::gear_error(model.solver(), model.input().shaft_angle);
-}
-
 Figure forceLocus(const BalanceShaftModel& model) {
     const CrankBalance balance = balance_shaft::crank_balance(model.solver());
     const auto room = [](double force) { return 1.15 * force / units::kN; };
@@ -99,7 +95,7 @@ Results forces(const BalanceShaftModel& model) {
 }
 
 Figure gearMoment(const BalanceShaftModel& model) {
-    const GearError error = gearError(model);
+    const GearError& error = model.gearError();
     const balance_shaft::Result& result = model.result();
     Figure figure = overCycle(model, ForceWords::tr("Mᵤₚₛ with gear error"), ForceWords::tr("N·m"));
     figure.leftRange = std::pair(result.M_up.min - result.moment_amplitude,
@@ -131,7 +127,7 @@ Figure gearMoment(const BalanceShaftModel& model) {
 }
 
 Results gears(const BalanceShaftModel& model) {
-    const GearError error = gearError(model);
+    const GearError& error = model.gearError();
     const auto angle = [](double radians, int digits) {
         return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
     };
@@ -167,8 +163,8 @@ Results relief(const BalanceShaftModel& model) {
 
 Notes reliefVerdict(const BalanceShaftModel& model) {
     const balance_shaft::RelievedShaft shaft = model.relievedShaft();
-    return {{{shaft.feasible ? Severity::note : Severity::warning,
-              RelievedShaftModel::verdict(shaft)}}};
+    return Notes::of(shaft.feasible ? Severity::note : Severity::warning,
+                     RelievedShaftModel::verdict(shaft));
 }
 
 constexpr std::array forceMakers{

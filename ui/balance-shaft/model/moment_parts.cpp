@@ -17,24 +17,16 @@ using balance_shaft::MomentMetrics;
 using balance_shaft::Result;
 using Means = BalanceShaftModel::Means;
 
-Results criteria(const BalanceShaftModel& model) {
-    return model.criteria();
-}
-
-Results quantities(const BalanceShaftModel& model) {
-    return model.quantities();
-}
-
 Notes bestRange(const BalanceShaftModel& model) {
-    return {{{Severity::note, model.bestRangeText()}}};
+    return Notes::of(Severity::note, model.bestRangeText());
 }
 
 Notes bestRms(const BalanceShaftModel& model) {
-    return {{{Severity::note, model.bestRmsText()}}};
+    return Notes::of(Severity::note, model.bestRmsText());
 }
 
 Notes notes(const BalanceShaftModel& model) {
-    return {{{Severity::note, model.notesText()}}};
+    return Notes::of(Severity::note, model.notesText());
 }
 
 Figure moments(const BalanceShaftModel& model) {
@@ -151,10 +143,12 @@ Figure means(const BalanceShaftModel& model) {
 }
 
 constexpr std::array momentMakers{
-    PartMaker<BalanceShaftModel>{{.id = "criteria", .isAnswer = true}, made<criteria>},
+    PartMaker<BalanceShaftModel>{{.id = "criteria", .isAnswer = true},
+                                 made<&BalanceShaftModel::criteria>},
     PartMaker<BalanceShaftModel>{{.id = "best-range", .isAnswer = true}, made<bestRange>},
     PartMaker<BalanceShaftModel>{{.id = "best-rms", .isAnswer = true}, made<bestRms>},
-    PartMaker<BalanceShaftModel>{{.id = "quantities", .isAnswer = true}, made<quantities>},
+    PartMaker<BalanceShaftModel>{{.id = "quantities", .isAnswer = true},
+                                 made<&BalanceShaftModel::quantities>},
     PartMaker<BalanceShaftModel>{{.id = "notes"}, made<notes>},
     PartMaker<BalanceShaftModel>{{.id = "moments", .tab = "moments"}, made<moments>},
     PartMaker<BalanceShaftModel>{{.id = "range", .tab = "moments"}, made<range>},

@@ -113,7 +113,7 @@ Figure speedMap(const BalanceShaftModel& model) {
 
 Notes leastBad(const BalanceShaftModel& model) {
     const SpeedStudyModel* study = model.speedStudy();
-    return study != nullptr ? Notes{{{Severity::note, study->answer()}}} : Notes{};
+    return study != nullptr ? Notes::of(Severity::note, study->answer()) : Notes{};
 }
 
 constexpr std::array speedMakers{
