@@ -203,8 +203,15 @@ Figure front(const BalanceShaftModel& model) {
     return figure;
 }
 
+Notes bestPlace(const BalanceShaftModel& model) {
+    const ShaftMapModel* map = model.shaftMap();
+    return map != nullptr ? Notes::of(Severity::note, shaft_map_text::best(*map)) : Notes();
+}
+
 constexpr std::array mapMakers{
     PartMaker<BalanceShaftModel>{{.id = "places", .tab = "map", .hasBand = false}, made<places>},
+    PartMaker<BalanceShaftModel>{{.id = "best-place", .tab = "map", .hasBand = false},
+                                 made<bestPlace>},
     PartMaker<BalanceShaftModel>{{.id = "distances", .tab = "map", .hasBand = false},
                                  made<distances>},
     PartMaker<BalanceShaftModel>{{.id = "front", .tab = "map", .hasBand = false}, made<front>},

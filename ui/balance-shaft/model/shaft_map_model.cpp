@@ -71,10 +71,13 @@ bool ShaftMapModel::fits() const {
 }
 
 void ShaftMapModel::need() {
-    const bool isSame = mapped_ && *mapped_ == withoutPlace(model_->input());
+    if (std::exchange(seen_, model_->solutions()) != model_->solutions()) {
+        isMapped_ = mapped_ && *mapped_ == withoutPlace(model_->input());
+    }
     const bool rests = held_ || model_->isMoved() || job_->isRunning();
-    if (!isSame || (map_ && !rests && !fits())) {
+    if (!isMapped_ || (map_ && !rests && !fits())) {
         mapped_ = withoutPlace(model_->input());
+        isMapped_ = true;
         start();
     }
 }

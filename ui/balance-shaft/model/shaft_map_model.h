@@ -115,6 +115,8 @@ class ShaftMapModel : public QObject {
     bool held_ = false;
     std::shared_ptr<const ShaftMap> map_;
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
+    int seen_ = -1;                               ///< solutions, at the last look
+    bool isMapped_ = false;                       ///< the case was that, at the last look
     QString trouble_;
     Position seenAt_;  ///< of the shaft, when it last moved
     ChangeContours contours_;
