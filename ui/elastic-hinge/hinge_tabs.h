@@ -5,7 +5,6 @@
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
 
-class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;

@@ -210,7 +210,8 @@ void PartText::showPart(const Content& content) {
             lines << line;
         }
     }
-    setText(lines.join(QLatin1Char('\n')));
+    // No unit is broken behind its stroke.
+    setText(lines.join(QLatin1Char('\n')).replace(u'/', QStringLiteral("/\u2060")));
 }
 
 }  // namespace ravnoves

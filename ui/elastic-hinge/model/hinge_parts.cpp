@@ -316,20 +316,12 @@ Figure crankSpeed(const ElasticHingeModel& model) {
 }
 
 Notes motions(const ElasticHingeModel& model) {
-    Notes notes;
-    // No unit is broken behind its stroke.
-    const QString text = model.motionsText().replace(u'/', QStringLiteral("/\u2060"));
-    notes.say(Severity::note, text.split(QLatin1Char('\n')));
-    return notes;
-}
-
-Results quantities(const ElasticHingeModel& model) {
-    return model.quantities();
+    return Notes::of(Severity::note, model.motionsText());
 }
 
 using Maker = PartMaker<ElasticHingeModel>;
 constexpr std::array makers{
-    Maker{{.id = "quantities", .isAnswer = true}, made<quantities>},
+    Maker{{.id = "quantities", .isAnswer = true}, made<&ElasticHingeModel::quantities>},
     Maker{{.id = "guides", .tab = "guides"}, made<guides>},
     Maker{{.id = "relief", .tab = "guides"}, made<relief>},
     Maker{{.id = "rod-moment", .tab = "rod-hinge"}, made<rodMoment>},
