@@ -50,7 +50,7 @@ MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
 }
 
 const BalanceShaftModel* MechanismView::ghost() const {
-    return static_cast<const BalanceShaftModel*>(model_->referenceCase().model());
+    return referenceOf(model_);
 }
 
 drawing::Frame MechanismView::frame() const {

@@ -112,8 +112,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     std::vector<RelievedShaft> shown{own};
-    if (const auto* other =
-            static_cast<const BalanceShaftModel*>(model_->referenceCase().model())) {
+    if (const BalanceShaftModel* other = referenceOf(model_)) {
         if (const RelievedShaft shaft = other->relievedShaft(); shaft.half_width > 0.0) {
             shown.push_back(shaft);
         }

@@ -76,7 +76,7 @@ void ShaftMapPlot::showImage() {
 // The reference.
 
 const ShaftMapModel* ShaftMapPlot::referenceMap() const {
-    const auto* other = static_cast<const BalanceShaftModel*>(model_->referenceCase().model());
+    const BalanceShaftModel* other = referenceOf(model_);
     return other != nullptr && data().referenceShown ? other->shaftMap() : nullptr;
 }
 

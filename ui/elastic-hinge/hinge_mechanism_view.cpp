@@ -138,7 +138,7 @@ double HingeMechanismView::reliefFactor() const {
 }
 
 const ElasticHingeModel* HingeMechanismView::ghost() const {
-    return static_cast<const ElasticHingeModel*>(model_->referenceCase().model());
+    return referenceOf(model_);
 }
 
 std::vector<QPolygonF> HingeMechanismView::track(const ElasticHingeModel& model,

@@ -15,19 +15,14 @@
 #include "example_check.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
+#include "part_tests.h"
 #include "model/reference_case.h"
 
 namespace ravnoves {
 namespace {
 
-Figure figureOf(const SceneModel& model, std::string_view part) {
-    return std::get<Figure>(model.part(part));
-}
-
-const Figure::Curve& curveOf(const Figure& figure, std::string_view id) {
-    return *std::find_if(figure.curves.begin(), figure.curves.end(),
-                         [&](const Figure::Curve& curve) { return curve.id == id; });
-}
+using test::curveOf;
+using test::figureOf;
 
 TEST(BalanceShaftModel, AShaftBeyondTheCircleMovesAsFarAsItsSliderGoes) {
     BalanceShaftModel model;

@@ -15,6 +15,7 @@
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/engine_parts.h"
 #include "model/input_differences.h"
+#include "part_tests.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
 #include "text/preferences.h"
@@ -351,14 +352,8 @@ TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
     EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * units::rpm, 1e-9);
 }
 
-Figure figureOf(const InertiaMomentsModel& model, const char* part) {
-    return std::get<Figure>(model.part(part));
-}
-
-const Figure::Curve& curveOf(const Figure& figure, std::string_view id) {
-    return *std::find_if(figure.curves.begin(), figure.curves.end(),
-                         [&](const Figure::Curve& curve) { return curve.id == id; });
-}
+using test::curveOf;
+using test::figureOf;
 
 double reachOf(const std::vector<double>& values) {
     double reach = 0.0;
