@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "case-file/input_error.h"
@@ -21,6 +22,7 @@ struct VariantTableWords {
 
 /// A number of a column, by what names it.
 struct Named {
+    QString key;  ///< by which another case has it: part, row, column, which of several
     QString name;
     QString tip;
     ResultCell cell;
@@ -29,6 +31,7 @@ struct Named {
 /// The numbers of the answer's tables.
 std::vector<Named> numbersOf(const SceneModel& model) {
     std::vector<Named> numbers;
+    std::map<QString, int> known;
     for (const PagePart& part : model.parts()) {
         const Content content = part.isAnswer ? model.part(part.id) : Content();
         const auto* results = std::get_if<Results>(&content);
@@ -36,25 +39,38 @@ std::vector<Named> numbersOf(const SceneModel& model) {
             continue;
         }
         const bool hasUnits = results->columns.size() == 3;  // name, value, unit
+        const QString partKey =
+            QString::fromLatin1(part.id.data(), static_cast<qsizetype>(part.id.size()));
         for (const ResultRow& row : results->rows) {
             const auto last = hasUnits ? 2 : std::min(results->columns.size(), row.size());
             for (qsizetype column = 1; column < last; ++column) {
                 QString name = row.value(0).text;
+                QString key = partKey + QLatin1Char('/') + row.key();
                 if (hasUnits) {
                     name = titleWithUnit(name, row.value(2).text);
                 } else {
-                    name += QStringLiteral(" · ") + results->columns[column].heading;
+                    const QString heading =
+                        QStringLiteral(" · ") + results->columns[column].heading;
+                    name += heading;
+                    key += heading;
                     const QString unit = results->columns[0].heading;
                     const bool isUnit = unitOfTitle(unit) == unit &&
                                         row[column].number() != nullptr &&
                                         row[column].number()->kind == ResultNumber::Kind::Plain;
                     name = isUnit ? titleWithUnit(name, unit) : name;
                 }
-                numbers.push_back({name, row.tip, row[column]});
+                key += QLatin1Char('/') + QString::number(known[key]++);
+                numbers.push_back({key, name, row.tip, row[column]});
             }
         }
     }
     return numbers;
+}
+
+const ResultCell* cellOf(const std::vector<Named>& numbers, const QString& key) {
+    const auto found = std::find_if(numbers.begin(), numbers.end(),
+                                    [&](const Named& each) { return each.key == key; });
+    return found != numbers.end() ? &found->cell : nullptr;
 }
 
 /// The cell with its difference from the reference behind it.
@@ -77,25 +93,32 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
         std::vector<Named> numbers;
     };
     std::vector<Column> columns;
+    // All by a model of one kind: what a job computes, none of them has.
     const std::unique_ptr<SceneModel> other = model.another(false);
-    columns.push_back({VariantTableWords::tr("Present"), model.inputJson(), numbersOf(model)});
+    const auto add = [&](const QString& title, const Json& input) {
+        Column& column = columns.emplace_back(Column{title, nullptr, {}});
+        try {
+            other->loadCase(input, model.context(), title);
+            other->takeView(model);
+            column.input = input;
+            column.numbers = numbersOf(*other);
+        } catch (const InputError& error) {
+            troubles << title + QStringLiteral(": ") + model.explain(error);
+        }
+    };
+    add(VariantTableWords::tr("Present"), model.inputJson());
+    if (Column& present = columns.front(); present.input.is_null()) {
+        present = {present.title, model.inputJson(), numbersOf(model)};  // its file is gone
+    }
     for (int i = 0; i < model.variants().size(); ++i) {
         const QString name = model.variants().at(i).name;
-        Column& column = columns.emplace_back(Column{name, nullptr, {}});
-        const QString trouble = model.variantTrouble(i);
-        if (!trouble.isEmpty()) {
-            troubles << name + QStringLiteral(": ") + trouble;
-            continue;
-        }
-        column.input = model.variantInput(i);
-        other->loadCase(column.input, model.context(), name);
-        other->takeView(model);
-        column.numbers = numbersOf(*other);
+        add(name, model.variantInput(i));
         if (const QString changed = changedFilesText(model, i); !changed.isEmpty()) {
             troubles << name + QStringLiteral(": ") + changed;
         }
     }
     const auto reference = static_cast<std::size_t>(model.reference() + 1);
+    const QString missing = QStringLiteral("–");
     Results results;
     results.columns << VariantTableWords::tr("Result");
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -123,41 +146,34 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
     }
     for (const auto& [name, values] : inputs) {
         ResultRow row{name};
-        for (const QString& value : values) {
-            row << ResultCell(value);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            row << ResultCell(columns[i].input.is_null() ? missing
+                                                         : values[static_cast<qsizetype>(i)]);
         }
         row.tip = VariantTableWords::tr("An input that differs.");
         results.rows << row;
     }
-    for (std::size_t n = 0; n < columns.front().numbers.size(); ++n) {
-        const Named& named = columns.front().numbers[n];
-        const auto cellOf = [&](const Column& column) -> const ResultCell* {
-            if (n < column.numbers.size() && column.numbers[n].name == named.name) {
-                return &column.numbers[n].cell;
-            }
-            const auto found =
-                std::find_if(column.numbers.begin(), column.numbers.end(),
-                             [&](const Named& each) { return each.name == named.name; });
-            return found != column.numbers.end() ? &found->cell : nullptr;
-        };
+    // The rows that any of them has, each behind the one that it follows there.
+    std::vector<Named> rows;
+    for (const Column& column : columns) {
+        auto next = rows.begin();
+        for (const Named& number : column.numbers) {
+            auto known = std::find_if(rows.begin(), rows.end(),
+                                      [&](const Named& each) { return each.key == number.key; });
+            next = (known != rows.end() ? known : rows.insert(next, number)) + 1;
+        }
+    }
+    for (const Named& named : rows) {
         ResultRow row{named.name};
         row.tip = named.tip;
-        const ResultCell* base = cellOf(columns[reference]);
+        const ResultCell* base = cellOf(columns[reference].numbers, named.key);
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            const ResultCell* cell = cellOf(columns[i]);
-            row << (cell == nullptr  ? ResultCell(QStringLiteral("–"))
+            const ResultCell* cell = cellOf(columns[i].numbers, named.key);
+            row << (cell == nullptr  ? ResultCell(missing)
                     : i == reference ? *cell
                                      : against(*cell, base));
         }
-        // What a job computes is there of the present case alone.
-        const bool isCompared =
-            columns.size() == 1 ||
-            std::any_of(row.begin() + 2, row.end(), [](const ResultCell& cell) {
-                return cell.text != QStringLiteral("–");
-            });
-        if (isCompared) {
-            results.rows << row;
-        }
+        results.rows << row;
     }
     return results;
 }

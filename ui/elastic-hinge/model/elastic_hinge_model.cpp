@@ -431,6 +431,11 @@ Results ElasticHingeModel::quantities() const {
             when(result().has_counterweight,
                  shownCell(counterweight, weight, input().masses_as_weights ? 3 : 4)),
             weight, tr("On the rod, with which ∮ M₁₂ dφ = 0, or as entered")),
+    };
+    if (!runsJobs_) {
+        return results;  // it never has a motion
+    }
+    results.rows += {
         ripple(tr("Ripple without hinge"), &HingeMotions::without,
                tr("(ω_max − ω_min) / ω mean of the free motion, %")),
         ripple(tr("Ripple with hinge"), &HingeMotions::crank,
