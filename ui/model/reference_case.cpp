@@ -18,7 +18,6 @@ ReferenceCase::~ReferenceCase() = default;
 
 void ReferenceCase::follow() {
     const int place = present_->reference();
-    trouble_.clear();
     if (place < 0 || present_->parts().empty()) {
         if (model_ != nullptr) {
             model_.reset();
@@ -30,26 +29,23 @@ void ReferenceCase::follow() {
     const Variant& variant = present_->variants().at(place);
     name_ = variant.name;
     try {
-        if (model_ == nullptr) {
+        if (model_ == nullptr || shown_ != variant.input) {
+            // Anew: what its jobs had computed is of no other variant.
             model_ = present_->another(true);
-            shown_.clear();
+            model_->loadCase(present_->variantInput(place), present_->context(), variant.name);
+            shown_ = variant.input;
+            takeView();
             for (const auto signal :
                  {&SceneModel::changed, &SceneModel::viewChanged, &SceneModel::shownChanged}) {
                 connect(model_.get(), signal, this, &ReferenceCase::changed);
             }
-        }
-        if (shown_ != variant.input) {
-            model_->loadCase(present_->variantInput(place), present_->context(), variant.name);
-            shown_ = variant.input;
-            takeView();
             if (const QString files = changedFilesText(*present_, place); !files.isEmpty()) {
                 Q_EMIT said(tr("Reference %1: %2").arg(name_, files));
             }
         }
-    } catch (const InputError&) {
-        trouble_ = present_->variantTrouble(place);
+    } catch (const InputError& error) {
         model_.reset();
-        Q_EMIT said(tr("Reference %1: %2").arg(name_, trouble_));
+        Q_EMIT said(tr("Reference %1: %2").arg(name_, present_->explain(error)));
     }
     Q_EMIT changed();
 }

@@ -22,8 +22,6 @@ class ReferenceCase : public QObject {
     const SceneModel* model() const { return model_.get(); }
     SceneModel* model() { return model_.get(); }
     QString name() const { return name_; }
-    /// Why the reference cannot be shown; empty where it can, or where there is none.
-    QString trouble() const { return trouble_; }
 
   Q_SIGNALS:
     /// Another one, or none, or it shows something else.
@@ -39,7 +37,6 @@ class ReferenceCase : public QObject {
     std::unique_ptr<SceneModel> model_;
     std::string shown_;  ///< the input that it holds
     QString name_;
-    QString trouble_;
 };
 
 /// The reference of a model, of the same scene; null: there is none.

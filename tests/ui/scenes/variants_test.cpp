@@ -350,6 +350,82 @@ TEST_P(EveryPagesVariants, StandSideBySideWithThePresent) {
     EXPECT_EQ(read_text_file(fsPath(path)), table.asCsv().toStdString());
 }
 
+/// The row of a table whose name begins like this; −1: none.
+int rowNamed(const ResultTable& table, const QString& name) {
+    for (int row = 0; row < table.rowCount(); ++row) {
+        if (table.item(row, 0)->text().startsWith(name)) {
+            return row;
+        }
+    }
+    return -1;
+}
+
+TEST(VariantsSideBySide, HaveTheRowsThatAnyOfThemHas) {
+    const auto page = test::makePage("elastic-hinge");
+    SceneModel& model = *page->model();
+    while (page->isBusy()) {
+        QTest::qWait(20);
+    }
+    model.setByKey(u"profile_error_um"_s, u"7"_s);
+    model.keepVariant(u"seven"_s);
+    model.setByKey(u"profile_error_um"_s, u"9"_s);
+    const VariantTable dialog(page.get(), nullptr);
+    const ResultTable& table = *dialog.table();
+    const int seven = rowNamed(table, u"Moment error, 7"_s);
+    const int nine = rowNamed(table, u"Moment error, 9"_s);
+    ASSERT_GE(seven, 0) << table.asText().toStdString();
+    ASSERT_GE(nine, 0);
+    EXPECT_EQ(std::abs(nine - seven), 1) << "each where it stands on the page";
+    EXPECT_EQ(table.item(seven, 1)->text(), u"–"_s);
+    EXPECT_NE(table.item(seven, 2)->text(), u"–"_s);
+    EXPECT_EQ(table.item(nine, 2)->text(), u"–"_s);
+    // What a job computes none of them has.
+    EXPECT_FALSE(table.asText().contains(u"Ripple"_s));
+}
+
+TEST(VariantsSideBySide, OfOneThatIsRefusedNothingIsShown) {
+    const auto page = test::makePage("elastic-hinge");
+    SceneModel& model = *page->model();
+    CaseFile file = model.caseFile();
+    Json good = file.input;
+    good["lambda"] = 0.25;
+    Json bad = file.input;
+    bad["lambda"] = 5.0;
+    file.variants = {{"good", good}, {"bad", bad}};
+    CaseDocument(&model, {}).open(file, u"/tmp/x.case.json"_s);
+    const VariantTable dialog(page.get(), nullptr);
+    const ResultTable& table = *dialog.table();
+    ASSERT_EQ(table.columnCount(), 4);
+    EXPECT_EQ(table.item(0, 2)->text(), u"0.25"_s) << table.asText().toStdString();
+    for (int row = 0; row < table.rowCount(); ++row) {
+        EXPECT_EQ(table.item(row, 3)->text(), u"–"_s) << row;
+    }
+}
+
+/// The file of the present case is gone: what the page shows of it stands.
+TEST(VariantsSideBySide, ShowThePresentWithoutItsFile) {
+    const QTemporaryDir folder;
+    const auto page = test::makePage("balance-shaft");
+    SceneModel& model = *page->model();
+    write_text_file(
+        fsPath(folder.filePath(u"ind.csv"_s)),
+        balance_shaft::write_torque_table(balance_shaft::preset_tmz_650d().torque.table));
+    model.keepVariant(u"inside"_s);
+    Json input = model.inputJson();
+    input["torque"] = {{"csv", "ind.csv"}};
+    model.loadInput(input, CaseContext{fsPath(folder.path())});
+    QFile::remove(folder.filePath(u"ind.csv"_s));
+    const VariantTable dialog(page.get(), nullptr);
+    const ResultTable& table = *dialog.table();
+    const int row = rowNamed(table, u"range · Mᵤₚₛ, N·m"_s);
+    ASSERT_GE(row, 0);
+    EXPECT_NE(table.item(row, 1)->text(), u"–"_s);
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) {
+        return each->text().startsWith(u"Present: "_s);
+    }));
+}
+
 TEST(VariantsSideBySide, GiveTheirMomentsAUnit) {
     const auto page = test::makePage("balance-shaft");
     const VariantTable dialog(page.get(), nullptr);
@@ -427,11 +503,22 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
     file.variants.push_back({"bad", bad});
     CaseDocument(&model(), {}).open(file, u"/tmp/x.case.json"_s);
     ASSERT_EQ(model().variants().size(), 1);
+    QSignalSpy said(page.get(), &ScenePage::status);
     model().chooseReference(0);
     EXPECT_EQ(reference(), nullptr);
-    EXPECT_FALSE(model().referenceCase().trouble().isEmpty());
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().contains(model().variantTrouble(0)));
+}
+
+TEST_P(EveryPagesVariants, AnotherReferenceIsToldOnce) {
+    model().keepVariant();
+    changeByKeys();
+    model().keepVariant();
+    QSignalSpy told(&model().referenceCase(), &ReferenceCase::changed);
+    model().chooseReference(0);
+    EXPECT_EQ(told.size(), 1);
     model().chooseReference(-1);
-    EXPECT_TRUE(model().referenceCase().trouble().isEmpty());
+    EXPECT_EQ(told.size(), 2);
 }
 
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {
