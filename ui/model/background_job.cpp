@@ -1,6 +1,7 @@
 #include "model/background_job.h"
 
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include "numerics/vector_state.h"
@@ -105,6 +106,12 @@ void BackgroundJob::cancel() {
         *stop_ = true;
     }
     setRunning(false);
+}
+
+void BackgroundJob::stop() {
+    cancel();
+    constexpr int ever = std::numeric_limits<int>::max();
+    worker_.wait(ever);
 }
 
 void BackgroundJob::setRunning(bool running) {

@@ -35,6 +35,8 @@ class BackgroundJob : public QObject {
     void start(Work work);
     /// Stops what runs; what it has is thrown away.
     void cancel();
+    /// The same, and waits until its thread rests: until the work next asks for its progress.
+    void stop();
     bool isRunning() const { return running_; }
 
   Q_SIGNALS:

@@ -12,6 +12,7 @@
 #include "page/scene_page.h"
 #include "studies/model/study_model.h"
 #include "studies/tolerance_switch.h"
+#include "text/preferences.h"
 
 namespace ravnoves {
 
@@ -48,6 +49,9 @@ ToleranceBands::ToleranceBands(ScenePage* page)
     }
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, this,
             &ToleranceBands::outdate);
+    // The parts of a sample are written as the user wants them; the page is made anew then.
+    connect(&Preferences::instance(), &Preferences::aboutToChange, job_, &BackgroundJob::stop);
+    connect(job_, &BackgroundJob::failed, this, [this] { clear(false); });
     study_ = readStudy();
     page->installEventFilter(this);
 }
@@ -144,7 +148,12 @@ void ToleranceBands::findOf(ScatteredInputs inputs) {
     }
     auto sample = std::shared_ptr<SceneModel>(model.another(false));
     sample->history()->setUndoLimit(1);
-    sample->loadCase(model.inputJson(), model.context(), model.title());
+    try {
+        sample->loadCase(model.inputJson(), model.context(), model.title());
+    } catch (const InputError&) {
+        clear(false);  // its file is gone
+        return;
+    }
     sample->takeView(model);
     sample->moveToThread(nullptr);
     auto numbers = std::make_shared<const PartNumbers>(model, ids);
@@ -166,10 +175,15 @@ void ToleranceBands::findOf(ScatteredInputs inputs) {
             samples.add(numbers->of(*own));
         }
         return [this, run, numbers, count = samples.size(), sides = samples.sides()] {
-            if (run == run_ && count > 0) {
-                spreads_ = numbers->spreads(sides, howText(count));
-                showSpreads();
+            if (run != run_) {
+                return;
             }
+            if (count == 0) {
+                clear(false);  // no sample can be solved
+                return;
+            }
+            spreads_ = numbers->spreads(sides, howText(count));
+            showSpreads();
         };
     });
 }
@@ -178,6 +192,7 @@ void ToleranceBands::showSpreads() {
     for (PartView* view : PartView::below(*page_, false)) {
         const auto found = spreads_.find(view->id());
         if (found != spreads_.end()) {
+            view->make();  // seen or not
             view->showSpread(found->second);
         }
     }

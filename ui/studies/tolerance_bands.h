@@ -33,7 +33,6 @@ class ToleranceBands : public QObject {
     /// Solves the samples; with progress.
     BackgroundJob* job() const { return job_; }
     /// Begins those of all that the page has, also of what is not seen, until something changes.
-    /// What has never been shown is empty.
     void findAll();
     /// What was found of a part; null where there is nothing.
     const PartSpread* spreadOf(std::string_view part) const;

@@ -34,12 +34,14 @@ void Preferences::load() {
 }
 
 void Preferences::setUnits(Quantity quantity, Units units) {
+    Q_EMIT aboutToChange();
     units_[static_cast<std::size_t>(quantity)] = units;
     QSettings().setValue(unitsKey(static_cast<std::size_t>(quantity)), static_cast<int>(units));
     Q_EMIT changed();
 }
 
 void Preferences::setDigits(int digits) {
+    Q_EMIT aboutToChange();
     digits_ = digits;
     QSettings().setValue(digitsKey, digits);
     Q_EMIT changed();
@@ -50,6 +52,7 @@ QString Preferences::language() const {
 }
 
 void Preferences::setLanguage(const QString& code) {
+    Q_EMIT aboutToChange();
     setChosenLanguage(code);
     installLanguage();
     Q_EMIT changed();

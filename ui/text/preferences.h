@@ -49,6 +49,8 @@ class Preferences : public QObject {
     void tell() { Q_EMIT changed(); }
 
   Q_SIGNALS:
+    /// What writes numbers or texts in another thread ends before this returns.
+    void aboutToChange();
     /// All that is shown is to be made anew.
     void changed();
 
