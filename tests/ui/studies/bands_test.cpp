@@ -8,17 +8,25 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "balance-shaft/presets.h"
+#include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "events.h"
+#include "model/background_job.h"
 #include "model/case_document.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "shown_number.h"
 #include "studies/model/band_samples.h"
+#include "studies/model/part_numbers.h"
 #include "studies/tolerance_bands.h"
 #include "studies/tolerance_switch.h"
 #include "text/csv_format.h"
+#include "text/file_path.h"
+#include "text/preferences.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -179,6 +187,80 @@ TEST_F(Bands, AreInPicturesAndTables) {
     EXPECT_FALSE(svg().contains(u"5…95 %"_s));
     EXPECT_LT(svg().count(u"fill-opacity=\"0.25"_s), with.count(u"fill-opacity=\"0.25"_s));
     ToleranceSwitch::instance().setOn(true);
+}
+
+TEST_F(Bands, RestBeforeTheUnitsChange) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    page->model()->setByKey(u"centre_distance_mm"_s, u"130"_s);
+    const auto* bands = page->findChild<ToleranceBands*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bands->job()->isRunning(); }));
+    Preferences& preferences = Preferences::instance();
+    QObject told;
+    QObject::connect(&preferences, &Preferences::changed, &told,
+                     [&] { EXPECT_FALSE(bands->job()->isRunning()); });
+    preferences.setUnits(Preferences::Length, Preferences::Units::Imperial);
+    EXPECT_FALSE(bands->job()->isRunning());
+    preferences.setUnits(Preferences::Length, Preferences::Units::Own);
+}
+
+TEST_F(Bands, WhereNoSampleCanBeSolvedNothingIsAwaited) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    const auto awaited = [&] {
+        int count = 0;
+        for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+            for (int row = 0; row < table->rowCount(); ++row) {
+                for (int column = 1; column < table->columnCount(); ++column) {
+                    count += table->spreadAt(row, column) == u"± …"_s ? 1 : 0;
+                }
+            }
+        }
+        return count;
+    };
+    page->model()->changeStudy(
+        u"too much"_s,
+        Json{{"vary", {{"/centre_distance_mm", {{"plus_minus", 1e12}}}}}, {"watch", Json::object()}}
+            .dump());
+    EXPECT_GT(awaited(), 0);
+    settle();
+    EXPECT_EQ(awaited(), 0);
+}
+
+TEST_F(Bands, OfACaseWhoseFileIsGoneThereAreNone) {
+    const QTemporaryDir folder;
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    write_text_file(
+        fsPath(folder.filePath(u"ind.csv"_s)),
+        balance_shaft::write_torque_table(balance_shaft::preset_tmz_650d().torque.table));
+    Json input = page->model()->inputJson();
+    input["torque"] = {{"csv", "ind.csv"}};
+    page->model()->loadInput(input, CaseContext{fsPath(folder.path())});
+    ASSERT_TRUE(QFile::remove(folder.filePath(u"ind.csv"_s)));
+    settle();
+    EXPECT_FALSE(plot(3)->data().hasSpread());
+}
+
+/// Of a rod as long as its crank there is no exact kinematics to compare with: its curve is empty.
+TEST(PartNumbers, OfACurveThatTheCaseHasNotKeepTheirPlaces) {
+    ElasticHingeModel model;
+    model.setByKey(u"kinematics"_s, u"series"_s);
+    model.setByKey(u"lambda"_s, u"1"_s);
+    const Figure figure = std::get<Figure>(model.part("rod-moment"));
+    ASSERT_TRUE(std::any_of(figure.curves.begin(), figure.curves.end(),
+                            [](const auto& curve) { return curve.x.size() != curve.y.size(); }));
+    std::vector<std::string_view> ids;
+    for (const PagePart& part : model.parts()) {
+        ids.push_back(part.id);
+    }
+    const PartNumbers numbers(model, ids);
+    const auto other = model.another(false);
+    for (const char* lambda : {"1", "0.3"}) {
+        other->loadCase(model.inputJson(), {}, {});
+        other->setByKey(u"lambda"_s, QString::fromLatin1(lambda));
+        EXPECT_EQ(numbers.of(*other).size(), numbers.nominal().size()) << lambda;
+    }
+    EXPECT_EQ(numbers.periods().size(), numbers.nominal().size());
+    BandSamples samples(numbers.nominal(), numbers.periods());
+    EXPECT_THROW(samples.add({1.0}), std::logic_error);
 }
 
 TEST(BandSamples, AreBetweenOrderStatisticsAndTheShortWayRound) {

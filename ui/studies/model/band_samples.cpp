@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/demand.h"
+
 namespace ravnoves {
 
 double percentileOf(const std::vector<double>& ascending, double share) {
@@ -45,6 +47,7 @@ Json ScatteredInputs::next() {
 }
 
 void BandSamples::add(const std::vector<double>& numbers) {
+    RAVNOVES_DEMAND(numbers.size() == nominal_.size(), "a sample has the numbers of the case");
     std::vector<float>& sample = samples_.emplace_back();
     for (std::size_t i = 0; i < nominal_.size(); ++i) {
         const double off = numbers[i] - nominal_[i];

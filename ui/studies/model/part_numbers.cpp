@@ -23,14 +23,23 @@ bool isAscending(const std::vector<double>& x) {
     return !x.empty() && std::is_sorted(x.begin(), x.end()) && x.back() > x.front();
 }
 
-/// A curve's values at places that may be those of another.
+/// A curve that a case does not have may still have its places.
+bool isWhole(const Figure::Curve& curve) {
+    return curve.x.size() == curve.y.size();
+}
+
+/// A curve's values at places that may be those of another; not a number where it has none.
 void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
                   std::vector<double>& values) {
-    if (curve != nullptr && curve->x == places) {
+    if (curve == nullptr || !isWhole(*curve)) {
+        values.resize(values.size() + places.size(), none);
+        return;
+    }
+    if (curve->x == places) {
         values.insert(values.end(), curve->y.begin(), curve->y.end());
         return;
     }
-    const bool isRead = curve != nullptr && isLine(*curve) && isAscending(curve->x);
+    const bool isRead = isLine(*curve) && isAscending(curve->x);
     for (const double x : places) {
         if (!isRead || x < curve->x.front() || x > curve->x.back()) {
             values.push_back(none);
@@ -76,7 +85,7 @@ PartNumbers::PartNumbers(const SceneModel& model, const std::vector<std::string_
 
 void PartNumbers::add(const Figure& figure) {
     for (const Figure::Curve& curve : figure.curves) {
-        nominal_.insert(nominal_.end(), curve.y.begin(), curve.y.end());
+        appendValues(curve.x, &curve, nominal_);
     }
     periods_.resize(nominal_.size());
 }
@@ -144,8 +153,8 @@ PartSpread PartNumbers::spreadOf(const Figure& figure, std::size_t from,
         PartSpread::Curve found;
         double most = 0.0;
         double largest = 0.0;
-        for (std::size_t i = 0; i < curve.y.size(); ++i, ++at) {
-            if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i, ++at) {
+            if (!std::isfinite(curve.x[i]) || !std::isfinite(nominal_[at])) {
                 continue;  // it is not drawn
             }
             const bool isKnown = std::isfinite(sides.below[at]);
