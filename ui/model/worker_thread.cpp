@@ -3,6 +3,7 @@
 #include <QMetaObject>
 #include <QPointer>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace ravnoves {
@@ -26,7 +27,11 @@ void WorkerThread::begin(Task task) {
         tasks_.push_back(std::move(task));
     }
     if (!thread_.joinable()) {
-        thread_ = std::thread([this] { work(); });
+        try {
+            thread_ = std::thread([this] { work(); });
+        } catch (const std::system_error&) {
+            workHere();  // no memory for its stack, or as many threads as this user may have
+        }
     }
     changed_.notify_all();
 }
@@ -47,18 +52,29 @@ void WorkerThread::work() {
             return;
         }
         isWorking_ = true;
-        {
-            const Task task = std::move(tasks_.front());
-            tasks_.pop_front();
-            lock.unlock();
-            if (Telling telling = task()) {
-                post(std::move(telling));
-            }
-        }
-        lock.lock();
+        doFirst(lock);
         isWorking_ = false;
         changed_.notify_all();
     }
+}
+
+void WorkerThread::workHere() {
+    std::unique_lock lock(mutex_);
+    while (!tasks_.empty()) {
+        doFirst(lock);
+    }
+}
+
+void WorkerThread::doFirst(std::unique_lock<std::mutex>& lock) {
+    {
+        const Task task = std::move(tasks_.front());
+        tasks_.pop_front();
+        lock.unlock();
+        if (Telling telling = task()) {
+            post(std::move(telling));
+        }
+    }
+    lock.lock();
 }
 
 void WorkerThread::tell() {

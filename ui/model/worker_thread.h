@@ -11,7 +11,8 @@ namespace ravnoves {
 
 /// Tasks that run one after the other in a thread of its own; what comes of them is told in the
 /// thread of this object. What passes between the two goes through one mutex, where a checker of
-/// threads sees it (preset `tsan`). The thread begins with the first task.
+/// threads sees it (preset `tsan`). The thread begins with the first task; where the machine gives
+/// none, that of this object does the work.
 class WorkerThread : public QObject {
     Q_OBJECT
 
@@ -33,6 +34,8 @@ class WorkerThread : public QObject {
 
   private:
     void work();
+    void workHere();
+    void doFirst(std::unique_lock<std::mutex>& lock);
     void tell();
 
     std::mutex mutex_;  ///< of what follows

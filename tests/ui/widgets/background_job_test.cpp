@@ -6,8 +6,16 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <atomic>
+#include <fstream>
 #include <new>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "vector_registers.h"
 
@@ -46,6 +54,65 @@ TEST_F(BackgroundJobTest, TheLatestStartWins) {
     EXPECT_EQ(finished.size(), 1);
     EXPECT_EQ(running.size(), 2);
 }
+
+TEST_F(BackgroundJobTest, WhatIsStoppedHasEnded) {
+    std::atomic<bool> begun = false;
+    std::atomic<bool> ended = false;
+    job.start([&](const BackgroundJob::Progress& progress) {
+        begun = true;
+        endless(progress);
+        QThread::msleep(20);
+        ended = true;
+        return std::function<void()>();
+    });
+    while (!begun) {
+        QThread::msleep(1);
+    }
+    job.stop();
+    EXPECT_TRUE(ended);
+    EXPECT_FALSE(job.isRunning());
+    QTest::qWait(30);
+    EXPECT_EQ(finished.size(), 0);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(BackgroundJobTest, WithoutAThreadTheWorkIsDoneAllTheSame) {
+    // No room for another stack, and those that the library keeps are in use.
+    std::atomic<bool> done = false;
+    std::vector<std::thread> others;
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+    long pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    ASSERT_GT(pages, 0);
+    constexpr rlim_t slack = 4U << 20U;
+    rlimit tight = before;
+    tight.rlim_cur =
+        static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + slack;
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &tight), 0);
+    bool isFull = false;
+    try {
+        while (others.size() < 100) {
+            others.emplace_back([&] {
+                while (!done) {
+                    QThread::msleep(1);
+                }
+            });
+        }
+    } catch (const std::system_error&) {
+        isFull = true;
+    }
+    job.start([this](const BackgroundJob::Progress&) { return [this] { result = 7; }; });
+    setrlimit(RLIMIT_AS, &before);
+    done = true;
+    for (std::thread& other : others) {
+        other.join();
+    }
+    EXPECT_TRUE(isFull);
+    waitForEnd();
+    EXPECT_EQ(result, 7);
+}
+#endif
 
 TEST_F(BackgroundJobTest, WhatIsCancelledDeliversNothing) {
     job.start([this](const BackgroundJob::Progress& progress) {
