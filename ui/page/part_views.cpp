@@ -1,5 +1,7 @@
 #include "page/part_views.h"
 
+#include <algorithm>
+
 #include "model/reference_case.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
@@ -48,12 +50,6 @@ void PartView::make() {
     }
 }
 
-void PartView::refresh() {
-    isStale_ = true;
-    isReferenceStale_ = true;
-    make();
-}
-
 std::vector<PartView*> PartView::below(const QWidget& page, bool seenAlone) {
     std::vector<PartView*> views;
     for (QWidget* widget : page.findChildren<QWidget*>()) {
@@ -66,9 +62,7 @@ std::vector<PartView*> PartView::below(const QWidget& page, bool seenAlone) {
 }
 
 PartPlot::PartPlot(SceneModel* model, std::string_view id, QWidget* parent)
-    : PlotView({}, parent), PartView(model, id, this) {
-    refresh();
-}
+    : PlotView({}, parent), PartView(model, id, this) {}
 
 void PartPlot::showEvent(QShowEvent* event) {
     PlotView::showEvent(event);
@@ -84,13 +78,17 @@ void PartPlot::showReference(const Content* content, const QString& name) {
     PlotView::showReference(content != nullptr ? std::get_if<Figure>(content) : nullptr, name);
 }
 
-void PartPlot::showSpread(const PartSpread& spread) {
-    for (int curve = 0; curve < curveCount(); ++curve) {
-        const auto found = spread.curves.find(data().curve(curve).id);
+void showSpread(PlotView& plot, const PartSpread& spread) {
+    for (int curve = 0; curve < plot.curveCount(); ++curve) {
+        const auto found = spread.curves.find(plot.data().curve(curve).id);
         const bool isThere = found != spread.curves.end();
-        setSpread(curve, isThere ? found->second.below : std::vector<double>(),
-                  isThere ? found->second.above : std::vector<double>());
+        plot.setSpread(curve, isThere ? found->second.below : std::vector<double>(),
+                       isThere ? found->second.above : std::vector<double>());
     }
+}
+
+void PartPlot::showSpread(const PartSpread& spread) {
+    ravnoves::showSpread(*this, spread);
 }
 
 void PartPlot::clearSpread(bool /*another*/) {
@@ -113,12 +111,12 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
         if (!part.isAnswer) {
             continue;
         }
-        for (PartView* view : views) {
-            auto* table = dynamic_cast<PartTable*>(view);
-            if (table != nullptr && view->id() == part.id) {
-                table->refresh();  // seen or not
-                text += (table->*textOfTable)() + QLatin1Char('\n');
-            }
+        const auto view = std::find_if(views.begin(), views.end(),
+                                       [&](const PartView* each) { return each->id() == part.id; });
+        if (auto* table = view != views.end() ? dynamic_cast<PartTable*>(*view) : nullptr) {
+            table->make();  // seen or not
+            text += (table->*textOfTable)() + QLatin1Char('\n');
+            continue;
         }
         const Content content = withLines ? model.part(part.id) : Content();
         if (const auto* notes = std::get_if<Notes>(&content)) {
@@ -153,9 +151,7 @@ PartPlot* partPlot(const QWidget& page, std::string_view id) {
 }
 
 PartTable::PartTable(SceneModel* model, std::string_view id, const QString& name, QWidget* parent)
-    : ResultTable(name, parent), PartView(model, id, this) {
-    refresh();
-}
+    : ResultTable(name, parent), PartView(model, id, this) {}
 
 void PartTable::showEvent(QShowEvent* event) {
     ResultTable::showEvent(event);
@@ -173,6 +169,7 @@ void PartTable::showPart(const Content& content) {
 void PartTable::hideWhereEmpty() {
     hidesWhereEmpty_ = true;
     makeAlways();
+    make();
     setVisible(rowCount() > 0);
 }
 
@@ -195,7 +192,6 @@ PartText::PartText(SceneModel* model, std::string_view id, QWidget* parent)
     setFont(Theme::font(Theme::smallSize));
     colourText(this, &Theme::mutedText);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
-    refresh();
 }
 
 void PartText::showEvent(QShowEvent* event) {

@@ -11,7 +11,7 @@
 namespace ravnoves {
 
 /// Keeps a widget at what a part of a model shows, while it is seen: one that is behind another tab
-/// is made when it comes to the front. Below it stands the same part of the reference.
+/// is empty until it comes to the front. Below it stands the same part of the reference.
 class PartView {
   public:
     /// @param id  of the part; of the model's parts()
@@ -23,7 +23,7 @@ class PartView {
     std::string_view id() const { return id_; }
     const QWidget* widget() const { return widget_; }
     /// Shows what the part is now, seen or not.
-    void refresh();
+    void make();
     /// What the tolerances do to what is shown.
     virtual void showSpread(const PartSpread& spread) = 0;
     /// What is shown is another: its spread is on its way, or none is.
@@ -44,7 +44,6 @@ class PartView {
   private:
     bool isSeen() const { return isAlwaysMade_ || widget_->isVisibleTo(widget_->window()); }
     void outdate(bool ofReference);
-    void make();
 
     SceneModel* model_;
     std::string_view id_;
@@ -53,6 +52,9 @@ class PartView {
     bool isStale_ = true;
     bool isReferenceStale_ = true;
 };
+
+/// What the tolerances do to a plot of a part.
+void showSpread(PlotView& plot, const PartSpread& spread);
 
 /// A plot of a figure.
 class PartPlot : public PlotView, public PartView {

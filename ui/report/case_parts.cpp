@@ -5,6 +5,7 @@
 #include <QTabWidget>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "model/background_job.h"
@@ -23,20 +24,6 @@ using namespace report;
 namespace {
 
 constexpr qint64 jobPatienceMs = 60'000;
-
-Paragraph::Kind kindOf(Severity severity) {
-    switch (severity) {
-        case Severity::error:
-            return Paragraph::Kind::Error;
-        case Severity::warning:
-            return Paragraph::Kind::Warning;
-        case Severity::good:
-            return Paragraph::Kind::Good;
-        case Severity::note:
-            break;
-    }
-    return Paragraph::Kind::Text;
-}
 
 /// The groups of a report: one for what stands beside the tabs, one for each tab that has parts.
 class Groups {
@@ -94,23 +81,34 @@ QString tabOf(const QWidget* widget, std::span<const PagePart> parts) {
     return {};
 }
 
+/// The same part of the reference; nothing where there is none.
+std::optional<Content> ofReference(SceneModel& model, const PagePart& part) {
+    const SceneModel* reference = model.referenceCase().model();
+    return reference != nullptr ? std::optional(reference->part(part.id)) : std::nullopt;
+}
+
 void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, const Figure& figure,
                const PartSpread* spread, PageGroup& group) {
     PartPlot* own = partPlot(page, part.id);
+    if (own != nullptr) {
+        own->make();
+    }
     if (own != nullptr && own->isDrawing() && !own->dataAsCsv().isEmpty()) {
-        own->refresh();
         group.figures.push_back(drawingOf(own));
         return;
     }
     const bool isEmpty = std::all_of(figure.curves.begin(), figure.curves.end(),
                                      [](const Figure::Curve& curve) { return curve.x.empty(); });
     if (isEmpty) {
-        group.empty << figure.title;
         return;
     }
-    auto plot = std::make_shared<PartPlot>(&model, part.id);
+    auto plot = std::make_shared<PlotView>(QString());
+    plot->showFigure(figure);
+    if (const auto reference = ofReference(model, part)) {
+        plot->showReference(std::get_if<Figure>(&*reference), model.referenceCase().name());
+    }
     if (spread != nullptr) {
-        plot->showSpread(*spread);
+        showSpread(*plot, *spread);
     }
     constexpr int width = 660;
     constexpr int high = 460;
@@ -134,9 +132,14 @@ void addTable(ScenePage& page, const PagePart& part, const Results& results,
     if (results.rows.isEmpty()) {
         return;
     }
-    PartTable table(page.model(), part.id, nameOf(part, page));
+    ResultTable table(nameOf(part, page), nullptr);
+    table.setResults(results);
+    if (const auto reference = ofReference(*page.model(), part)) {
+        table.showReference(std::get_if<Results>(&*reference),
+                            page.model()->referenceCase().name());
+    }
     if (spread != nullptr) {
-        table.showSpread(*spread);
+        table.setSpreads(spread->cells, spread->how);
     }
     group.tables.push_back(tableOf(table));
 }
@@ -151,6 +154,20 @@ void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
 }
 
 }  // namespace
+
+Paragraph::Kind kindOf(Severity severity) {
+    switch (severity) {
+        case Severity::error:
+            return Paragraph::Kind::Error;
+        case Severity::warning:
+            return Paragraph::Kind::Warning;
+        case Severity::good:
+            return Paragraph::Kind::Good;
+        case Severity::note:
+            break;
+    }
+    return Paragraph::Kind::Text;
+}
 
 std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
     SceneModel& model = *page.model();

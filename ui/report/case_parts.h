@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QList>
 #include <QString>
 #include <vector>
 
+#include "case-file/verdict.h"
 #include "report/report.h"
 
 namespace ravnoves {
@@ -17,10 +17,12 @@ struct PageGroup {
     std::vector<report::Item> words;
     std::vector<report::Item> tables;
     std::vector<report::Item> figures;
-    QStringList empty;  ///< titles of plots in which there is nothing to see
 
     bool isEmpty() const { return words.empty() && tables.empty() && figures.empty(); }
 };
+
+/// As what a report shows a line that means this for the answer.
+report::Paragraph::Kind kindOf(Severity severity);
 
 /// What a page shows, part by part, with its pictures: those beside the tabs first, then tab by
 /// tab. Nothing of the page moves for it: plots and tables are made for the report alone.

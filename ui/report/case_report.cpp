@@ -298,15 +298,10 @@ void addVariants(Report& report, const SceneModel& model) {
 /// The answer: what holds, the picture, the leading results.
 void addAnswer(Report& report, const SceneModel& model, PageGroup& front) {
     if (const std::optional<Verdict> verdict = model.verdictShown()) {
-        const Paragraph::Kind kind = verdict->severity == Severity::error ? Paragraph::Kind::Error
-                                     : verdict->severity == Severity::warning
-                                         ? Paragraph::Kind::Warning
-                                     : verdict->severity == Severity::good ? Paragraph::Kind::Good
-                                                                           : Paragraph::Kind::Text;
         report.items.push_back(Paragraph{
             (severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text))
                 .toHtmlEscaped(),
-            kind});
+            kindOf(verdict->severity)});
     }
     for (auto* part : {&front.figures, &front.tables, &front.words}) {
         std::move(part->begin(), part->end(), std::back_inserter(report.items));

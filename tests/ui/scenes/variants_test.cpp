@@ -188,7 +188,7 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesOfTheSameWord) {
     int moved = 0;
     for (PartPlot* plot : page->findChildren<PartPlot*>()) {
         SCOPED_TRACE(plot->id());
-        plot->refresh();
+        plot->make();
         const Figure figure = std::get<Figure>(reference()->part(plot->id()));
         const PlotData& data = plot->data();
         const int before = ghosts;
@@ -218,7 +218,7 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesOfTheSameWord) {
     EXPECT_EQ(reference(), nullptr);
     lookAtAll(*page);
     for (PartView* view : PartView::below(*page, false)) {
-        view->refresh();  // what is hidden follows when it is shown
+        view->make();  // what is hidden follows when it is shown
     }
     for (const PlotView* plot : page->findChildren<PlotView*>()) {
         EXPECT_EQ(plot->data().reference, nullptr);
@@ -236,7 +236,7 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReferencesRowOfTheSame
     int other = 0;
     for (PartTable* table : page->findChildren<PartTable*>()) {
         SCOPED_TRACE(table->id());
-        table->refresh();
+        table->make();
         const Results now = std::get<Results>(model().part(table->id()));
         const Results before = std::get<Results>(reference()->part(table->id()));
         ASSERT_EQ(table->rowCount(), now.rows.size());

@@ -206,7 +206,7 @@ TEST_F(V8PageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
 TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
     type("rod_big_end", u"1"_s);
     PartPlot* plot = partPlot(page, "compensation");
-    plot->refresh();  // it may stand behind another
+    plot->make();  // it may stand behind another
     for (const OptionId id : all_options) {
         const auto& option = model->solution().option(id);
         const int curve = static_cast<int>(id);
