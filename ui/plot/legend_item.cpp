@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QToolTip>
 #include <cmath>
+#include <utility>
 
 #include "plot/plot_painter.h"
 #include "text/text_width.h"
@@ -46,6 +47,13 @@ LegendItem::LegendItem(QWidget* parent) : QAbstractButton(parent) {
     setCursor(Qt::ArrowCursor);
 }
 
+void LegendItem::setName(const QString& name) {
+    if (std::exchange(name_, name) != name) {
+        updateGeometry();
+        update();
+    }
+}
+
 void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape) {
     colour_ = colour;
     pen_ = pen;
@@ -55,7 +63,7 @@ void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape s
 
 QSize LegendItem::sizeHint() const {
     const QFontMetricsF metrics(itemFont());
-    return {static_cast<int>(std::ceil(strokeLength() + 3 * inset + textWidth(itemFont(), text()))),
+    return {static_cast<int>(std::ceil(strokeLength() + 3 * inset + textWidth(itemFont(), name_))),
             static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
 }
 
@@ -66,7 +74,7 @@ int LegendItem::heightForWidth(int width) const {
     }
     const QRectF room(0.0, 0.0, width - 2.0 * inset - strokeLength(), 1e4);
     return static_cast<int>(
-               std::ceil(QFontMetricsF(itemFont()).boundingRect(room, wrapped, text()).height())) +
+               std::ceil(QFontMetricsF(itemFont()).boundingRect(room, wrapped, name_).height())) +
            Theme::gap;
 }
 
@@ -75,7 +83,7 @@ bool LegendItem::isElided() const {
            (width() < sizeHint().width() &&
             QFontMetricsF(itemFont())
                     .boundingRect(QRectF(0.0, 0.0, width() - 2.0 * inset - strokeLength(), 1e4),
-                                  wrapped, text())
+                                  wrapped, name_)
                     .width() > width() - 2.0 * inset - strokeLength());
 }
 
@@ -112,19 +120,19 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     const QRectF room = rect.adjusted(2 * inset + strokeLength(), 0, 0, 0);
     if (isElided()) {
         painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(text(), Qt::ElideMiddle,
+                         painter.fontMetrics().elidedText(name_, Qt::ElideMiddle,
                                                           static_cast<int>(room.width())));
     } else if (rect.width() < sizeHint().width()) {
-        painter.drawText(room, wrapped, text());
+        painter.drawText(room, wrapped, name_);
     } else {
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text());
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, name_);
     }
 }
 
 bool LegendItem::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && isElided()) {
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                           text() + QLatin1Char('\n') + toolTip(), this);
+                           name_ + QLatin1Char('\n') + toolTip(), this);
         return true;
     }
     return QAbstractButton::event(event);

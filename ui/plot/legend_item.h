@@ -15,6 +15,9 @@ class LegendItem : public QAbstractButton {
   public:
     explicit LegendItem(QWidget* parent);
 
+    /// Of the curve, or of a variant: an & in it is one. A button's text would be a key by it.
+    void setName(const QString& name);
+    const QString& name() const { return name_; }
     /// @param pen  none: a shade
     void setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape);
     /// Draws the entry into a rectangle, for pictures that hold no widgets.
@@ -33,6 +36,7 @@ class LegendItem : public QAbstractButton {
     void leaveEvent(QEvent* event) override;
 
   private:
+    QString name_;
     QColor colour_;
     Qt::PenStyle pen_ = Qt::SolidLine;
     plot::Shape shape_ = plot::Shape::Line;

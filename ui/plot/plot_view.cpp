@@ -70,7 +70,7 @@ void PlotView::nameReference(const QString& name) {
         });
     }
     constexpr int longest = 24;
-    referenceItem_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
+    referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
     referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
     referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
     referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
@@ -165,7 +165,7 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
     curve.style = style;
     curve.stale = true;
     if (LegendItem* item = legend_[static_cast<std::size_t>(number)]) {
-        item->setText(style.name);
+        item->setName(style.name);
         item->setAccessibleName(tr("Show %1").arg(style.name));
         item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
                                                  : style.toolTip);
@@ -187,7 +187,7 @@ void PlotView::showLegend() {
     }
     for (std::size_t curve = 0; curve < legend_.size(); ++curve) {
         if (LegendItem* item = legend_[curve]) {
-            item->setVisible(!item->text().isEmpty() && (!any || isThere(curve)));
+            item->setVisible(!item->name().isEmpty() && (!any || isThere(curve)));
         }
     }
 }
@@ -225,7 +225,7 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
     if (spreadItem_ == nullptr) {
         spreadItem_ = new LegendItem(this);
         spreadItem_->setObjectName(QStringLiteral("spread"));
-        spreadItem_->setText(tr("5…95 %"));
+        spreadItem_->setName(tr("5…95 %"));
         spreadItem_->setChecked(data_.spreadShown);
         spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
         spreadItem_->setToolTip(

@@ -21,6 +21,7 @@
 #include "plot/model/figure.h"
 #include "plot/model/ticks.h"
 #include "theme/theme.h"
+#include "widgets/mnemonics.h"
 
 namespace ravnoves {
 namespace {
@@ -235,11 +236,23 @@ TEST_F(PlotViewTest, NoNameOfALegendIsCut) {
         plot.resize(width, 400);
         plot.grab();
         for (const LegendItem* item : plot.findChildren<LegendItem*>()) {
-            EXPECT_FALSE(item->isElided()) << width << ' ' << item->text().toStdString();
+            EXPECT_FALSE(item->isElided()) << width << ' ' << item->name().toStdString();
             EXPECT_LE(item->geometry().right(), width);
             EXPECT_LT(item->geometry().bottom(), plot.plotArea().top() + 1.0);
         }
     }
+}
+
+TEST(PlotView, AVariantsNameInTheLegendIsNoKey) {
+    Figure figure;
+    figure.add("a", {.name = u"a"_s}, {0.0, 1.0}, {0.0, 1.0});
+    PlotView plot(u"Plot"_s);
+    plot.showFigure(figure);
+    plot.showReference(&figure, u"R&D"_s);
+    separateMnemonics(&plot);
+    const auto* item = plot.findChildren<LegendItem*>().last();
+    EXPECT_EQ(item->name(), u"R&D"_s);
+    EXPECT_TRUE(item->shortcut().isEmpty());
 }
 
 TEST_F(PlotViewTest, TheLegendNamesOnlyCurvesThatAreThere) {
