@@ -1,10 +1,13 @@
 #include "shell/scene_list.h"
 
+#include <iterator>
+
 #include "balance-shaft/balance_shaft_page.h"
 #include "bob-weights/bob_weights_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
+#include "numerics/demand.h"
 #include "studies/tolerance_bands.h"
 #include "v8-plugs/v8_plugs_page.h"
 
@@ -27,8 +30,15 @@ constexpr ScenePage* (*makers[])(QWidget*, SceneModel*){
 
 }  // namespace
 
+ScenePage* SceneInfo::make(QWidget* parent, SceneModel* kept) const {
+    ScenePage* page = maker(parent, kept);
+    RAVNOVES_DEMAND(page->model()->sceneName() == name, "a scene has its own page");
+    return page;
+}
+
 std::vector<SceneInfo> sceneList() {
     std::vector<SceneInfo> scenes;
+    RAVNOVES_DEMAND(sceneNames().size() == std::size(makers), "each scene has a page");
     for (const SceneName& each : sceneNames()) {
         scenes.push_back({each, makers[scenes.size()]});
     }

@@ -17,9 +17,7 @@ struct SceneInfo : SceneName {
     std::function<ScenePage*(QWidget* parent, SceneModel* kept)> maker;
 
     /// Makes the page, over the model that a page before it has left, or over a new one.
-    ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const {
-        return maker(parent, kept);
-    }
+    ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const;
 };
 
 /// All scenes in the order of the navigation. To add a scene, add its line here, in scene_names.cpp
