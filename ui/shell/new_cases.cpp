@@ -8,8 +8,8 @@
 #include <iterator>
 
 #include "case-file/json.h"
+#include "page/scene_names.h"
 #include "scenes/scenes.h"
-#include "shell/scene_list.h"
 #include "text/message_text.h"
 
 namespace ravnoves {
@@ -65,11 +65,11 @@ namespace {
 
 /// The scenes that have a page; those of the command line alone have none.
 std::vector<SceneSolver> shownScenes() {
-    const std::vector<SceneInfo> pages = sceneList();
+    const std::vector<SceneName> pages = sceneNames();
     std::vector<SceneSolver> shown;
     for (const SceneSolver& solver : scene_solvers()) {
         if (std::any_of(pages.begin(), pages.end(),
-                        [&](const SceneInfo& page) { return page.name == nameOf(solver); })) {
+                        [&](const SceneName& page) { return page.name == nameOf(solver); })) {
             shown.push_back(solver);
         }
     }

@@ -11,7 +11,7 @@
 
 #include "case-file/json.h"
 #include "model/scene_model.h"
-#include "shell/scene_list.h"
+#include "page/scene_names.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
@@ -45,16 +45,13 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         list_->setRootIsDecorated(false);
         list_->setTextElideMode(Qt::ElideMiddle);
         list_->setHeaderLabels({tr("Case"), tr("File"), tr("Kept")});
-        const std::vector<SceneInfo> scenes = sceneList();
         for (const RecoveredCase& each : cases_) {
             QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
             names << JobDesk::wordsOf(each.content);
             names.removeAll(QString());
-            QString name = names.join(QStringLiteral(", "));
-            for (const SceneInfo& scene : scenes) {
-                if (scene.name.toStdString() == each.content.scene) {
-                    name = name.isEmpty() ? scene.title : scene.title + QStringLiteral(": ") + name;
-                }
+            QString name = sceneTitle(QString::fromStdString(each.content.scene));
+            if (!names.isEmpty()) {
+                name += QStringLiteral(": ") + names.join(QStringLiteral(", "));
             }
             const QString path =
                 each.path.isEmpty() ? tr("no file yet") : QDir::toNativeSeparators(each.path);
