@@ -70,6 +70,10 @@ ResultName resultName(const QString& scene, const std::string& pointer) {
     return name;
 }
 
+bool isNamed(const QString& scene, const std::string& pointer) {
+    return namesOf(scene.toStdString()).count(pointer) > 0;
+}
+
 void learnResultNames(const QString& scene, const Json& input, const CaseContext& context) {
     learn(namesOf(scene.toStdString()), scene.toStdString(), input, context);
 }

@@ -26,6 +26,8 @@ struct ResultName {
 /// @param pointer  below "result", for example "/metrics/M_ups/range_Nm"
 ResultName resultName(const QString& scene, const std::string& pointer);
 
+/// Whether the presets' results or those that were learned have it.
+bool isNamed(const QString& scene, const std::string& pointer);
 /// What this input's result has is known by name from now on.
 void learnResultNames(const QString& scene, const Json& input, const CaseContext& context);
 

@@ -170,9 +170,15 @@ void StudyModel::readStudy() {
 }
 
 std::vector<StudyModel::Value> StudyModel::results() const {
-    learnResultNames(scene_->sceneName(), scene_->inputJson(), scene_->context());
     std::vector<Value> found;
     collectNumbers(scene_->resultJson(), {}, found);
+    const QString scene = scene_->sceneName();
+    const bool areNamed = std::all_of(found.begin(), found.end(), [&](const Value& value) {
+        return isNamed(scene, value.pointer);
+    });
+    if (!areNamed) {
+        learnResultNames(scene, scene_->inputJson(), scene_->context());  // solves it
+    }
     return found;
 }
 
