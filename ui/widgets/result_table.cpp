@@ -410,7 +410,9 @@ void ResultTable::fitColumns() {
     // Before the numbers scroll, words end in dots sooner.
     const int least = Theme::withText(leastOfWords);
     int spare = 0;
+    int visibleColumns = 0;
     for (int column = 0; column < columnCount(); ++column) {
+        visibleColumns += isColumnHidden(column) ? 0 : 1;
         const int width = widths[static_cast<std::size_t>(column)];
         spare += stretched_.contains(column) ? std::max(0, width - least) : 0;
     }
@@ -421,6 +423,15 @@ void ResultTable::fitColumns() {
             width -= given;
             sum -= given;
             spare -= given;
+        }
+    }
+    // Nor do they scroll where closer they have room.
+    const int closer = isSmall(*this) ? 0 : padding - leastPadding;
+    if (sum > room && sum - closer * visibleColumns <= room) {
+        for (int column = 0; column < columnCount(); ++column) {
+            const int given = isColumnHidden(column) ? 0 : std::min(sum - room, closer);
+            widths[static_cast<std::size_t>(column)] -= given;
+            sum -= given;
         }
     }
     const auto scrolls = [this] { return header_->length() > viewport()->width(); };

@@ -26,6 +26,7 @@
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "pictures/file_dialogs.h"
+#include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
@@ -349,6 +350,17 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning() && rebuild->isVisible(),
                              20000);
     EXPECT_EQ(map->title(), empty);
+}
+
+TEST(BalanceShaftInRussian, ItsCriteriaDoNotScroll) {
+    installLanguage(QStringLiteral("ru"));
+    {
+        BalanceShaftPage page;
+        test::showAt(page, {1175, 700});  // of a window of 1280×800
+        const auto* criteria = page.findChild<ResultTable*>();
+        EXPECT_FALSE(criteria->horizontalScrollBar()->isVisible());
+    }
+    installLanguage(QStringLiteral("en"));
 }
 
 TEST_F(BalanceShaftViewsTest, TheChangeIsWholeAndIsComparedWithNothing) {
