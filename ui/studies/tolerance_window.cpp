@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QKeyEvent>
@@ -311,6 +312,8 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
     progress_ = new QProgressBar(holder);
     progress_->setAccessibleName(tr("Progress"));
+    constexpr int leastProgress = 60;  // beside long words
+    progress_->setMinimumWidth(Theme::withText(leastProgress));
     QSizePolicy keeps = progress_->sizePolicy();
     keeps.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(keeps);
@@ -318,6 +321,10 @@ QWidget* ToleranceWindow::makeAnswers() {
     auto* below = new QHBoxLayout;
     below->addWidget(bands, 1);
     below->addWidget(progress_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, holder);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is of the tables
+    connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);
+    below->addWidget(buttons);
     column->addLayout(below);
     return holder;
 }

@@ -5,6 +5,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
@@ -489,6 +490,13 @@ TEST_F(Tolerances, StandOverTheWindowOfThePageOnce) {
     }));
 }
 
+TEST_F(Tolerances, AreClosedByTheirButton) {
+    auto* buttons = tolerances->findChild<QDialogButtonBox*>();
+    ASSERT_NE(buttons, nullptr);
+    QTest::mouseClick(buttons->button(QDialogButtonBox::Close), Qt::LeftButton);
+    EXPECT_FALSE(tolerances->isVisible());
+}
+
 TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
     QTableView* view = tolerances->inputs()->view();
     const auto paste = [&](const QString& text) {
@@ -817,6 +825,26 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
     scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(study().vary.size(), 1U);
+}
+
+/// So that the window need not solve it once more.
+TEST(ResultNames, OfADefaultCaseAreThoseOfThePresets) {
+    for (const std::string& scene : test::sceneNamesWithCases()) {
+        const auto page = test::makePage(scene);
+        const std::function<void(const Json&, const std::string&)> look =
+            [&](const Json& json, const std::string& pointer) {
+                if (json.is_number()) {
+                    EXPECT_TRUE(isNamed(QString::fromStdString(scene), pointer))
+                        << scene << ' ' << pointer;
+                }
+                if (json.is_object()) {
+                    for (const auto& [key, child] : json.items()) {
+                        look(child, pointer + (Json::json_pointer() / key).to_string());
+                    }
+                }
+            };
+        look(page->model()->resultJson(), {});
+    }
 }
 
 TEST(ToleranceInputs, AreNoCountsAndNoNames) {
