@@ -73,6 +73,36 @@ KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap
     return report;
 }
 
+Verdict verdict(const KernelReport& report) {
+    const MethodRow* used = nullptr;
+    for (const MethodRow& row : report.rows) {
+        used = row.in_use ? &row : used;
+    }
+    if (used == nullptr) {
+        return {};
+    }
+    int holding = 0;
+    int faster = 0;
+    for (const MethodRow& row : report.rows) {
+        holding += row.holds ? 1 : 0;
+        faster += row.holds && row.timing.median < used->timing.median ? 1 : 0;
+    }
+    const Message name(Text{"", "%1, %2"}, used->title, used->label);
+    if (used->result.refused()) {
+        return {
+            Severity::note,
+            {CORE_TEXT("methods", "In use: %1. No numbers here: %2."), name, used->result.refusal}};
+    }
+    if (!used->holds) {
+        return {Severity::warning,
+                {CORE_TEXT("methods", "In use: %1. It misses the tolerance at this value."), name}};
+    }
+    return {Severity::good,
+            {CORE_TEXT("methods",
+                       "In use: %1. It holds the tolerance; %2 of %3 settings that do are faster."),
+             name, faster, holding}};
+}
+
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options,
                             const Progress& progress) {
     // The times and each of the maps take about as long.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "case-file/verdict.h"
 #include "methods/measure.h"
 
 namespace ravnoves::methods {
@@ -50,6 +51,10 @@ KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap
 /// @throws Cancelled
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options = {},
                             const Progress& progress = {});
+
+/// Whether the method in use holds the scene's tolerance where it was measured, and how it stands
+/// among those that do.
+Verdict verdict(const KernelReport& report);
 
 /// How a hard parameter is called.
 enum class SweepName {

@@ -34,6 +34,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -112,8 +113,13 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     inputs->setFocusPolicy(Qt::NoFocus);  // it would hand the focus to its hidden bar
     inputs->setFixedWidth(PageColumns::inputsWidth());
     inputs->addTab(left, tr("Quantity"));
-    columnIn(this)->addWidget(new PageColumns(
-        {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, this));
+    verdict_ = new VerdictLine(this);
+    QVBoxLayout* page = columnIn(this);
+    page->addWidget(verdict_);
+    page->addWidget(
+        new PageColumns(
+            {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, this),
+        1);
 
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
     againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
@@ -357,7 +363,14 @@ void MethodsPage::showWords() {
     words_->setText(html);
 }
 
+void MethodsPage::showVerdict() {
+    const auto verdict = model_->verdictShown();
+    verdict_->show(verdict.value_or(
+        Verdict{Severity::note, {CORE_TEXT("methods", "Measuring the methods on this machine.")}}));
+}
+
 void MethodsPage::showTable() {
+    showVerdict();
     const MethodMeasurement* shown = model_->shown();
     if (shown == nullptr) {
         return;

@@ -15,6 +15,7 @@ class MethodPlots;
 class ResultTable;
 class SweepValueField;
 class ValidationView;
+class VerdictLine;
 
 /// The page "Methods": which kernel, the charts of its methods, their table, why the scene uses the
 /// one it uses, and the validation report.
@@ -58,6 +59,7 @@ class MethodsPage : public ScenePage {
     void showCase();
     void showWords();
     void showTable();
+    void showVerdict();
     void showRunning();
     void chooseRow();
     /// Columns for which there is room, rows as high as their words: once, after what changed.
@@ -84,6 +86,7 @@ class MethodsPage : public ScenePage {
     const methods::Kernel* tableOf_ = nullptr;  ///< the kernel in the table
     QLabel* limits_ = nullptr;
     ValidationView* validation_ = nullptr;
+    VerdictLine* verdict_ = nullptr;
     QAction* againAction_ = nullptr;
     QAction* exportAction_ = nullptr;
 };

@@ -34,6 +34,10 @@ class MethodsModel : public SceneModel {
     /// "kernel", "sweep" (by id) and "value".
     /// @throws InputError for a word or a number that is not allowed there
     bool setViewOption(const QString& key, const QString& value) override;
+    /// Of the newest measurement; nothing before any.
+    std::optional<Verdict> verdictShown() const override {
+        return shown_ != nullptr ? std::optional(methods::verdict(shown_->report)) : std::nullopt;
+    }
 
     /// How to look up the open cases; nothing is open without it.
     void setOpenCases(OpenCases cases);
