@@ -131,6 +131,10 @@ Message factor_reason(const Engine& engine) {
                      "into a circle of half the size that turns against the crank.");
 }
 
+bool balances_itself(const Engine& engine) {
+    return engine.type == EngineType::in_line && engine.cylinders >= 4 && engine.cylinders % 2 == 0;
+}
+
 Message factor_effect(const Engine& engine, double factor) {
     const FirstOrder left = first_order(engine, factor, 1.0);
     const double whole = is_pair(engine) ? 2.0 : 1.0;

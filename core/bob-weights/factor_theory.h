@@ -45,6 +45,10 @@ FirstOrder first_order(const Engine& engine, double factor, double reciprocating
 /// ½ (1 − |cos(γ + δ/2)| / cos(δ/2)), where the ellipse is a line.
 double theory_factor(const Engine& engine);
 
+/// Whether the crankpins balance one another, so that equal bob weights change nothing: of an even
+/// number of cylinders in line, four or more.
+bool balances_itself(const Engine& engine);
+
 /// Why that, in words.
 Message factor_reason(const Engine& engine);
 

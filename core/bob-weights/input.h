@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -215,6 +216,15 @@ struct Correction {
 
     friend bool operator==(const Correction&, const Correction&) = default;
 };
+
+/// Whether its first run has no readings: it stands for the holes that were there before.
+inline bool starts_with_holes(const Correction& correction) {
+    return !correction.earlier_runs.empty() && correction.earlier_runs.front().drilled &&
+           std::none_of(
+               correction.earlier_runs.front().readings.begin(),
+               correction.earlier_runs.front().readings.end(),
+               [](const EarlierReading& reading) { return reading.unbalance || reading.angle; });
+}
 
 /// What may remain: a grade, or an unbalance for each plane.
 struct Tolerance {

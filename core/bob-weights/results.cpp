@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/result_fields.h"
 #include "bob-weights/solver.h"
@@ -297,17 +298,24 @@ void visit_withheld(ResultVisitor& visitor, const Input& input, const Result& re
     }
 }
 
-Verdict verdict(const Input& input, const Result& result) {
+Verdict verdict(const Input& input, const Result& result,
+                const std::array<std::string, 2>& plane_names) {
     Verdict verdict{
         Severity::note,
         {input.engine.crankpins() == 1
              ? CORE_TEXT("bob-weights", "Hang a bob weight of %1 on the crankpin.")
              : CORE_TEXT("bob-weights", "Hang bob weights of %1 on the %2 crankpins."),
          Number{*result.bob_weight / units::gram, units::gram, -1}, input.engine.crankpins()}};
+    if (balances_itself(input.engine)) {
+        verdict.text = {CORE_TEXT("bob-weights",
+                                  "No bob weights are needed: the crankpins balance one another. "
+                                  "Where they are hung, each weighs %1."),
+                        Number{*result.bob_weight / units::gram, units::gram, -1}};
+    }
     const RunResult* newest = result.newest();
     if (newest != nullptr && result.holds() && newest->is_read()) {
         verdict = {Severity::good, {}};
-        shop::add_machine_verdict(verdict, newest->unbalances(), result.permissible);
+        shop::add_machine_verdict(verdict, newest->unbalances(), result.permissible, plane_names);
         if (verdict.text.empty()) {
             verdict = {Severity::note,
                        result.permissible
@@ -316,15 +324,15 @@ Verdict verdict(const Input& input, const Result& result) {
         }
         if (result.correction && newest->passes() != true) {
             const auto& planes = *result.correction;
+            const auto names = shop::plane_names(plane_names);
             const auto after = result.passes_after();
             const Number left[] = {{planes[0].remaining / units::gram_mm, units::gram_mm, -1},
                                    {planes[1].remaining / units::gram_mm, units::gram_mm, -1}};
             verdict.severity = after == true ? Severity::warning : Severity::error;
             verdict.text = Message(
                 Text{"", "%1 %2"}, verdict.text,
-                Message(
-                    CORE_TEXT("bob-weights", "After the planned correction: %1 front, %2 rear."),
-                    left[0], left[1]));
+                Message(CORE_TEXT("bob-weights", "After the planned correction: %1 %3, %2 %4."),
+                        left[0], left[1], names[0], names[1]));
         }
         if (!newest->acted_as_meant()) {
             verdict.warn(CORE_TEXT("bob-weights",

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 #include "case-file/result_visitor.h"
@@ -29,6 +32,7 @@ void visit_withheld(ResultVisitor& visitor, const Input& input, const Result& re
                     const Withheld& withheld);
 
 /// Whether the crankshaft passes; before it is read, what to hang on it.
-Verdict verdict(const Input& input, const Result& result);
+Verdict verdict(const Input& input, const Result& result,
+                const std::array<std::string, 2>& plane_names = {});
 
 }  // namespace ravnoves::bob_weights

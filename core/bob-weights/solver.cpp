@@ -788,15 +788,12 @@ std::optional<bool> RunResult::passes() const {
     if (planes) {
         return both((*planes)[0].within_tolerance, (*planes)[1].within_tolerance);
     }
-    std::optional<bool> all = true;
-    for (const auto& reading : alone) {
-        const auto within = reading ? reading->within_tolerance : std::nullopt;
-        if (within == false) {
-            return false;
-        }
-        all = within ? all : std::nullopt;
-    }
-    return all;
+    const auto within = [&](std::size_t i) {
+        return alone[i] ? alone[i]->within_tolerance : std::nullopt;
+    };
+    const auto first = within(0);
+    const auto second = within(1);
+    return first == false || second == false ? std::optional(false) : both(first, second);
 }
 
 std::optional<bool> Result::passes_after() const {
@@ -942,6 +939,39 @@ Result solve(const Input& given, bool places_parts) {
         }
     }
     return solve(input, Format::bob_weights, std::nullopt, true, places_parts);
+}
+
+std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
+                                 double diameter, double depth, double angle) {
+    const auto i = static_cast<std::size_t>(plane);
+    const RunResult* newest = result.newest();
+    if (newest == nullptr || !newest->planes || !input.correction ||
+        i >= input.correction->planes.size() || !input.correction->planes[i].radius) {
+        return std::nullopt;
+    }
+    const Drill& drill = input.correction->drill;
+    const Cut cut{*input.correction->planes[i].radius, drill.density, drill.point_angle};
+    double taken = cut.removed(diameter, depth).unbalance;
+    bool touches = false;
+    for (const RunResult& run : result.runs) {
+        for (const Hole& hole : run.drilled[i].holes) {
+            const double away = std::abs(std::remainder(hole.angle - angle, 2.0 * pi));
+            if (away * cut.radius < 0.5 * (diameter + hole.diameter)) {
+                touches = true;
+                const double gone =
+                    cut.removed(std::min(hole.diameter, diameter), std::min(hole.depth, depth))
+                        .unbalance;
+                taken = std::max(0.0, taken - gone);
+            }
+        }
+    }
+    const RunResult::InPlane& read = (*newest->planes)[i];
+    const Vector left = std::polar(read.unbalance, read.angle) - std::polar(taken, angle);
+    return Remaining{
+        std::abs(left), turn_of(std::arg(left)),
+        is_within(std::abs(left),
+                  result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt),
+        touches};
 }
 
 Result solve_job(const Input& given, bool places_parts) {

@@ -27,6 +27,17 @@ std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
 /// @return empty where it is not known of any hole
 std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run);
 
+/// What would remain of the newest reading of a plane, were a hole drilled there; nothing while
+/// reading or rim are not known.
+struct Remaining {
+    double unbalance;                      ///< kg·m
+    double angle;                          ///< rad, 0…2π
+    std::optional<bool> within_tolerance;  ///< nothing without a limit
+    bool touches = false;  ///< a hole that is there: what that has taken is not taken again
+};
+std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
+                                 double diameter, double depth, double angle);
+
 /// The limits of the two planes.
 ///
 /// By grade U_per = m G / ω is shared as the centre of mass lies between the planes, each share

@@ -224,6 +224,10 @@ CaseFile parse_case(std::string_view text) {
     return read_case(parse_json(text));
 }
 
+CaseFile parse_shown_case(std::string_view text) {
+    return workshop::as_job(parse_case(text));
+}
+
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file,
                                                   const CaseContext& context) {
     std::vector<std::filesystem::path> files;

@@ -58,6 +58,11 @@ CaseFile read_case(Json document);
 /// @throws InputError
 CaseFile parse_case(std::string_view text);
 
+/// The same for a program that shows each case on a page: one of v8-plugs or bob-weights is the job
+/// of workshop that it holds.
+/// @throws InputError
+CaseFile parse_shown_case(std::string_view text);
+
 /// The files that the case names: each text under a key "csv", beside the case.
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
 

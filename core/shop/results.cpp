@@ -113,8 +113,14 @@ Message other_readings(const std::optional<double>& read_with,
     return {};
 }
 
+std::array<Message, 2> plane_names(const std::array<std::string, 2>& own) {
+    return {own[0].empty() ? Message(CORE_TEXT("workshop", "front")) : Message(own[0]),
+            own[1].empty() ? Message(CORE_TEXT("workshop", "rear")) : Message(own[1])};
+}
+
 void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double>, 2>& unbalance,
-                         const std::optional<std::array<double, 2>>& permissible) {
+                         const std::optional<std::array<double, 2>>& permissible,
+                         const std::array<std::string, 2>& own_names) {
     if (!permissible) {
         return;
     }
@@ -129,13 +135,16 @@ void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double
     if (!is_whole && !fails) {
         return;
     }
-    const Message said{
-        fails ? CORE_TEXT("workshop", "Fails: %1 front, %2 rear; permissible %3 and %4.")
-              : CORE_TEXT("workshop", "Passes: %1 front, %2 rear; permissible %3 and %4."),
-        unbalance[0] ? Message(shown[0]) : Message("–"),
-        unbalance[1] ? Message(shown[1]) : Message("–"),
-        Number{(*permissible)[0] / units::gram_mm, units::gram_mm, -1},
-        Number{(*permissible)[1] / units::gram_mm, units::gram_mm, -1}};
+    const std::array<Message, 2> names = plane_names(own_names);
+    const Message said{fails
+                           ? CORE_TEXT("workshop", "Fails: %1 %5, %2 %6; permissible %3 and %4.")
+                           : CORE_TEXT("workshop", "Passes: %1 %5, %2 %6; permissible %3 and %4."),
+                       unbalance[0] ? Message(shown[0]) : Message("–"),
+                       unbalance[1] ? Message(shown[1]) : Message("–"),
+                       Number{(*permissible)[0] / units::gram_mm, units::gram_mm, -1},
+                       Number{(*permissible)[1] / units::gram_mm, units::gram_mm, -1},
+                       names[0],
+                       names[1]};
     verdict.text = verdict.text.empty() ? said : Message(Text{"", "%1 %2"}, said, verdict.text);
     verdict.severity = fails ? Severity::error : verdict.severity;
 }

@@ -108,6 +108,9 @@ Message other_readings(const std::optional<double>& read_with,
 /// Puts what the machine reads in both planes before what is said: passes or fails. Nothing while a
 /// reading that could fail, or a limit, is missing.
 void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double>, 2>& unbalance,
-                         const std::optional<std::array<double, 2>>& permissible);
+                         const std::optional<std::array<double, 2>>& permissible,
+                         const std::array<std::string, 2>& own_names = {});
+/// What the machine calls its planes, in a sentence; "front" and "rear" where it has no own names.
+std::array<Message, 2> plane_names(const std::array<std::string, 2>& own);
 
 }  // namespace ravnoves::shop

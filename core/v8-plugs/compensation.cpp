@@ -291,6 +291,12 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                 {CORE_TEXT("V8", "The nearest is “%1”, which %2: %3."),
                  option_word(closest.id).label, over_or_under(closest),
                  against(closest.residual_unbalance, tolerance)});
+            if (closest.residual_mass > 0.0) {
+                // Each piston counts once in the excess of its crankpin.
+                text = two_sentences(std::move(text),
+                                     {CORE_TEXT("V8", "With it take %1 off each piston."),
+                                      grams(closest.residual_mass)});
+            }
             break;
         }
     }

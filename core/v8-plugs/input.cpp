@@ -29,7 +29,7 @@ constexpr std::array<MassChangeField, 4> change_fields{{
     {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ"),
             CORE_TEXT("V8", "Δmᵣₚ: one repair piston with its rings against nominal.")),
      &MassChanges::repair_piston_and_rings, true},
-    {change("repair_bearing", CORE_TEXT("V8", "Repair shells Δmₛₕ"),
+    {change("repair_bearing", CORE_TEXT("V8", "Repair shells of one crankpin Δmₛₕ"),
             CORE_TEXT("V8", "Δmₛₕ: the repair shells of one crankpin against nominal.")),
      &MassChanges::repair_bearing, true},
 }};

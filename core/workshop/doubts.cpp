@@ -167,17 +167,13 @@ Messages swapped_ends(const DoubtCase& job) {
 Messages typed_against_weighed(const DoubtCase& job) {
     Messages list;
     for (const bob_weights::PartField& part : bob_weights::part_fields()) {
-        const auto& typed = job.input.parts.*part.member;
-        if (!typed || !part.column || !job.input.weigh_in) {
-            continue;
-        }
-        const auto weighed = shop::statistics((*job.input.weigh_in)[*part.column]);
-        if (weighed && differ(*typed, weighed->mean, same_mass)) {
+        if (contradicts_scale(job.input, part)) {
+            const auto weighed = shop::statistics((*job.input.weigh_in)[*part.column]);
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: %2 entered, but %3 weighed. Correct the one that is "
                                         "wrong."),
-                              shop::part_word(*part.column).label, grams(*typed),
-                              grams(weighed->mean));
+                              shop::part_word(*part.column).label,
+                              grams(*(job.input.parts.*part.member)), grams(weighed->mean));
         }
     }
     return list;
@@ -286,20 +282,52 @@ Messages unequal_crankpins(const DoubtCase& job) {
              grams(*least), grams(*most)}};
 }
 
-Messages permitted_spread(const DoubtCase& job) {
+/// Parts of one engine are matched to less than this part of their mass.
+constexpr double usual_spread = 0.01;
+
+Messages spread_of_parts(const DoubtCase& job) {
     Messages list;
     for_columns(job, [&](Part part, const shop::PartColumn& column) {
         const auto found = shop::statistics(column);
-        if (!found->within_permitted && !shop::odd_mass(column.nominal, column.mass)) {
+        if (shop::odd_mass(column.nominal, column.mass)) {
+            return;  // which is said by itself
+        }
+        if (!found->within_permitted) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: spread %2, permitted %3 (heaviest: cylinder %4, "
                                         "lightest: %5)."),
                               shop::part_word(part).label, grams(found->spread),
                               grams(*column.permitted_spread), found->heaviest + 1,
                               found->lightest + 1);
+        } else if (!column.permitted_spread &&
+                   found->spread > std::max(usual_spread * found->mean, 1.0 * units::gram)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: spread %2 (heaviest: cylinder %3, lightest: %4). "
+                                        "Weigh them again or match the parts."),
+                              shop::part_word(part).label, grams(found->spread),
+                              found->heaviest + 1, found->lightest + 1);
         }
     });
     return list;
+}
+
+/// What reciprocates in an engine weighs about twice what turns; far from that a mass is mistyped.
+Messages unlike_halves(const DoubtCase& job) {
+    const auto& reciprocating = job.shaft.reciprocating;
+    const auto& rotating = job.shaft.rotating;
+    constexpr double least = 0.4;
+    constexpr double most = 4.0;
+    if (!reciprocating || !rotating || !(*rotating > 0.0) || !(*reciprocating > 0.0)) {
+        return {};
+    }
+    const double ratio = *reciprocating / *rotating;
+    if (ratio >= least && ratio <= most) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "Reciprocating mass %1 and rotating mass %2 of a cylinder do not go "
+                       "together. Check the masses of the parts."),
+             grams(*reciprocating), grams(*rotating)}};
 }
 
 // ---------------------------------------------------------------------------------- machine
@@ -474,6 +502,15 @@ Messages all_round(const DoubtCase& job) {
 
 }  // namespace
 
+bool contradicts_scale(const Input& input, const bob_weights::PartField& part) {
+    const auto& typed = input.parts.*part.member;
+    if (!typed || !part.column || !input.weigh_in) {
+        return false;
+    }
+    const auto weighed = shop::statistics((*input.weigh_in)[*part.column]);
+    return weighed && differ(*typed, weighed->mean, same_mass);
+}
+
 std::span<const DoubtRule> doubt_rules() {
     using Kind = DoubtKind;
     constexpr Severity error = Severity::error;
@@ -507,7 +544,8 @@ std::span<const DoubtRule> doubt_rules() {
         {Kind::gear_against_parts, "gear-against-parts", warning, nothing, "", gear_against_parts},
         {Kind::plug_shift, "plug-shift", warning, nothing, "", plug_shift},
         {Kind::unequal_crankpins, "unequal-crankpins", warning, nothing, "", unequal_crankpins},
-        {Kind::spread, "spread", warning, nothing, "", permitted_spread},
+        {Kind::unlike_halves, "unlike-halves", warning, nothing, "", unlike_halves},
+        {Kind::spread, "spread", warning, nothing, "", spread_of_parts},
         {Kind::amplification, "amplification", warning, nothing, "", amplification},
         {Kind::beyond_sector, "beyond-sector", warning, nothing, "", beyond_sector},
         {Kind::all_round, "all-round", Severity::note, nothing, "", all_round},

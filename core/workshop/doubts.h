@@ -32,6 +32,7 @@ enum class DoubtKind {
     paper_plug,
     plug_shift,
     unequal_crankpins,
+    unlike_halves,
     spread,
     amplification,
     beyond_sector,
@@ -65,6 +66,9 @@ struct Doubt {
     Message text;
 };
 std::vector<Doubt> find_doubts(const DoubtCase& job);
+
+/// The mass that is entered of a part and that of the scale are not the same part's.
+bool contradicts_scale(const Input& input, const bob_weights::PartField& part);
 
 /// An act of the verdict: the columns of the rod's ends change places.
 inline constexpr std::string_view swap_ends_act = "swap-rod-ends";

@@ -45,11 +45,13 @@ void visit_undoubted(ResultVisitor& visitor, const Input& input, v8_plugs::Resul
 
 /// Whatever is doubted.
 Verdict undoubted(const Input& input, const Result& result) {
-    Verdict verdict = bob_weights::verdict(input, result.shaft);
+    Verdict verdict = bob_weights::verdict(input, result.shaft, input.machine.planes);
     if (result.plugs) {
         const Verdict plugs = v8_plugs::verdict_of_plugs(*whole_plugs(input), *result.plugs);
-        verdict.text = {Text{"", "%1 %2"}, verdict.text, plugs.text};
-        if (plugs.severity == Severity::error) {
+        const bool fails = plugs.severity == Severity::error;
+        verdict.text = {Text{"", "%1 %2"}, fails ? plugs.text : verdict.text,
+                        fails ? verdict.text : plugs.text};
+        if (fails) {
             verdict.severity = Severity::error;
         }
     }

@@ -1,5 +1,7 @@
 #include "workshop/scene.h"
 
+#include <array>
+#include <string>
 #include <utility>
 
 #include "bob-weights/scene.h"
@@ -68,6 +70,66 @@ std::optional<Input> read_as_job(std::string_view scene, const Json& input,
         return as_job(bob_weights::read_input(input, completeness));
     }
     return std::nullopt;
+}
+
+namespace {
+
+using Renamed = std::pair<std::string_view, std::string_view>;
+
+/// Where a job has what v8-plugs has elsewhere; the first that begins a pointer counts.
+constexpr std::array<Renamed, 6> input_places{{
+    {"/weigh_in", "/weigh_in"},
+    {"/job", "/job"},
+    {"/balancing/front_reading_g_mm", "/correction/readings/0/unbalance_g_mm"},
+    {"/balancing/rear_reading_g_mm", "/correction/readings/1/unbalance_g_mm"},
+    {"/balancing", "/tolerance"},
+    {"", "/plugs"},
+}};
+
+std::string place_of_job(const std::string& pointer) {
+    for (const auto& [from, to] : input_places) {
+        if (pointer.starts_with(from)) {
+            return std::string(to) + pointer.substr(from.size());
+        }
+    }
+    return pointer;
+}
+
+/// The same spreads and watched values under the pointers of a job.
+Json study_of_job(const Json& study) {
+    Json moved = study;
+    if (study.is_object() && study.contains("vary") && study["vary"].is_object()) {
+        moved["vary"] = Json::object();
+        for (const auto& [pointer, spread] : study["vary"].items()) {
+            moved["vary"][place_of_job(pointer)] = spread;
+        }
+    }
+    if (study.is_object() && study.contains("watch") && study["watch"].is_object()) {
+        moved["watch"] = Json::object();
+        for (const auto& [pointer, limits] : study["watch"].items()) {
+            moved["watch"]["/plugs" + pointer] = limits;
+        }
+    }
+    return moved;
+}
+
+}  // namespace
+
+CaseFile as_job(CaseFile file) {
+    const std::string scene = file.scene;
+    auto input = read_as_job(scene, file.input, Completeness::as_is);
+    if (!input) {
+        return file;
+    }
+    file.scene = "workshop";
+    file.input = write_input(*input);
+    for (CaseVariant& variant : file.variants) {
+        variant.input = write_input(*read_as_job(scene, variant.input, Completeness::as_is));
+    }
+    if (scene == "v8-plugs") {
+        file.study = study_of_job(file.study);
+    }
+    return file;
 }
 
 Input read_input(const Json& json, Completeness completeness) {

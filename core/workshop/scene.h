@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "case-file/case_context.h"
+#include "case-file/case_file.h"
 #include "case-file/field_reader.h"
 #include "case-file/json_fwd.h"
 #include "case-file/wanted.h"
@@ -26,6 +27,11 @@ Input as_job(bob_weights::Input shaft);
 /// @throws InputError as those scenes
 std::optional<Input> read_as_job(std::string_view scene, const Json& input,
                                  Completeness completeness = Completeness::required);
+
+/// A case of the scenes v8-plugs or bob-weights as one of workshop, half filled or not, with its
+/// variants, and its study with the pointers of a job; any other as it is.
+/// @throws InputError as those scenes
+CaseFile as_job(CaseFile file);
 
 /// The scene as the case file sees it.
 /// @throws InputError

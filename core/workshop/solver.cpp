@@ -57,8 +57,10 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
     }
     result.shaft = plugs ? bob_weights::solve_job_with_weight(input, known)
                          : bob_weights::solve_job(input, places_parts);
-    if (known && result.plugs->assignment) {
+    if (result.plugs && result.plugs->assignment) {
         result.shaft.placing = result.plugs->assignment;
+    }
+    if (known && result.plugs->assignment) {
         result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);
         result.shaft.placed_crankpins = own_weights(known->sum, result.plugs->assigned_excess);
     }
@@ -75,6 +77,54 @@ bob_weights::Withheld Result::withheld() const {
         all.verdict = all.verdict || doubt.rule->blocks.verdict;
     }
     return all;
+}
+
+Result allowed(Result result) {
+    const bob_weights::Withheld withheld = result.withheld();
+    bob_weights::Result& shaft = result.shaft;
+    if (withheld.bob_weight) {
+        shaft.lines.clear();
+        shaft.bob_weight.reset();
+        shaft.first_order.reset();
+        shaft.crankpins.clear();
+        shaft.placed_crankpins.clear();
+    }
+    if (withheld.bob_weight && result.plugs) {
+        v8_plugs::Result& plugs = *result.plugs;
+        plugs.options = {};
+        plugs.advice.reset();
+        plugs.nominal.reset();
+        plugs.before.reset();
+        plugs.bob_weights = {};
+        plugs.boring = {};
+        plugs.shift = {};
+    }
+    if (withheld.holes) {
+        shaft.correction.reset();
+    }
+    // No verdict stands beside a STOP, whatever that is for.
+    if (withheld.any()) {
+        for (bob_weights::RunResult& run : shaft.runs) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                if (run.planes) {
+                    (*run.planes)[i].within_tolerance.reset();
+                }
+                if (run.alone[i]) {
+                    run.alone[i]->within_tolerance.reset();
+                }
+            }
+        }
+        for (std::size_t i = 0; shaft.correction && i < 2; ++i) {
+            (*shaft.correction)[i].measured_within.reset();
+            (*shaft.correction)[i].within_tolerance.reset();
+        }
+        if (result.plugs) {
+            for (v8_plugs::PlaneVerdict& plane : result.plugs->planes) {
+                plane.passes.reset();
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace ravnoves::workshop

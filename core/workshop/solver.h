@@ -11,4 +11,8 @@ namespace ravnoves::workshop {
 /// @param places_parts   false: without the placing of the parts, which takes longest
 Result solve(const Input& input, bool changes_known = true, bool places_parts = true);
 
+/// What of a result may be shown as an answer: without all that its doubts block, and without a
+/// verdict where they block anything. Page, card and journal have nothing else.
+Result allowed(Result result);
+
 }  // namespace ravnoves::workshop

@@ -150,8 +150,8 @@ TEST(Compensation, WordsOfATechnician) {
     EXPECT_EQ(words(7.0),
               "No plug of this crankshaft can be made light enough. The nearest is "
               "“Aluminium plugs”, which leaves 1.05 g too much on each crankpin: 42.1 g·mm "
-              "against the 5.0 g·mm allowed. A crankshaft made for the new plugs would do: "
-              "“New crankshaft, aluminium plugs”.");
+              "against the 5.0 g·mm allowed. With it take 1.05 g off each piston. A crankshaft "
+              "made for the new plugs would do: “New crankshaft, aluminium plugs”.");
     EXPECT_EQ(words(-1.0),
               "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm), and plugs can "
               "only be lightened: heavier parts or heavier plugs are needed.");
@@ -216,8 +216,9 @@ TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
     input.process = Process::manufacture;
     EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 6.0 * gram);
     ASSERT_EQ(not_counted(input).size(), 2U);
-    EXPECT_EQ(not_counted(input)[1].english(),
-              "Repair shells Δmₛₕ: the typed 4.00 g does not count in manufacture.");
+    EXPECT_EQ(
+        not_counted(input)[1].english(),
+        "Repair shells of one crankpin Δmₛₕ: the typed 4.00 g does not count in manufacture.");
 }
 
 TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {

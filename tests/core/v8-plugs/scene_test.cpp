@@ -64,8 +64,9 @@ TEST(Weights, ActWhateverTheProcess) {
     input["mass_changes_g"] = {{"repair_bearing", 3.0}};
     input["process"] = "manufacture";
     EXPECT_EQ(solved(input).at("recommended"), "none-needed");
-    EXPECT_EQ(solved(input).at("not_counted")[0],
-              "Repair shells Δmₛₕ: the typed 3.00 g does not count in manufacture.");
+    EXPECT_EQ(
+        solved(input).at("not_counted")[0],
+        "Repair shells of one crankpin Δmₛₕ: the typed 3.00 g does not count in manufacture.");
     input.erase("mass_changes_g");
     input["weigh_in"]["shells"] = {{"nominal_g", 24}, {"mass_g", std::vector<double>(8, 25.1)}};
     const Json result = solved(input);
