@@ -9,16 +9,14 @@
 
 #include "balance-shaft/model/torque_table_model.h"
 #include "bob-weights/fields.h"
-#include "bob-weights/model/bob_weights_model.h"
 #include "case-file/input_error.h"
 #include "finite.h"
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
-#include "v8-plugs/fields.h"
-#include "v8-plugs/model/v8_plugs_model.h"
 #include "window_target.h"
+#include "workshop/model/workshop_model.h"
 
 namespace {
 
@@ -47,12 +45,17 @@ void paste(SceneModel& model, const std::function<QString()>& write) {
 
 /// A model for all inputs: to make one anew for each takes longer than what is looked at.
 struct Pages {
-    V8PlugsModel v8{QString()};
-    WeighInTable weighIn{WeighInTable::sourceOf(&v8, v8_plugs::field::part_mass, true,
-                                                [] { return int{v8_plugs::cylinder_count}; })};
-    BobWeightsModel bob{QString()};
-    WeighInTable weights{WeighInTable::sourceOf(&bob, bob_weights::field::part_mass, false,
-                                                [this] { return bob.input().engine.cylinders; })};
+    Pages() { plugs.setHasPlugs(true); }
+
+    static WeighInTable::Source weightsOf(WorkshopModel* model) {
+        return WeighInTable::sourceOf(model, bob_weights::field::part_mass, true,
+                                      [model] { return model->input().engine.cylinders; });
+    }
+
+    WorkshopModel shaft{QString()};
+    WorkshopModel plugs{QString()};
+    WeighInTable weights{weightsOf(&shaft)};
+    WeighInTable weightsWithPlugs{weightsOf(&plugs)};
     InertiaMomentsModel engine;
     CylinderTableModel cylinders{&engine};
     StudyModel study{&engine};
@@ -74,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                            static_cast<qsizetype>(size - 2));
     TorqueTableModel torque;
     try {
-        torque.replaceByText(text.toStdString(), true);
+        torque.replaceByText(text.toStdString());
         require(torque.trouble().isEmpty(), "a table that is read is a cycle");
     } catch (const InputError&) {
         require(torque.rowCount() == 0, "a refused table changes nothing");
@@ -87,11 +90,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const double each : torque.checkedTable().torque) {
         require(std::isfinite(each), "torques are numbers");
     }
-    paste(pages.v8, [&] {
-        return pages.weighIn.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
-    });
-    paste(pages.bob, [&] {
+    paste(pages.shaft, [&] {
         return pages.weights.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
+    });
+    paste(pages.plugs, [&] {
+        return pages.weightsWithPlugs.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
     });
     paste(pages.engine, [&] { return pages.cylinders.pasteBlock(row, column, cells); });
     paste(pages.engine, [&] { return pages.scatter.pasteBlock(row, column, cells); });

@@ -8,9 +8,12 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
+#include "balance-shaft/import_dialog.h"
 #include "balance-shaft/inertia_check.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/import_model.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "pictures/file_dialogs.h"
 #include "text/message_text.h"
@@ -176,13 +179,11 @@ QWidget* TorqueSourceEditor::buildPressure() {
     auto* form = new Form(model_);
     FormSection* file = form->section({});
     file->addWide(captionLabel(
-        tr("Measured cylinder pressure over a cycle as a CSV file: crank angle from top dead "
-           "centre "
-           "before intake (two-stroke, 360°: from the firing one), absolute pressure (bar unless "
-           "the heading says kPa, MPa, Pa or psi)."),
+        tr("Measured cylinder pressure over one or more cycles, as a text file with columns. "
+           "Crank angles count from top dead centre before intake (two-stroke, 360°: from the "
+           "firing one)."),
         form));
-    auto* import =
-        new QPushButton(themedIcon(QStringLiteral("import")), tr("&Read CSV file…"), form);
+    auto* import = new QPushButton(themedIcon(QStringLiteral("import")), tr("Impo&rt file…"), form);
     file->addWide(import);
     trace_ = captionLabel({}, form);
     trace_->setObjectName(QStringLiteral("trace_file"));
@@ -205,13 +206,9 @@ QWidget* TorqueSourceEditor::buildPressure() {
     addNumbers(form, "/torque/pressure", {field::crankcase_pressure});
     form->column()->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
-        const QString path = askOpenPath(this, tr("Read pressure trace"), {}, tablesFilter());
-        if (path.isEmpty()) {
-            return;
-        }
-        const QString why = importTrace(path);
-        if (!why.isEmpty()) {
-            QMessageBox::warning(this, tr("Read pressure trace"), why);
+        const QString path = askOpenPath(this, tr("Import pressure trace"), {}, tablesFilter());
+        if (!path.isEmpty()) {
+            importTrace(path);
         }
     });
     return scrolled(form, this);
@@ -255,15 +252,23 @@ QWidget* TorqueSourceEditor::buildCycle() {
     return scrolled(form, this);
 }
 
-QString TorqueSourceEditor::importTrace(const QString& path) {
-    QString described;
-    QString why = model_->importPressureTrace(path, described);
-    if (why.isEmpty()) {
-        described_ = described;
-        describedSum_ = model_->input().torque.trace_sum.now;
-        showInput();
+void TorqueSourceEditor::importTrace(const QString& path) {
+    ImportModel file(balance_shaft::Measured::pressure, slider_crank(model_->input()));
+    file.open(path);
+    ImportDialog dialog(&file, tr("Import pressure trace"), this);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
     }
-    return why;
+    const QString why =
+        model_->edit(tr("Pressure trace"), [&](Input& input) { file.putTraceInto(input); });
+    if (!why.isEmpty()) {
+        QMessageBox::warning(this, tr("Import pressure trace"),
+                             file.path() + QStringLiteral(": ") + why);
+        return;
+    }
+    described_ = file.understoodText();
+    describedSum_ = model_->input().torque.trace_sum.now;
+    showInput();
 }
 
 void TorqueSourceEditor::showForm(int page) {
@@ -283,7 +288,7 @@ void TorqueSourceEditor::showForm(int page) {
                       : torque.trace.pressure.empty()
                           ? tr("%1 cannot be read; read it again from where it is now.").arg(file)
                       : torque.trace_sum.now == describedSum_
-                          ? tr("%1: %2.").arg(name, described_)
+                          ? name + QStringLiteral(": ") + described_
                           : tr("The trace is that of %1.").arg(name));
     trace_->setToolTip(file);
 }

@@ -29,9 +29,8 @@ class TorqueSourceEditor : public QWidget {
 
     QComboBox* choice() const { return choice_; }
     TorqueTableEditor* tableEditor() const { return table_; }
-    /// Reads a pressure trace.
-    /// @return an empty string, or what is wrong, with the file's name
-    QString importTrace(const QString& path);
+    /// Opens the import window for a file with a pressure trace.
+    void importTrace(const QString& path);
     /// Puts the inertia torque of masses and speed in the place of the table's.
     static QPushButton* rebuildButton(BalanceShaftModel* model, const QString& name,
                                       QWidget* parent);

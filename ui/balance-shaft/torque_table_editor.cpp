@@ -7,14 +7,15 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "balance-shaft/engine_torque.h"
+#include "balance-shaft/import_dialog.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/import_model.h"
 #include "balance-shaft/model/torque_table_model.h"
 #include "case-file/input_error.h"
-#include "case-file/text_file.h"
-#include "model/enough_memory.h"
 #include "pictures/file_dialogs.h"
 #include "text/error_text.h"
-#include "text/file_path.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/write_file.h"
 
@@ -69,9 +70,8 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
 
 void TorqueTableEditor::importWithDialog() {
     const QString path = askOpenPath(this, tr("Import torque table"), {}, tablesFilter());
-    const QString trouble = path.isEmpty() ? QString() : importFile(path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Import torque table"), trouble);
+    if (!path.isEmpty()) {
+        importFile(path);
     }
 }
 
@@ -88,14 +88,13 @@ void TorqueTableEditor::exportWithDialog() {
     }
 }
 
-QString TorqueTableEditor::importFile(const QString& path) {
-    try {
-        const QString what =
-            withinMemory([&] { return table_->replaceByText(read_text_file(fsPath(path))); });
-        say(tr("Read %1.").arg(what), false);
-        return {};
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
+void TorqueTableEditor::importFile(const QString& path) {
+    ImportModel file(balance_shaft::Measured::torque, slider_crank(model_->input()));
+    file.open(path);
+    ImportDialog dialog(&file, tr("Import torque table"), this);
+    if (dialog.exec() == QDialog::Accepted) {
+        table_->replaceBy(file.torque()->table);
+        say(tr("Read %1.").arg(messageText(file.torque()->describe())), false);
     }
 }
 
@@ -122,7 +121,7 @@ bool isCycle(const std::vector<QStringList>& cells) {
 void TorqueTableEditor::paste() {
     const QString text = QApplication::clipboard()->text();
     try {
-        const QString what = table_->replaceByText(text.toStdString(), true);
+        const QString what = table_->replaceByText(text.toStdString());
         say(tr("Read %1.").arg(what), false);
     } catch (const InputError& error) {
         const auto cells = readTextTable(text);

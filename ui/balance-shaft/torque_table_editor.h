@@ -16,9 +16,8 @@ class TorqueTableEditor : public TableEditor {
         : TorqueTableEditor(model, newTable(), parent) {}
 
     TorqueTableModel* tableModel() const { return table_; }
-    /// Reads a CSV file over the whole table.
-    /// @return an empty string, or what is wrong, with the file's name
-    QString importFile(const QString& path);
+    /// Opens the import window for a file, which replaces the whole table.
+    void importFile(const QString& path);
     /// A whole cycle replaces the table; anything smaller goes into the cells from the current one.
     void paste() override;
 

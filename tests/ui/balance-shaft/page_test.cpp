@@ -23,6 +23,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "import_file.h"
 #include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
@@ -183,8 +184,8 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
     file.close();
     auto* move = test::named<QPushButton>(page, "verdict_act");
     EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
-    QString described;
-    ASSERT_EQ(model->importPressureTrace(file.fileName(), described), QString());
+    test::importBy(
+        page, [&] { page.torqueSource()->importTrace(file.fileName()); }, test::keepAngles);
     EXPECT_TRUE(test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by a turn")));
     EXPECT_FALSE(move->isHidden());
     EXPECT_FALSE(test::named<QPushButton>(page, "move_trace_here")->isHidden());
@@ -506,23 +507,25 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
     EXPECT_TRUE(page.torqueEditor()->tableModel()->trouble().isEmpty());
 }
 
-TEST_F(BalanceShaftPageTest, ImportNamesFileLineAndColumn) {
+TEST_F(BalanceShaftPageTest, ImportNamesLineAndColumn) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("torque.csv"));
     write_text_file(path.toStdString(), "phi;M\n0;0\n180;x\n720;0\n");
     const Json before = model->inputJson();
-    const QString trouble = page.torqueEditor()->importFile(path);
-    EXPECT_TRUE(trouble.contains(path)) << trouble.toStdString();
+    const auto imported = [&](const QString& from) {
+        return test::importBy(page, [&] { page.torqueEditor()->importFile(from); });
+    };
+    const QString trouble = imported(path);
     EXPECT_TRUE(trouble.contains(QStringLiteral("line 3"))) << trouble.toStdString();
     EXPECT_EQ(model->inputJson(), before);
     write_text_file(path.toStdString(), "0;1\n180;5\n720;2\n");
-    EXPECT_FALSE(page.torqueEditor()->importFile(path).isEmpty());
+    EXPECT_TRUE(imported(path).contains(QStringLiteral("line 3")));
     write_text_file(path.toStdString(), std::string("\0\1\2\377\376PNG", 9));
-    EXPECT_FALSE(page.torqueEditor()->importFile(path).isEmpty());
-    EXPECT_FALSE(page.torqueEditor()->importFile(QStringLiteral("/dev/null/x.csv")).isEmpty());
+    EXPECT_FALSE(imported(path).isEmpty());
+    EXPECT_FALSE(imported(QStringLiteral("/dev/null/x.csv")).isEmpty());
     EXPECT_EQ(model->inputJson(), before);
     write_text_file(path.toStdString(), "phi;M\n0;0\n180;5,5\n360;0\n");
-    EXPECT_EQ(page.torqueEditor()->importFile(path), QString());
+    EXPECT_TRUE(imported(path).contains(QStringLiteral("3 rows")));
     EXPECT_NEAR(model->result().M_up.min, -5.5, 1e-9);
 }
 

@@ -4,8 +4,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
@@ -13,14 +11,9 @@
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
-#include "case-file/input_error.h"
 #include "case-file/result_json.h"
-#include "case-file/sha256.h"
-#include "case-file/text_file.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -165,33 +158,6 @@ QString BalanceShaftModel::rebuildTorque() {
     return edit(tr("Rebuild torque"), [this](Input& input) {
         input = balance_shaft::with_rebuilt_torque(input, result().inertia_check);
     });
-}
-
-QString BalanceShaftModel::importPressureTrace(const QString& path, QString& described) {
-    QString why;
-    try {
-        balance_shaft::ParsedPressureTrace read;
-        std::string sum;
-        withinMemory([&] {
-            const std::string text = read_text_file(fsPath(path));
-            read = balance_shaft::parse_pressure_trace(text);
-            sum = sha256(text);
-        });
-        described = messageText(read.describe());
-        why = edit(tr("Pressure trace"), [&](Input& input) {
-            input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
-            input.torque.trace = read.trace;
-            input.torque.trace_csv = path.toStdString();
-            input.torque.trace_sum = {sum, sum};
-            input.torque.trace_reading = {};
-            input.torque.trace_shift = 0.0;
-            input.strokes = input.strokes_of_torque();
-            balance_shaft::fill_cylinder(input);
-        });
-    } catch (const InputError& error) {
-        why = errorText(error);
-    }
-    return why.isEmpty() ? why : path + QStringLiteral(": ") + why;
 }
 
 void BalanceShaftModel::moveTraceByTurn() {

@@ -85,10 +85,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     bool canRebuildTorque() const;
     /// Puts the inertia torque of the masses and speed into the table. Returns as edit().
     QString rebuildTorque();
-    /// Reads a measured trace and computes the torque from it.
-    /// @param described  what was read
-    /// @return an empty string, or what is wrong, with the file's name
-    QString importPressureTrace(const QString& path, QString& described);
     /// What counts from the firing top dead centre counts from the other one, or back.
     void moveTraceByTurn();
     /// Gives heat or mean effective pressure of a computed cycle; the other one follows from it.

@@ -309,22 +309,26 @@ void TorqueTableModel::removeRowRange(int first, int count) {
     check();
 }
 
-QString TorqueTableModel::replaceByText(const std::string& text, bool isShown) {
+QString TorqueTableModel::replaceByText(const std::string& text) {
     balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text);
-    if (isShown && !read.unit_named) {
+    if (!read.unit_named) {
         read.unit = shownAs(units::N_m);
         for (double& torque : read.table.torque) {
             torque = torque * read.unit;
         }
     }
+    replaceBy(read.table);
+    return messageText(read.describe());
+}
+
+void TorqueTableModel::replaceBy(const TorqueTable& table) {
     // Read again from a file that has changed, it becomes the case's own.
     const bool differs =
-        !(read.table == valid_) || (model_ != nullptr && model_->input().torque.has_changed());
-    setTable(read.table);
+        !(table == valid_) || (model_ != nullptr && model_->input().torque.has_changed());
+    setTable(table);
     if (differs) {
         Q_EMIT tableEdited();
     }
-    return messageText(read.describe());
 }
 
 /// Whether the first cells of a block are angles of this cycle that grow.

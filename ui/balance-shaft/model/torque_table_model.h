@@ -39,10 +39,12 @@ class TorqueTableModel : public EditableTable {
 
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
-    /// Replaces the whole table by text from a CSV file, in N·m, or from a spreadsheet, in the unit
-    /// that the column shows where the text names none.
+    /// Replaces the whole table by text from a spreadsheet, in the unit that the column shows where
+    /// the text names none.
     /// @return what was read, as a sentence; throws InputError and changes nothing
-    QString replaceByText(const std::string& text, bool isShown = false);
+    QString replaceByText(const std::string& text);
+    /// Replaces the whole table by another, as if it had been typed.
+    void replaceBy(const balance_shaft::TorqueTable& table);
     void takeBackRefused(const QModelIndex& at) override;
     void forgetRefused() override;
     /// The whole table, whose numbers are in SI units; nothing of one so long that it takes a
