@@ -16,11 +16,11 @@
 #include "shell/scene_list.h"
 #include "shell/screenshot.h"
 #include "shell/settings_place.h"
+#include "shop/model/journal.h"
 #include "text/error_text.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
-#include "workshop/model/journal.h"
 
 namespace {
 

@@ -6,7 +6,7 @@ _ravnoves() {
     case $option in
         --scene)
             mapfile -t COMPREPLY < <(compgen -W \
-                "start balance-shaft elastic-hinge v8-plugs bob-weights inertia-moments methods" -- "$word")
+                "start balance-shaft elastic-hinge workshop inertia-moments methods" -- "$word")
             return
             ;;
         --theme)

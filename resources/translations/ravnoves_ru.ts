@@ -4,10 +4,6 @@
 <context>
     <name>BobWeights</name>
     <message>
-        <source>Job card: bob weights and correction</source>
-        <translation>Карта работы: балансировочные грузы и коррекция</translation>
-    </message>
-    <message>
         <source>Balanced</source>
         <translation>Балансировка</translation>
     </message>
@@ -18,26 +14,6 @@
     <message>
         <source>Correction planes</source>
         <translation>Плоскости коррекции</translation>
-    </message>
-    <message>
-        <source>Holes and slugs</source>
-        <translation>Отверстия и вставки</translation>
-    </message>
-    <message>
-        <source>front, %1</source>
-        <translation>спереди, %1</translation>
-    </message>
-    <message>
-        <source>front, °</source>
-        <translation>спереди, °</translation>
-    </message>
-    <message>
-        <source>rear, %1</source>
-        <translation>сзади, %1</translation>
-    </message>
-    <message>
-        <source>rear, °</source>
-        <translation>сзади, °</translation>
     </message>
     <message>
         <source>Front plane</source>
@@ -153,10 +129,6 @@
         <translation>Коррекция: измерено → после неё</translation>
     </message>
     <message>
-        <source>Ravnoves %1 · ISO 21940-11 · angles from the machine&apos;s zero mark, in one sense for readings and holes</source>
-        <translation>Ravnoves %1 · ИСО 21940-11 · углы от нулевой метки станка, в одну сторону для показаний и отверстий</translation>
-    </message>
-    <message>
         <source>A limit of the shop’s own for each plane, no grade.</source>
         <translation>Свой допуск мастерской для каждой плоскости, без класса.</translation>
     </message>
@@ -177,20 +149,8 @@
         <translation>Половина на каждую плоскость.</translation>
     </message>
     <message>
-        <source>%1, measured: %2.</source>
-        <translation>%1, измерено: %2.</translation>
-    </message>
-    <message>
-        <source>After the correction: %1.</source>
-        <translation>После коррекции: %1.</translation>
-    </message>
-    <message>
         <source>Not given, counted as %1: %2. Where there is none, type 0.</source>
         <translation>Не задано, считается за %1: %2. Если детали нет, введите 0.</translation>
-    </message>
-    <message>
-        <source>The machine reads at %1 and %2, far outside the planes: an error of its readings may be %3 times as large in them.</source>
-        <translation>Станок измеряет в %1 и %2, далеко за плоскостями: ошибка его показаний может быть в них в %3 раза больше.</translation>
     </message>
     <message>
         <source>Depths are to the full diameter, the cone of the drill’s point lies beyond; the rim counts as flat where a hole begins.</source>
@@ -217,14 +177,6 @@
         <translation>Пуск %1</translation>
     </message>
     <message>
-        <source>Front, %1</source>
-        <translation>Спереди, %1</translation>
-    </message>
-    <message>
-        <source>Rear, %1</source>
-        <translation>Сзади, %1</translation>
-    </message>
-    <message>
         <source>After correction</source>
         <translation>После коррекции</translation>
     </message>
@@ -239,30 +191,6 @@
     <message>
         <source>Takes off, %1</source>
         <translation>Снимает, %1</translation>
-    </message>
-    <message>
-        <source>Front: ⌀ %1</source>
-        <translation>Передняя: ⌀ %1</translation>
-    </message>
-    <message>
-        <source>Rear: ⌀ %1</source>
-        <translation>Задняя: ⌀ %1</translation>
-    </message>
-    <message>
-        <source>Front: slug ⌀ %1</source>
-        <translation>Передняя: вставка ⌀ %1</translation>
-    </message>
-    <message>
-        <source>Rear: slug ⌀ %1</source>
-        <translation>Задняя: вставка ⌀ %1</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Передняя</translation>
-    </message>
-    <message>
-        <source>Rear</source>
-        <translation>Задняя</translation>
     </message>
     <message>
         <source>Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).</source>
@@ -285,28 +213,12 @@
         <translation>На шейке.</translation>
     </message>
     <message>
-        <source>The bearings lie the other way round than the planes: front bearing %1, rear %2; front plane %3, rear %4. All are measured from one point in one direction.</source>
-        <translation>Подшипники идут в обратном порядке по сравнению с плоскостями: передний подшипник %1, задний %2; передняя плоскость %3, задняя %4. Всё отмеряется от одной точки в одну сторону.</translation>
-    </message>
-    <message>
-        <source>The centre of mass, %1, lies beyond the planes and bearings.</source>
-        <translation>Центр масс, %1, лежит за пределами плоскостей и подшипников.</translation>
-    </message>
-    <message>
-        <source>%1: %2 looks like a share of 1; the factor is in per cent, 50 for one half.</source>
-        <translation>%1: %2 похоже на долю единицы; коэффициент задаётся в процентах, половина — это 50.</translation>
-    </message>
-    <message>
         <source>%1 at %2</source>
         <translation>%1 при %2</translation>
     </message>
     <message>
         <source>Already drilled</source>
         <translation>Уже просверлено</translation>
-    </message>
-    <message>
-        <source>What is already drilled is taken as drilled as planned after these readings: %1. New holes keep clear of it.</source>
-        <translation>Уже просверленное считается сделанным, как рассчитано по показаниям: %1. Новые отверстия его обходят.</translation>
     </message>
     <message>
         <source>Taken off in all, %1</source>
@@ -317,44 +229,8 @@
         <translation>%1: просверленное рассчитано по другому показанию.</translation>
     </message>
     <message>
-        <source>A slug is as long as its hole is deep; its own weight stands beside its diameter, and the cone beneath it, which stays empty, is counted.</source>
-        <translation>Длина вставки равна глубине её отверстия; собственная масса стоит рядом с диаметром, а конус под вставкой, который остаётся пустым, учтён.</translation>
-    </message>
-    <message>
-        <source>The rod&apos;s big end, %1, weighs less than its small end, %2; are the two swapped?</source>
-        <translation>Нижняя головка шатуна, %1, легче верхней, %2: не перепутаны ли они?</translation>
-    </message>
-    <message>
-        <source>%1: the unbalance has grown by the drilling, to %2 instead of %3. Was the wrong side drilled, or does the machine show the light spot? Drill no more before that is known.</source>
-        <translation>%1: от сверления дисбаланс вырос: %2 вместо %3. Сверлили не с той стороны или станок показывает лёгкое место? Пока не выяснено, больше не сверлить.</translation>
-    </message>
-    <message>
-        <source>%1: the drilling has left %2 instead of %3. Were the holes drilled as planned, from the same zero and in the same direction as the machine counts?</source>
-        <translation>%1: после сверления осталось %2 вместо %3. Сверлили ли по плану, от того же нуля и в ту же сторону, в какую считает станок?</translation>
-    </message>
-    <message>
-        <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled, whose limits are those of the holes’ middles. Make sure that there is metal enough.</source>
-        <translation>%1: край отверстия выходит на %2 за сектор, где можно сверлить: его границы заданы для середин отверстий. Убедитесь, что металла там хватит.</translation>
-    </message>
-    <message>
         <source>Cylinders that share a crankpin: %1.</source>
         <translation>На одной шейке цилиндры: %1.</translation>
-    </message>
-    <message>
-        <source>Sheet 4, %1</source>
-        <translation>Лист 4, %1</translation>
-    </message>
-    <message>
-        <source>Sheet 4, what may remain</source>
-        <translation>Лист 4, что может остаться</translation>
-    </message>
-    <message>
-        <source>Sheet 5, heavy metal</source>
-        <translation>Лист 5, тяжёлый металл</translation>
-    </message>
-    <message>
-        <source>Sheet 5, drills</source>
-        <translation>Лист 5, свёрла</translation>
     </message>
     <message>
         <source>%1: %2 are still needed, in %3, one after the other: %4</source>
@@ -363,10 +239,6 @@
     <message>
         <source>%1: %2 is still needed. %3</source>
         <translation>%1: нужно ещё значение «%2». %3</translation>
-    </message>
-    <message>
-        <source>Sheet 4, %1, %2: %3 is still needed.</source>
-        <translation>Лист 4, %1, %2: ещё нужно «%3».</translation>
     </message>
     <message>
         <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
@@ -391,6 +263,90 @@
     <message>
         <source>After moving the sets as suggested: %1.</source>
         <translation>После предложенной перестановки: %1.</translation>
+    </message>
+    <message>
+        <source>Sheet 5, %1</source>
+        <translation>Лист 5, %1</translation>
+    </message>
+    <message>
+        <source>Sheet 5, what may remain</source>
+        <translation>Лист 5, что может остаться</translation>
+    </message>
+    <message>
+        <source>Sheet 6, heavy metal</source>
+        <translation>Лист 6, тяжёлый металл</translation>
+    </message>
+    <message>
+        <source>Sheet 6, drills</source>
+        <translation>Лист 6, свёрла</translation>
+    </message>
+    <message>
+        <source>Sheet 5, %1, %2: %3 is still needed.</source>
+        <translation>Лист 5, %1, %2: ещё нужно «%3».</translation>
+    </message>
+    <message>
+        <source>Reciprocating</source>
+        <translation>Возвратно-поступательные</translation>
+    </message>
+    <message>
+        <source>Rotating</source>
+        <translation>Вращающиеся</translation>
+    </message>
+    <message>
+        <source>slug ⌀ %1</source>
+        <translation>вставка ⌀ %1</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>There before</source>
+        <translation>Были раньше</translation>
+    </message>
+    <message>
+        <source>%1, %2: slug ⌀ %3</source>
+        <translation>%1, %2: вставка ⌀ %3</translation>
+    </message>
+    <message>
+        <source>%1, %2: ⌀ %3</source>
+        <translation>%1, %2: ⌀ %3</translation>
+    </message>
+    <message>
+        <source>Degrees count clockwise, seen from the front.</source>
+        <translation>Углы отсчитываются по часовой стрелке, если смотреть спереди.</translation>
+    </message>
+    <message>
+        <source>Degrees count counter-clockwise, seen from the front.</source>
+        <translation>Углы отсчитываются против часовой стрелки, если смотреть спереди.</translation>
+    </message>
+    <message>
+        <source>0°: %1.</source>
+        <translation>0°: %1.</translation>
+    </message>
+    <message>
+        <source>The machine shows the light spot; holes stand opposite it.</source>
+        <translation>Станок показывает лёгкое место; отверстия — напротив него.</translation>
+    </message>
+    <message>
+        <source>Job card: balancing</source>
+        <translation>Карта работ: балансировка</translation>
+    </message>
+    <message>
+        <source>No bob weight: correct what is wrong first.</source>
+        <translation>Балансировочного груза нет: сначала исправьте ошибку.</translation>
+    </message>
+    <message>
+        <source>Ravnoves %1 · ISO 21940-11 · %2</source>
+        <translation>Ravnoves %1 · ISO 21940-11 · %2</translation>
+    </message>
+    <message>
+        <source>A slug is as long as its hole is deep; its own weight stands beside its diameter. Secure it: a press fit alone does not hold the force at service speed.</source>
+        <translation>Вставка такой длины, какова глубина отверстия; её масса стоит рядом с диаметром. Закрепите её: одна посадка с натягом не удержит силу на рабочих оборотах.</translation>
+    </message>
+    <message>
+        <source>Sheet 5: enter position and radius of both planes.</source>
+        <translation>Лист 5: введите положение и радиус обеих плоскостей.</translation>
     </message>
 </context>
 <context>
@@ -423,10 +379,6 @@
 <context>
     <name>JobCard</name>
     <message>
-        <source>Job card: crankpin plugs and bob weights</source>
-        <translation>Карта: пробки и балансировочные грузы</translation>
-    </message>
-    <message>
         <source>Engine number</source>
         <translation>Номер двигателя</translation>
     </message>
@@ -447,52 +399,16 @@
         <translation>Исполнитель</translation>
     </message>
     <message>
-        <source>Work · crankshaft</source>
-        <translation>Работа · вал</translation>
-    </message>
-    <message>
-        <source>The data are not complete; nothing can be advised.</source>
-        <translation>Данные неполны, совета дать нельзя.</translation>
-    </message>
-    <message>
         <source>Engine</source>
         <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Heavier than nominal by</source>
-        <translation>Тяжелее номинала на</translation>
     </message>
     <message>
         <source>Options, in the order of cost</source>
         <translation>Варианты по возрастанию затрат</translation>
     </message>
     <message>
-        <source>constant, %1</source>
-        <translation>постоянная, %1</translation>
-    </message>
-    <message>
-        <source>reach, %1</source>
-        <translation>предел, %1</translation>
-    </message>
-    <message>
-        <source>needed, %1</source>
-        <translation>снять, %1</translation>
-    </message>
-    <message>
-        <source>limit, %1</source>
-        <translation>можно, %1</translation>
-    </message>
-    <message>
-        <source>left, %1</source>
-        <translation>остаток, %1</translation>
-    </message>
-    <message>
         <source>verdict</source>
         <translation>вывод</translation>
-    </message>
-    <message>
-        <source>no such plug</source>
-        <translation>нет пробки</translation>
     </message>
     <message>
         <source>other crankshaft</source>
@@ -507,48 +423,8 @@
         <translation>не годится</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin, %1</source>
-        <translation>Балансировочный груз на шатунную шейку, %1</translation>
-    </message>
-    <message>
-        <source>Not known without: %1.</source>
-        <translation>Неизвестен, нужны: %1.</translation>
-    </message>
-    <message>
         <source>Plug</source>
-        <translation>Пробка</translation>
-    </message>
-    <message>
-        <source>factor × mass</source>
-        <translation>коэффициент × масса</translation>
-    </message>
-    <message>
-        <source>factor</source>
-        <translation>коэфф.</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>после</translation>
-    </message>
-    <message>
-        <source>Plug (after: %1)</source>
-        <translation>Пробка (после: %1)</translation>
-    </message>
-    <message>
-        <source>Sum: bob weight</source>
-        <translation>Сумма: груз</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Цилиндр</translation>
+        <translation>Заглушка</translation>
     </message>
     <message>
         <source>Piston set from</source>
@@ -557,38 +433,6 @@
     <message>
         <source>Rod set from</source>
         <translation>Шатун из цилиндра</translation>
-    </message>
-    <message>
-        <source>Balancing machine</source>
-        <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: no grade, mass and speed given.</source>
-        <translation>ИСО 21940-11: класс, масса и частота не заданы.</translation>
-    </message>
-    <message>
-        <source>Correction plane</source>
-        <translation>Плоскость коррекции</translation>
-    </message>
-    <message>
-        <source>permissible, %1</source>
-        <translation>допустимо, %1</translation>
-    </message>
-    <message>
-        <source>reading, %1</source>
-        <translation>показание, %1</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>Front (pulley)</source>
-        <translation>Передняя (шкив)</translation>
-    </message>
-    <message>
-        <source>Rear (flywheel)</source>
-        <translation>Задняя (маховик)</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -607,68 +451,28 @@
         <translation>Массы деталей по цилиндрам, %1</translation>
     </message>
     <message>
-        <source>mean</source>
-        <translation>среднее</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin Δmᵤ = %1 (%2)</source>
-        <translation>Неуравновешенная масса на каждой шатунной шейке Δmᵤ = %1 (%2)</translation>
-    </message>
-    <message>
-        <source>Excess Δmᵤ</source>
-        <translation>Всего Δmᵤ</translation>
-    </message>
-    <message>
-        <source>Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 (slope %2°); needed: lightening of one plug.</source>
-        <translation>Компенсируется: постоянная + kᵤ × снятая с одной пробки масса, kᵤ = %1 (угол %2°); «снять» и «можно» — с одной пробки.</translation>
-    </message>
-    <message>
-        <source>check: see above</source>
-        <translation>проверить: см. выше</translation>
-    </message>
-    <message>
-        <source>by the method alone</source>
-        <translation>лишь по методу</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.</source>
-        <translation>ИСО 21940-11, G %1, %2 при %3: Uдоп = %4 всего.</translation>
-    </message>
-    <message>
-        <source>take off</source>
-        <translation>снять</translation>
-    </message>
-    <message>
         <source>Not up to date, for these entries are refused: %1</source>
         <translation>Не по листу, отвергнуты значения: %1</translation>
-    </message>
-    <message>
-        <source>cannot be made</source>
-        <translation>не сделать</translation>
     </message>
     <message>
         <source>Page %1 of %2</source>
         <translation>Страница %1 из %2</translation>
     </message>
     <message>
-        <source>Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24)</source>
-        <translation>Ravnoves %1 · метод: А. Д. Назаров, формулы (3)–(24)</translation>
-    </message>
-    <message>
         <source>V-8 engine: %1</source>
         <translation>Двигатель V-8, %1</translation>
     </message>
     <message>
-        <source>Plug (after, by the method: %1)</source>
-        <translation>Пробка (после, по методу: %1)</translation>
+        <source>take off each, %1</source>
+        <translation>снять с каждой, %1</translation>
     </message>
     <message>
-        <source>Sets as suggested, not applied yet.</source>
-        <translation>Комплекты — как предложено, ещё не переставлены.</translation>
+        <source>at most, %1</source>
+        <translation>не больше, %1</translation>
+    </message>
+    <message>
+        <source>remains, %1</source>
+        <translation>остаток, %1</translation>
     </message>
 </context>
 <context>
@@ -891,7 +695,7 @@
     </message>
     <message>
         <source>plug</source>
-        <translation>пробка</translation>
+        <translation>заглушка</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -1093,6 +897,14 @@
         <source>cylinder</source>
         <translation>цилиндр</translation>
     </message>
+    <message>
+        <source>machine</source>
+        <translation>станок</translation>
+    </message>
+    <message>
+        <source>plugs</source>
+        <translation>заглушки</translation>
+    </message>
 </context>
 <context>
     <name>Matching</name>
@@ -1291,19 +1103,19 @@
     </message>
     <message>
         <source>Machine all 8 steel plugs by %1 each.</source>
-        <translation>Снять с каждой из 8 стальных пробок %1.</translation>
+        <translation>Снять с каждой из 8 стальных заглушек %1.</translation>
     </message>
     <message>
         <source>Fit today&apos;s 8 steel plugs as they are.</source>
-        <translation>Поставить 8 существующих стальных пробок без доработки.</translation>
+        <translation>Поставить 8 существующих стальных заглушек без доработки.</translation>
     </message>
     <message>
         <source>Replace all 8 plugs by aluminium ones lightened by %1 each.</source>
-        <translation>Заменить все 8 пробок алюминиевыми, сняв с каждой %1.</translation>
+        <translation>Заменить все 8 заглушек алюминиевыми, сняв с каждой %1.</translation>
     </message>
     <message>
         <source>Replace all 8 plugs by aluminium ones as they are.</source>
-        <translation>Заменить все 8 пробок алюминиевыми без доработки.</translation>
+        <translation>Заменить все 8 заглушек алюминиевыми без доработки.</translation>
     </message>
     <message>
         <source>leaves %1 too much on each crankpin</source>
@@ -1327,23 +1139,23 @@
     </message>
     <message>
         <source>Machine today&apos;s steel plugs</source>
-        <translation>Облегчить стальные пробки</translation>
+        <translation>Облегчить стальные заглушки</translation>
     </message>
     <message>
         <source>Aluminium plugs</source>
-        <translation>Алюминиевые пробки</translation>
+        <translation>Алюминиевые заглушки</translation>
     </message>
     <message>
         <source>New crankshaft, today&apos;s steel plugs</source>
-        <translation>Новый вал, стальные пробки</translation>
+        <translation>Новый вал, стальные заглушки</translation>
     </message>
     <message>
         <source>New crankshaft, aluminium plugs</source>
-        <translation>Новый вал, алюминиевые пробки</translation>
+        <translation>Новый вал, алюминиевые заглушки</translation>
     </message>
     <message>
         <source>Plug</source>
-        <translation>Пробка</translation>
+        <translation>Заглушка</translation>
     </message>
     <message>
         <source>Piston</source>
@@ -1383,39 +1195,31 @@
     </message>
     <message>
         <source>Made for plugs of the new design</source>
-        <translation>Под новые пробки</translation>
-    </message>
-    <message>
-        <source>Steel</source>
-        <translation>Сталь</translation>
-    </message>
-    <message>
-        <source>Aluminium</source>
-        <translation>Алюминий</translation>
+        <translation>Под новые заглушки</translation>
     </message>
     <message>
         <source>Leave the plugs as they are: the excess of %1 per crankpin is %2.</source>
-        <translation>Пробки оставить без изменений: лишние %1 на шейку дают %2.</translation>
+        <translation>Заглушки оставить без изменений: лишние %1 на шейку дают %2.</translation>
     </message>
     <message>
         <source>The crankshaft is made for plugs of the new design; their mass and radius are needed.</source>
-        <translation>Вал изготовлен под новые пробки: нужны их масса и радиус.</translation>
+        <translation>Вал изготовлен под новые заглушки: нужны их масса и радиус.</translation>
     </message>
     <message>
         <source>The parts are %1 per crankpin lighter than nominal (%2), and plugs can only be lightened: heavier parts or heavier plugs are needed.</source>
-        <translation>Детали легче номинала на %1 на шейку (%2), а пробки можно только облегчить: нужны более тяжёлые детали или пробки.</translation>
+        <translation>Детали легче номинала на %1 на шейку (%2), а заглушки можно только облегчить: нужны более тяжёлые детали или заглушки.</translation>
     </message>
     <message>
         <source>No plug of this crankshaft can be made light enough.</source>
-        <translation>Ни одну пробку этого вала нельзя облегчить настолько.</translation>
+        <translation>Ни одну заглушку этого вала нельзя облегчить настолько.</translation>
     </message>
     <message>
         <source>No plug of this crankshaft has the mass that is needed.</source>
-        <translation>Ни одна пробка этого вала не даёт нужной массы.</translation>
+        <translation>Ни одна заглушка этого вала не даёт нужной массы.</translation>
     </message>
     <message>
         <source>A crankshaft made for the new plugs would do: “%1”.</source>
-        <translation>Подошёл бы вал под новые пробки: «%1».</translation>
+        <translation>Подошёл бы вал под новые заглушки: «%1».</translation>
     </message>
     <message>
         <source>A standard crankshaft would do: “%1”.</source>
@@ -1459,24 +1263,12 @@
         <translation>л</translation>
     </message>
     <message>
-        <source>plug</source>
-        <translation>пробка</translation>
-    </message>
-    <message>
         <source>steel</source>
         <translation>сталь</translation>
     </message>
     <message>
         <source>aluminium</source>
         <translation>алюминий</translation>
-    </message>
-    <message>
-        <source>Hang %1 on each crankpin.</source>
-        <translation>Груз на каждую шейку: %1.</translation>
-    </message>
-    <message>
-        <source>Bob weight with the nearest option: %1.</source>
-        <translation>Груз при ближайшем варианте: %1.</translation>
     </message>
     <message>
         <source>%1: %2 of 8 weighed; nominal counts until all are.</source>
@@ -1488,11 +1280,11 @@
     </message>
     <message>
         <source>%1: must be less than the plug&apos;s mass, %2.</source>
-        <translation>%1: должно быть меньше массы пробки, %2.</translation>
+        <translation>%1: должно быть меньше массы заглушки, %2.</translation>
     </message>
     <message>
         <source>The bore is as deep as the plug is high: there is no bottom.</source>
-        <translation>Полость глубиной с пробку: дна нет.</translation>
+        <translation>Полость глубиной с заглушку: дна нет.</translation>
     </message>
     <message>
         <source>The bore is wider than the root of the thread, %1: there is no wall.</source>
@@ -1501,10 +1293,6 @@
     <message>
         <source>A bore needs both its diameter and its depth.</source>
         <translation>У полости нужны и диаметр, и глубина.</translation>
-    </message>
-    <message>
-        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
-        <translation>%1: разброс %2, допустимо %3 (тяжелее всех: цилиндр %4, легче всех: %5).</translation>
     </message>
     <message>
         <source>Bored as planned here it moves by %1: %2.</source>
@@ -1528,23 +1316,23 @@
     </message>
     <message>
         <source>From the crank axis to the centre of mass of today&apos;s plug.</source>
-        <translation>От оси вала до центра масс существующей пробки.</translation>
+        <translation>От оси вала до центра масс существующей заглушки.</translation>
     </message>
     <message>
         <source>From the crank axis to the centre of mass of a plug of the new design.</source>
-        <translation>От оси вала до центра масс пробки новой конструкции.</translation>
+        <translation>От оси вала до центра масс заглушки новой конструкции.</translation>
     </message>
     <message>
         <source>One plug as the scale says, before it is machined.</source>
-        <translation>Масса одной пробки по показанию весов, до обработки.</translation>
+        <translation>Масса одной заглушки по показанию весов, до обработки.</translation>
     </message>
     <message>
         <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
-        <translation>Одна пробка новой конструкции, под которую сделаны противовесы вала.</translation>
+        <translation>Одна заглушка новой конструкции, под которую сделаны противовесы вала.</translation>
     </message>
     <message>
         <source>The most that the strength of its walls allows to take off one plug.</source>
-        <translation>Сколько можно снять с одной пробки по прочности её стенок.</translation>
+        <translation>Сколько можно снять с одной заглушки по прочности её стенок.</translation>
     </message>
     <message>
         <source>Design coefficient of the rod: a heavier big end counts (2 + k) times.</source>
@@ -1580,7 +1368,7 @@
     </message>
     <message>
         <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
-        <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
+        <translation>должно быть &quot;standard&quot;, если у двигателя нет заглушки новой конструкции</translation>
     </message>
     <message>
         <source>is required and missing: the preset %1 does not give it</source>
@@ -1588,7 +1376,7 @@
     </message>
     <message>
         <source>must be less than the plug&apos;s mass %1</source>
-        <translation>должно быть меньше массы пробки %1</translation>
+        <translation>должно быть меньше массы заглушки %1</translation>
     </message>
     <message>
         <source>is required where the bore&apos;s other size is given</source>
@@ -1596,7 +1384,7 @@
     </message>
     <message>
         <source>must be a plug that can exist: %1</source>
-        <translation>такой пробки быть не может: %1</translation>
+        <translation>такой заглушки быть не может: %1</translation>
     </message>
     <message>
         <source>&amp;Engine</source>
@@ -1624,7 +1412,7 @@
     </message>
     <message>
         <source>Which plugs the counterweights of the crankshaft were made for.</source>
-        <translation>Под какие пробки сделаны противовесы вала.</translation>
+        <translation>Под какие заглушки сделаны противовесы вала.</translation>
     </message>
     <message>
         <source>Source of the mass changes</source>
@@ -1656,7 +1444,7 @@
     </message>
     <message>
         <source>Of the whole plug.</source>
-        <translation>Всей пробки.</translation>
+        <translation>Всей заглушки.</translation>
     </message>
     <message>
         <source>&amp;Bore diameter</source>
@@ -1800,15 +1588,15 @@
     </message>
     <message>
         <source>Machine all 8 new steel plugs by %1 each.</source>
-        <translation>Снять с каждой из 8 новых стальных пробок %1.</translation>
+        <translation>Снять с каждой из 8 новых стальных заглушек %1.</translation>
     </message>
     <message>
         <source>Leave the 8 new steel plugs as they are.</source>
-        <translation>Оставить 8 новых стальных пробок как есть.</translation>
+        <translation>Оставить 8 новых стальных заглушек как есть.</translation>
     </message>
     <message>
         <source>New crankshaft, its own plugs</source>
-        <translation>Новый вал, его пробки</translation>
+        <translation>Новый вал, его заглушки</translation>
     </message>
     <message>
         <source>Values that replace those of the preset, or that it does not give.</source>
@@ -1836,7 +1624,7 @@
     </message>
     <message>
         <source>Sizes of the plug.</source>
-        <translation>Размеры пробки.</translation>
+        <translation>Размеры заглушки.</translation>
     </message>
     <message>
         <source>Limits and readings of the balancing machine.</source>
@@ -1879,6 +1667,10 @@
         <translation>Головка шатуна</translation>
     </message>
     <message>
+        <source>Repair shells of one crankpin Δmₛₕ</source>
+        <translation>Рем. вкладыши одной шатунной шейки Δmₛₕ</translation>
+    </message>
+    <message>
         <source>Repair shells Δmₛₕ</source>
         <translation>Рем. вкладыши</translation>
     </message>
@@ -1888,19 +1680,19 @@
     </message>
     <message>
         <source>Plug radius rₚ</source>
-        <translation>Радиус пробки rₚ</translation>
+        <translation>Радиус заглушки rₚ</translation>
     </message>
     <message>
         <source>New plug radius rₚₙ</source>
-        <translation>Радиус новой пробки rₚₙ</translation>
+        <translation>Радиус новой заглушки rₚₙ</translation>
     </message>
     <message>
         <source>Steel plug mₚ</source>
-        <translation>Стальная пробка mₚ</translation>
+        <translation>Стальная заглушка mₚ</translation>
     </message>
     <message>
         <source>Aluminium plug mₐ</source>
-        <translation>Алюминиевая пробка mₐ</translation>
+        <translation>Алюминиевая заглушка mₐ</translation>
     </message>
     <message>
         <source>New steel plug mₚₙ</source>
@@ -1947,38 +1739,6 @@
         <translation>Ремонтные вкладыши одной шейки против номинала.</translation>
     </message>
     <message>
-        <source>reciprocating mⱼ</source>
-        <translation>поступат. mⱼ</translation>
-    </message>
-    <message>
-        <source>piston Δmₚᵢ</source>
-        <translation>поршень</translation>
-    </message>
-    <message>
-        <source>rep. piston Δmᵣₚ</source>
-        <translation>рем. поршень</translation>
-    </message>
-    <message>
-        <source>rotating</source>
-        <translation>вращ.</translation>
-    </message>
-    <message>
-        <source>big end</source>
-        <translation>шатун</translation>
-    </message>
-    <message>
-        <source>rep. shells Δmₛₕ</source>
-        <translation>рем. вкладыши</translation>
-    </message>
-    <message>
-        <source>oil mₘ</source>
-        <translation>масло mₘ</translation>
-    </message>
-    <message>
-        <source>changes of mass (sheet 1) or weights of the parts (sheet 3)</source>
-        <translation>изменения масс (лист 1) или массы деталей (лист 3)</translation>
-    </message>
-    <message>
         <source>(!) After equals nominal by the method alone.</source>
         <translation>(!) После равно номиналу лишь по методу.</translation>
     </message>
@@ -1995,16 +1755,12 @@
         <translation>Номер шатуна в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
     </message>
     <message>
-        <source>%1: %2 typed, but the nominal parts give %3.</source>
-        <translation>%1: введено %2, а номинальные детали дают %3.</translation>
-    </message>
-    <message>
         <source>Neglected by the method: the plug&apos;s centre of mass moves by %4 to %5 when it is bored, which is worth %1 to %2 beside the %3 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки при расточке, от %4 до %5: это %1–%2 при допустимых %3.</translation>
+        <translation>Метод пренебрегает смещением центра масс заглушки при расточке, от %4 до %5: это %1–%2 при допустимых %3.</translation>
     </message>
     <message>
         <source>The plugs are out of the shaft then; while they are in it hang %1.</source>
-        <translation>Пробки при этом вывернуты; с пробками в валу груз %1.</translation>
+        <translation>Заглушки при этом вывернуты; с заглушками в валу груз %1.</translation>
     </message>
     <message>
         <source>Big end × %1: 2 for two rods as usual, kᵣ = %2 by the method, worth %3 here.</source>
@@ -2017,14 +1773,6 @@
     <message>
         <source>%1 in each plane is the shop&apos;s own limit.</source>
         <translation>%1 в каждой плоскости — предел, принятый в мастерской.</translation>
-    </message>
-    <message>
-        <source>Readings are judged by it while ISO 21940-11 lacks grade, mass or speed.</source>
-        <translation>Показания сравниваются с ним, пока для ИСО 21940-11 не заданы класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>It says how exactly the plugs compensate; ISO 21940-11 says what the crankshaft may have in service, in front %1 times as much. Readings are judged by ISO.</source>
-        <translation>Он говорит, насколько точно компенсируют пробки; ИСО 21940-11 — сколько валу допустимо в работе: спереди в %1 раз больше. Показания сравниваются с ИСО.</translation>
     </message>
     <message>
         <source>Weighed to %1, the bob weight is sure to ±%2 and the unbalance of a crankpin to ±%3 (19 times of 20).</source>
@@ -2063,20 +1811,12 @@
         <translation>Балансировочный груз при этом</translation>
     </message>
     <message>
-        <source>%1 plug: solid it weighs %2, but sheet 2 says %3. Give its bore or weigh it.</source>
-        <translation>%1: сплошная пробка весит %2, а на листе 2 стоит %3. Укажите расточку или взвесьте.</translation>
-    </message>
-    <message>
-        <source>%1 plug: a plug of these dimensions weighs %2, but sheet 2 says %3. Weigh it.</source>
-        <translation>%1: пробка таких размеров весит %2, а на листе 2 стоит %3. Взвесьте её.</translation>
-    </message>
-    <message>
         <source>“%1” would do with %2 off each plug, but the plug cannot be made so.</source>
-        <translation>Подошло бы «%1», если снять с каждой пробки %2, но так пробку не сделать.</translation>
+        <translation>Подошло бы «%1», если снять с каждой заглушки %2, но так заглушку не сделать.</translation>
     </message>
     <message>
         <source>“%1” would do, but the plug cannot be made so.</source>
-        <translation>Подошло бы «%1», но такую пробку не сделать.</translation>
+        <translation>Подошло бы «%1», но такую заглушку не сделать.</translation>
     </message>
     <message>
         <source>Whose readings they are, where the head of the card has become that of another crankshaft since.</source>
@@ -2103,14 +1843,6 @@
         <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
     </message>
     <message>
-        <source>The crankpins are unequal: their excess is %1 to %2. The answer is for their mean.</source>
-        <translation>Шатунные шейки неодинаковы: избыток от %1 до %2. Ответ дан для среднего.</translation>
-    </message>
-    <message>
-        <source>Sets moved as sheet 3 says leave a spread of %1.</source>
-        <translation>После перестановки комплектов по листу 3 разброс останется %1.</translation>
-    </message>
-    <message>
         <source>After would equal nominal, but this cannot be made.</source>
         <translation>После было бы равно номиналу, но изготовить это нельзя.</translation>
     </message>
@@ -2124,7 +1856,7 @@
     </message>
     <message>
         <source>a solid plug</source>
-        <translation>сплошная пробка</translation>
+        <translation>сплошная заглушка</translation>
     </message>
     <message>
         <source>From the outer face.</source>
@@ -2160,23 +1892,23 @@
     </message>
     <message>
         <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2.</translation>
+        <translation>Метод пренебрегает смещением центра масс заглушки: после такого фрезерования осталось бы %1 при допустимых %2.</translation>
     </message>
     <message>
         <source>The method neglects that the centre of mass of a machined plug moves, by %3 to %4 in the paper: with it up to %1 would be left, beyond the %2 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс облегчённой пробки, в статье это от %3 до %4: с ним осталось бы до %1 при допустимых %2.</translation>
+        <translation>Метод пренебрегает смещением центра масс облегчённой заглушки, в статье это от %3 до %4: с ним осталось бы до %1 при допустимых %2.</translation>
     </message>
     <message>
         <source>Give the plug&apos;s sizes and the cutter, or take off %1 to %2 each instead.</source>
-        <translation>Задайте размеры пробки и фрезу или снимите вместо этого от %1 до %2 с каждой пробки.</translation>
+        <translation>Задайте размеры заглушки и фрезу или снимите вместо этого от %1 до %2 с каждой заглушки.</translation>
     </message>
     <message>
         <source>Take off %1 each instead.</source>
-        <translation>Снимите вместо этого по %1 с каждой пробки.</translation>
+        <translation>Снимите вместо этого по %1 с каждой заглушки.</translation>
     </message>
     <message>
         <source>Bore to %1 from the face instead, %2 off each plug.</source>
-        <translation>Расфрезеруйте вместо этого на %1 от торца, по %2 с каждой пробки.</translation>
+        <translation>Расфрезеруйте вместо этого на %1 от торца, по %2 с каждой заглушки.</translation>
     </message>
     <message>
         <source>By the method alone it would be %1 each.</source>
@@ -2184,7 +1916,7 @@
     </message>
     <message>
         <source>With the plug&apos;s sizes and the cutter given it is one mass and a depth.</source>
-        <translation>Если задать размеры пробки и фрезу, получится одно значение массы и глубина.</translation>
+        <translation>Если задать размеры заглушки и фрезу, получится одно значение массы и глубина.</translation>
     </message>
     <message>
         <source>%1: the typed %2 is replaced by the weights.</source>
@@ -2210,13 +1942,17 @@
         <source>%1: %2 of 8 weighed; the typed change counts until all are.</source>
         <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое изменение.</translation>
     </message>
+    <message>
+        <source>With it take %1 off each piston.</source>
+        <translation>Вместе с этим снимите по %1 с каждого поршня.</translation>
+    </message>
+    <message>
+        <source>changes of mass (sheet 2) or weights of the parts (sheet 3)</source>
+        <translation>изменения масс (лист 2) или веса деталей (лист 3)</translation>
+    </message>
 </context>
 <context>
     <name>Workshop</name>
-    <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; look at the decimal sign.</source>
-        <translation>%1: в цилиндре %2 масса %3, в остальных около %4; проверьте десятичный знак.</translation>
-    </message>
     <message>
         <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
         <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
@@ -2226,44 +1962,12 @@
         <translation>Показания сняты с другого вала: тогда номер %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
     </message>
     <message>
-        <source>passes</source>
-        <translation>годен</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>не годен</translation>
-    </message>
-    <message>
         <source>another bob weight</source>
         <translation>другой груз</translation>
     </message>
     <message>
         <source>another crankshaft</source>
         <translation>другой вал</translation>
-    </message>
-    <message>
-        <source>%1: %2 looks like grams; it is in kilograms.</source>
-        <translation>%1: %2 похоже на граммы; масса задаётся в килограммах.</translation>
-    </message>
-    <message>
-        <source>%1: no engine runs at %2 in service; look at the decimal sign.</source>
-        <translation>%1: при %2 двигатели не работают; проверьте десятичный знак.</translation>
-    </message>
-    <message>
-        <source>%1: %2 looks like kilograms; masses are in %3.</source>
-        <translation>%1: %2 похоже на килограммы; массы вводятся в %3.</translation>
-    </message>
-    <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; is it mistyped?</source>
-        <translation>%1: цилиндр %2 – %3, остальные около %4; нет ли опечатки?</translation>
-    </message>
-    <message>
-        <source>Rod of cylinder %1: the big end weighs less than the small end; are the two swapped?</source>
-        <translation>Шатун цилиндра %1: нижняя головка легче верхней; не перепутаны ли они?</translation>
-    </message>
-    <message>
-        <source>%1: cylinders %2 are unlike the others (%3 against %4); are they mistyped?</source>
-        <translation>%1: цилиндры %2 не похожи на остальные (%3 против %4); нет ли опечаток?</translation>
     </message>
     <message>
         <source>%1 of cylinder %2</source>
@@ -2278,8 +1982,24 @@
         <translation>Сначала взвесьте снова: %1.</translation>
     </message>
     <message>
-        <source>Deviation: %1 times the scatter of the others.</source>
-        <translation>Отклонение: в %1 раз больше разброса остальных.</translation>
+        <source>PASS</source>
+        <translation>ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>НЕ ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL → drill, then PASS</source>
+        <translation>НЕ ГОДЕН → сверлить, тогда ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL → drill, still FAIL</source>
+        <translation>НЕ ГОДЕН → и после сверления НЕ ГОДЕН</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>СТОП</translation>
     </message>
 </context>
 <context>
@@ -5080,10 +4800,6 @@
         <translation>Навесьте балансировочные грузы по %1 на шатунные шейки: %2.</translation>
     </message>
     <message>
-        <source>After the planned correction: %1 front, %2 rear.</source>
-        <translation>После запланированной коррекции: %1 спереди, %2 сзади.</translation>
-    </message>
-    <message>
         <source>The last drilling did not act as planned: find out why before drilling again.</source>
         <translation>Последнее сверление подействовало не так, как планировалось: прежде чем сверлить дальше, выясните причину.</translation>
     </message>
@@ -5230,6 +4946,14 @@
     <message>
         <source>Press heavy metal in opposite, drill deeper or wider, or as a last resort weld that much on opposite.</source>
         <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
+    </message>
+    <message>
+        <source>After the planned correction: %1 %3, %2 %4.</source>
+        <translation>После плановой коррекции: %3 %1, %4 %2.</translation>
+    </message>
+    <message>
+        <source>No bob weights are needed: the crankpins balance one another. Where they are hung, each weighs %1.</source>
+        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их всё же навешивают, каждый весит %1.</translation>
     </message>
 </context>
 <context>
@@ -9068,7 +8792,7 @@
     </message>
     <message>
         <source>m_pн with the ratio of aluminium to steel of today&apos;s plugs of the 6 and 7 l engines.</source>
-        <translation>m_pн с отношением алюминия к стали по нынешним пробкам двигателей 6 и 7 л.</translation>
+        <translation>m_pн с отношением алюминия к стали по нынешним заглушкам двигателей 6 и 7 л.</translation>
     </message>
     <message>
         <source>From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.</source>
@@ -9092,7 +8816,7 @@
     </message>
     <message>
         <source>excess that today&apos;s steel plugs compensate</source>
-        <translation>избыток, компенсируемый нынешними стальными пробками</translation>
+        <translation>избыток, компенсируемый нынешними стальными заглушками</translation>
     </message>
     <message>
         <source>Equation (22).</source>
@@ -9100,11 +8824,11 @@
     </message>
     <message>
         <source>lightening of a steel plug that takes</source>
-        <translation>нужное для этого облегчение стальной пробки</translation>
+        <translation>нужное для этого облегчение стальной заглушки</translation>
     </message>
     <message>
         <source>excess that aluminium plugs compensate</source>
-        <translation>избыток, компенсируемый алюминиевыми пробками</translation>
+        <translation>избыток, компенсируемый алюминиевыми заглушками</translation>
     </message>
     <message>
         <source>Equation (19) from the printed constant part.</source>
@@ -9112,7 +8836,7 @@
     </message>
     <message>
         <source>lightening of a steel plug equivalent to that</source>
-        <translation>равносильное этому облегчение стальной пробки</translation>
+        <translation>равносильное этому облегчение стальной заглушки</translation>
     </message>
     <message>
         <source>largest Δk</source>
@@ -9132,7 +8856,7 @@
     </message>
     <message>
         <source>mass m_p of the plug</source>
-        <translation>масса m_p пробки</translation>
+        <translation>масса m_p заглушки</translation>
     </message>
     <message>
         <source>The drawing is not dimensioned in full; a steel cup of the printed thread and height, bored 25 mm wide and 8 mm deep, weighs ours.</source>
@@ -9140,11 +8864,11 @@
     </message>
     <message>
         <source>excess that an M27×1.5 aluminium plug compensates</source>
-        <translation>избыток, компенсируемый алюминиевой пробкой M27×1,5</translation>
+        <translation>избыток, компенсируемый алюминиевой заглушкой M27×1,5</translation>
     </message>
     <message>
         <source>The mass and the place of such a plug are not printed.</source>
-        <translation>Масса и место такой пробки не напечатаны.</translation>
+        <translation>Масса и место такой заглушки не напечатаны.</translation>
     </message>
     <message>
         <source>experiments</source>
@@ -9710,16 +9434,28 @@
         <source>to %1 bits</source>
         <translation>до %1 бит</translation>
     </message>
+    <message>
+        <source>In use: %1. No numbers here: %2.</source>
+        <translation>Применяется: %1. Здесь чисел нет: %2.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It misses the tolerance at this value.</source>
+        <translation>Применяется: %1. При этом значении допуск не выдержан.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It holds the tolerance; %2 of %3 settings that do are faster.</source>
+        <translation>Применяется: %1. Допуск выдержан; из %3 настроек, которые его выдерживают, быстрее %2.</translation>
+    </message>
+    <message>
+        <source>Measuring the methods on this machine.</source>
+        <translation>Методы измеряются на этом компьютере.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftModel</name>
     <message>
         <source>Torque source</source>
         <translation>Источник момента</translation>
-    </message>
-    <message>
-        <source>Pressure trace</source>
-        <translation>Индикаторная диаграмма</translation>
     </message>
     <message>
         <source>Mᵤₚ</source>
@@ -10343,238 +10079,6 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::BobAnswer</name>
-    <message>
-        <source>Bob weight, line by line</source>
-        <translation>Балансировочный груз по строкам</translation>
-    </message>
-    <message>
-        <source>Correction</source>
-        <translation>Коррекция</translation>
-    </message>
-    <message>
-        <source>The correction planes</source>
-        <translation>Плоскости коррекции</translation>
-    </message>
-    <message>
-        <source>Holes and slugs</source>
-        <translation>Отверстия и вставки</translation>
-    </message>
-    <message>
-        <source>Runs of the machine</source>
-        <translation>Пуски станка</translation>
-    </message>
-    <message>
-        <source>Already drilled</source>
-        <translation>Уже просверлено</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobDrillsSheet</name>
-    <message>
-        <source>Drills at hand</source>
-        <translation>Имеющиеся свёрла</translation>
-    </message>
-    <message>
-        <source>Several holes</source>
-        <translation>Несколько отверстий</translation>
-    </message>
-    <message>
-        <source>Heavy metal</source>
-        <translation>Тяжёлый металл</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobJobSheet</name>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Factor</source>
-        <translation>Доля</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobMachineSheet</name>
-    <message>
-        <source>What may remain</source>
-        <translation>Что может остаться</translation>
-    </message>
-    <message>
-        <source>&amp;A limit of your own for each plane, no grade</source>
-        <translation>&amp;Свой допуск для каждой плоскости, без класса</translation>
-    </message>
-    <message>
-        <source>Kind of limit</source>
-        <translation>Вид допуска</translation>
-    </message>
-    <message>
-        <source>grade of your own</source>
-        <translation>свой класс</translation>
-    </message>
-    <message>
-        <source>&amp;For</source>
-        <translation>&amp;Для чего</translation>
-    </message>
-    <message>
-        <source>Balance quality grades of ISO 21940-11, and what each is for.</source>
-        <translation>Классы точности балансировки ИСО 21940-11 и для чего каждый.</translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation>Плоскости</translation>
-    </message>
-    <message>
-        <source>Readings: before, and after each drilling</source>
-        <translation>Показания: до и после каждого сверления</translation>
-    </message>
-    <message>
-        <source>On: so much unbalance may remain in each plane. Off: by grade, mass and speed.</source>
-        <translation>Включено: столько дисбаланса может остаться в каждой плоскости. Выключено: по классу, массе и частоте.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobPartsSheet</name>
-    <message>
-        <source>Parts of one cylinder</source>
-        <translation>Детали одного цилиндра</translation>
-    </message>
-    <message>
-        <source>Those in grey are the means of the weigh-in sheet.</source>
-        <translation>Серые — средние листа взвешивания.</translation>
-    </message>
-    <message>
-        <source>Crankshaft</source>
-        <translation>Коленвал</translation>
-    </message>
-    <message>
-        <source>Balance it with its damper and its flywheel in place, each in the position in which it stays.</source>
-        <translation>Балансируйте с гасителем и маховиком на месте, каждый в том положении, в котором останется.</translation>
-    </message>
-    <message>
-        <source>Notes on the job card</source>
-        <translation>Примечания на карте</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobWeighInSheet</name>
-    <message>
-        <source>The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at the first has room for all, or type the means on sheet 2.</source>
-        <translation>Лист показывает %1 из %2 цилиндров. Столбцу таблицы, вставленному в первый, хватает места для всех; или введите средние на листе 2.</translation>
-    </message>
-    <message>
-        <source>In line each cylinder has a crankpin of its own: there is nothing to choose.</source>
-        <translation>В рядном двигателе у каждого цилиндра своя шатунная шейка: выбирать нечего.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobWeightsModel</name>
-    <message>
-        <source>How many times the mass is in the bob weight: rods on it, times the factor for what moves with the piston</source>
-        <translation>Сколько раз масса входит в груз: число шатунов, умноженное на долю для того, что движется с поршнем</translation>
-    </message>
-    <message>
-        <source>Mass × how often it counts</source>
-        <translation>Масса × сколько раз считается</translation>
-    </message>
-    <message>
-        <source>Both readings taken to the correction planes: same force, same moment</source>
-        <translation>Оба показания, перенесённые в плоскости коррекции: та же сила, тот же момент</translation>
-    </message>
-    <message>
-        <source>Angle of the heavy spot from the machine&apos;s zero mark</source>
-        <translation>Угол тяжёлого места от нулевой метки станка</translation>
-    </message>
-    <message>
-        <source>Mass that makes this unbalance at the plane&apos;s radius</source>
-        <translation>Масса, дающая этот дисбаланс на радиусе плоскости</translation>
-    </message>
-    <message>
-        <source>From the machine&apos;s zero mark</source>
-        <translation>От нулевой метки станка</translation>
-    </message>
-    <message>
-        <source>Move parts</source>
-        <translation>Перестановка деталей</translation>
-    </message>
-    <message>
-        <source>The bob weight: weigh it out so</source>
-        <translation>Балансировочный груз: столько и набирают</translation>
-    </message>
-    <message>
-        <source>What the holes below leave, their depths rounded, added up as vectors</source>
-        <translation>Что оставляют отверстия ниже с округлёнными глубинами, сложенное векторно</translation>
-    </message>
-    <message>
-        <source>By the limit of the plane: as measured → after the correction</source>
-        <translation>По допуску плоскости: измерено → после коррекции</translation>
-    </message>
-    <message>
-        <source>The readings of the run taken to the front plane</source>
-        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
-    </message>
-    <message>
-        <source>The readings of the run taken to the rear plane</source>
-        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
-    </message>
-    <message>
-        <source>By the limits of both planes</source>
-        <translation>По допускам обеих плоскостей</translation>
-    </message>
-    <message>
-        <source>Readings hold</source>
-        <translation>Показания верны</translation>
-    </message>
-    <message>
-        <source>Parts as weighed</source>
-        <translation>Детали как взвешены</translation>
-    </message>
-    <message>
-        <source>Two rods share a bob weight, and %1 is odd: choose one rod on a bob weight first.</source>
-        <translation>Один груз — на два шатуна, а %1 — нечётное число: сначала выберите один шатун на грузе.</translation>
-    </message>
-    <message>
-        <source>Counts once every cylinder is weighed.</source>
-        <translation>Считается, когда взвешены все цилиндры.</translation>
-    </message>
-    <message>
-        <source>Mass, the cone of the point included; negative: a slug adds its own weight, which stands beside its diameter, less what its hole took off</source>
-        <translation>Масса вместе с конусом; отрицательна: вставка прибавляет собственную массу, которая стоит рядом с диаметром, за вычетом того, что сняло её отверстие</translation>
-    </message>
-    <message>
-        <source>Kept: engine, factor, planes, drills and limits.</source>
-        <translation>Оставлено: двигатель, коэффициент, плоскости, свёрла и допуски.</translation>
-    </message>
-    <message>
-        <source>Still needed: what the machine reads in both planes.</source>
-        <translation>Ещё нужны показания станка в обеих плоскостях.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::BobWeightsPage</name>
-    <message>
-        <source>&amp;1 Job</source>
-        <translation>&amp;1 Работа</translation>
-    </message>
-    <message>
-        <source>&amp;2 Parts</source>
-        <translation>&amp;2 Детали</translation>
-    </message>
-    <message>
-        <source>&amp;3 Weigh-in</source>
-        <translation>&amp;3 Взвешивание</translation>
-    </message>
-    <message>
-        <source>&amp;4 Machine</source>
-        <translation>&amp;4 Станок</translation>
-    </message>
-    <message>
-        <source>&amp;5 Drills</source>
-        <translation>&amp;5 Свёрла</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::CaseDocument</name>
     <message>
         <source>%1 is an open case; choose another file.</source>
@@ -10643,7 +10147,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Excess compensated over the lightening of one plug</source>
-        <translation>Компенсируемая масса от облегчения одной пробки</translation>
+        <translation>Компенсируемая масса от облегчения одной заглушки</translation>
     </message>
     <message>
         <source>today %1</source>
@@ -10651,11 +10155,70 @@ but nothing can be built</source>
     </message>
     <message>
         <source>lightening of one plug Δm, g</source>
-        <translation>облегчение одной пробки Δm, г</translation>
+        <translation>облегчение одной заглушки Δm, г</translation>
     </message>
     <message>
         <source>Δmᵤ, g</source>
         <translation>Δmᵤ, г</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CorrectionSheet</name>
+    <message>
+        <source>Drills at hand</source>
+        <translation>Имеющиеся свёрла</translation>
+    </message>
+    <message>
+        <source>Several holes</source>
+        <translation>Несколько отверстий</translation>
+    </message>
+    <message>
+        <source>Heavy metal</source>
+        <translation>Тяжёлый металл</translation>
+    </message>
+    <message>
+        <source>Already drilled: correct what was drilled otherwise</source>
+        <translation>Уже просверлено: исправьте, что вышло иначе</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Отверстие</translation>
+    </message>
+    <message>
+        <source>Angle, °</source>
+        <translation>Угол, °</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>Что вышло</translation>
+    </message>
+    <message>
+        <source>None yet. The plan stands here once the next run is read.</source>
+        <translation>Пока нет. План появится здесь, когда введены показания следующего пуска.</translation>
+    </message>
+    <message>
+        <source>&amp;Add a hole that was there before…</source>
+        <translation>&amp;Добавить отверстие, которое уже было…</translation>
+    </message>
+    <message>
+        <source>New holes keep clear of it, and it may be deepened.</source>
+        <translation>Новые отверстия обходят его; его можно углубить.</translation>
+    </message>
+    <message>
+        <source>Hole that was there before</source>
+        <translation>Отверстие, которое уже было</translation>
+    </message>
+    <message>
+        <source>What if I drill here</source>
+        <translation>Что будет, если сверлить здесь</translation>
+    </message>
+    <message>
+        <source>%1: remains %2 at %3.</source>
+        <translation>%1: останется %2 на %3.</translation>
+    </message>
+    <message>
+        <source>A hole is there already; what it has taken is not taken again.</source>
+        <translation>Там уже есть отверстие; снятое им второй раз не снимается.</translation>
     </message>
 </context>
 <context>
@@ -11311,93 +10874,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::EngineSheet</name>
-    <message>
-        <source>There are &amp;aluminium plugs</source>
-        <translation>Есть &amp;алюминиевые пробки</translation>
-    </message>
-    <message>
-        <source>There are plugs of the new &amp;design</source>
-        <translation>Есть пробки &amp;новой конструкции</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as own engine…</source>
-        <translation>&amp;Запомнить двигатель…</translation>
-    </message>
-    <message>
-        <source>Rena&amp;me…</source>
-        <translation>&amp;Переименовать…</translation>
-    </message>
-    <message>
-        <source>Remo&amp;ve…</source>
-        <translation>&amp;Удалить…</translation>
-    </message>
-    <message>
-        <source>Crankshaft and today&apos;s plugs</source>
-        <translation>Вал и существующие пробки</translation>
-    </message>
-    <message>
-        <source>Nominal masses, for the bob weight</source>
-        <translation>Номинальные массы, для груза</translation>
-    </message>
-    <message>
-        <source>Name of the engine:</source>
-        <translation>Название двигателя:</translation>
-    </message>
-    <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
-        <source>Keep as own engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>An engine “%1” is kept already. Replace its values?</source>
-        <translation>Двигатель «%1» уже сохранён. Заменить его данные?</translation>
-    </message>
-    <message>
-        <source>Engine %1 kept.</source>
-        <translation>Двигатель %1 запомнен.</translation>
-    </message>
-    <message>
-        <source>Rename own engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The engine is called %1 now.</source>
-        <translation>Двигатель теперь называется %1.</translation>
-    </message>
-    <message>
-        <source>Remove engine</source>
-        <translation>Удаление двигателя</translation>
-    </message>
-    <message>
-        <source>Remove “%1” from your own engines?</source>
-        <translation>Удалить «%1» из своих двигателей?</translation>
-    </message>
-    <message>
-        <source>Engine %1 removed.</source>
-        <translation>Двигатель %1 удалён.</translation>
-    </message>
-    <message>
-        <source>Aluminium plugs in place of the steel ones count among the options.</source>
-        <translation>Алюминиевые пробки вместо стальных учитываются среди вариантов.</translation>
-    </message>
-    <message>
-        <source>Their options count where a crankshaft made for them is fitted.</source>
-        <translation>Их варианты учитываются, если установлен изготовленный под них коленчатый вал.</translation>
-    </message>
-    <message>
-        <source>&amp;Fill from the nominal parts</source>
-        <translation>&amp;Заполнить по номинальным деталям</translation>
-    </message>
-    <message>
-        <source>Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the nominal masses of the weigh-in sheet.</source>
-        <translation>Поступательная: поршень, палец, кольца, верхняя головка; вращающаяся: нижняя головка и вкладыши, по номинальным массам листа «Взвешивание».</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::EngineView</name>
     <message>
         <source>Engine from the front and the crank from the side</source>
@@ -11656,16 +11132,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Одних возвратно-поступательных частей, как масса на радиусе кривошипа</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>остаётся</translation>
-    </message>
-    <message>
         <source>What is left by counterweights that hold the bob weight</source>
         <translation>Что оставляют противовесы, уравновешивающие груз</translation>
     </message>
     <message>
         <source>across, %1</source>
         <translation>поперёк, %1</translation>
+    </message>
+    <message>
+        <source>with counterweights</source>
+        <translation>с противовесами</translation>
     </message>
 </context>
 <context>
@@ -12408,6 +11884,200 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ImportDialog</name>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Первые строки файла</translation>
+    </message>
+    <message>
+        <source>Add this shift to the crank angles of the trace.</source>
+        <translation>Прибавить этот сдвиг к углам диаграммы.</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>Чтение файла</translation>
+    </message>
+    <message>
+        <source>I&amp;mport</source>
+        <translation>Импор&amp;т</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>выберите</translation>
+    </message>
+    <message>
+        <source>&amp;Separator</source>
+        <translation>&amp;Разделитель</translation>
+    </message>
+    <message>
+        <source>Character between the columns.</source>
+        <translation>Знак между столбцами.</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>точка с запятой</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>запятая</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>табуляция</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>пробелы</translation>
+    </message>
+    <message>
+        <source>&amp;Decimal sign</source>
+        <translation>Десятичный &amp;знак</translation>
+    </message>
+    <message>
+        <source>Decimal sign of the numbers.</source>
+        <translation>Десятичный знак чисел.</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>&amp;Header lines</source>
+        <translation>Строки за&amp;головка</translation>
+    </message>
+    <message>
+        <source>Lines above the first row. Empty lines and comments (#) do not count.</source>
+        <translation>Строки над первой строкой чисел. Пустые строки и примечания (#) не учитываются.</translation>
+    </message>
+    <message>
+        <source>C&amp;ycle</source>
+        <translation>&amp;Цикл</translation>
+    </message>
+    <message>
+        <source>Length of a cycle. Several cycles in the file are averaged.</source>
+        <translation>Длина цикла. Несколько циклов в файле усредняются.</translation>
+    </message>
+    <message>
+        <source>360° (two-stroke)</source>
+        <translation>360° (двухтактный)</translation>
+    </message>
+    <message>
+        <source>720° (four-stroke)</source>
+        <translation>720° (четырёхтактный)</translation>
+    </message>
+    <message>
+        <source>Crank &amp;angle</source>
+        <translation>&amp;Угол поворота</translation>
+    </message>
+    <message>
+        <source>Column of the crank angle. Without one, the rows are equal steps over one cycle.</source>
+        <translation>Столбец угла поворота коленчатого вала. Без него строки — равные шаги одного цикла.</translation>
+    </message>
+    <message>
+        <source>Angles i&amp;n</source>
+        <translation>Единица уг&amp;ла</translation>
+    </message>
+    <message>
+        <source>Unit of the crank angle.</source>
+        <translation>Единица угла поворота.</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусы</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>радианы</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Давление</translation>
+    </message>
+    <message>
+        <source>&amp;Torque</source>
+        <translation>&amp;Момент</translation>
+    </message>
+    <message>
+        <source>Column of the cylinder pressure.</source>
+        <translation>Столбец давления в цилиндре.</translation>
+    </message>
+    <message>
+        <source>Column of the engine torque.</source>
+        <translation>Столбец крутящего момента двигателя.</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Единица</translation>
+    </message>
+    <message>
+        <source>Unit of the pressure.</source>
+        <translation>Единица давления.</translation>
+    </message>
+    <message>
+        <source>Unit of the torque.</source>
+        <translation>Единица момента.</translation>
+    </message>
+    <message>
+        <source>Pressure &amp;is</source>
+        <translation>&amp;Вид давления</translation>
+    </message>
+    <message>
+        <source>Gauge pressure is relative to the atmosphere: 1.01325 bar is added.</source>
+        <translation>Избыточное давление отсчитано от атмосферного: прибавляется 1,01325 бар.</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>абсолютное</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>избыточное</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>угол поворота</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>давление</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>момент</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>столбец %1</translation>
+    </message>
+    <message>
+        <source>none: equal steps</source>
+        <translation>нет: равные шаги</translation>
+    </message>
+    <message>
+        <source>Save the cycle</source>
+        <translation>Сохранить цикл</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>по файлу</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ImportModel</name>
+    <message>
+        <source>The case file cannot hold these settings: the cycle is saved as a CSV file of its own.</source>
+        <translation>Файл задачи не может хранить эти настройки: цикл сохраняется отдельным файлом CSV.</translation>
+    </message>
+    <message>
+        <source>Dead centre: shift by %1° ± %2° (from the compression line)</source>
+        <translation>Мёртвая точка: сдвиг на %1° ± %2° (по линии сжатия)</translation>
+    </message>
+    <message>
+        <source>Dead centre, uncertain: shift by %1° ± %2° (from the compression line)</source>
+        <translation>Мёртвая точка, ненадёжно: сдвиг на %1° ± %2° (по линии сжатия)</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::InertiaMomentsAnswer</name>
     <message>
         <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
@@ -13139,24 +12809,28 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::JobSheet</name>
     <message>
-        <source>Work</source>
-        <translation>Вид работы</translation>
+        <source>Notes on the job card</source>
+        <translation>Примечания на карте</translation>
     </message>
     <message>
-        <source>Heavier than nominal by (negative: lighter)</source>
-        <translation>Тяжелее номинала на (минус: легче)</translation>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
     </message>
     <message>
-        <source>Those in grey are taken from the weigh-in sheet.</source>
-        <translation>Серые взяты с листа взвешивания.</translation>
+        <source>Balance it with damper and flywheel in place, each in its position.</source>
+        <translation>Балансируйте с гасителем и маховиком, каждый на своём месте.</translation>
     </message>
     <message>
-        <source>&amp;Make it the shop&apos;s own</source>
-        <translation>&amp;Принять в мастерской</translation>
+        <source>Sludge-trap plugs</source>
+        <translation>Заглушки грязеуловителей</translation>
     </message>
     <message>
-        <source>New jobs begin with this limit.</source>
-        <translation>С этим пределом начинаются новые работы.</translation>
+        <source>The crankpins have sludge-trap &amp;plugs</source>
+        <translation>В шатунных шейках есть &amp;заглушки грязеуловителей</translation>
+    </message>
+    <message>
+        <source>Crankpin plugs of a V-8 at 90° are bored or replaced to balance heavier or lighter parts.</source>
+        <translation>Заглушки шатунных шеек V-8 с углом 90° растачивают или заменяют, чтобы уравновесить более тяжёлые или лёгкие детали.</translation>
     </message>
 </context>
 <context>
@@ -13427,32 +13101,60 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Remove job %1 of %2 from the journal for good?</source>
         <translation>Удалить работу %1 от %2 из журнала навсегда?</translation>
     </message>
-    <message>
-        <source>Journal of jobs: %1</source>
-        <translation>Журнал работ: %1</translation>
-    </message>
-    <message>
-        <source>Jobs of “%1”: %2 – look at them</source>
-        <translation>Работы раздела «%1»: %2 – посмотреть</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::MachineSheet</name>
     <message>
-        <source>Permissible residual unbalance, ISO 21940-11</source>
-        <translation>Допустимый остаточный дисбаланс, ИСО 21940-11</translation>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
     </message>
     <message>
-        <source>What the machine reads</source>
-        <translation>Показания станка</translation>
+        <source>Type two names, such as left / right.</source>
+        <translation>Введите два названия, например левая / правая.</translation>
     </message>
     <message>
-        <source>Correction planes</source>
-        <translation>Плоскости коррекции</translation>
+        <source>Planes</source>
+        <translation>Плоскости</translation>
     </message>
     <message>
-        <source>Notes on the job card</source>
-        <translation>Примечания на карте</translation>
+        <source>Readings: before, and after each drilling</source>
+        <translation>Показания: до и после каждого сверления</translation>
+    </message>
+    <message>
+        <source>What may remain</source>
+        <translation>Что может остаться</translation>
+    </message>
+    <message>
+        <source>&amp;A limit of your own for each plane, no grade</source>
+        <translation>&amp;Свой допуск для каждой плоскости, без класса</translation>
+    </message>
+    <message>
+        <source>On: so much unbalance may remain in each plane. Off: by grade, mass and speed.</source>
+        <translation>Включено: столько дисбаланса может остаться в каждой плоскости. Выключено: по классу, массе и частоте.</translation>
+    </message>
+    <message>
+        <source>Kind of limit</source>
+        <translation>Вид допуска</translation>
+    </message>
+    <message>
+        <source>grade of your own</source>
+        <translation>свой класс</translation>
+    </message>
+    <message>
+        <source>&amp;For</source>
+        <translation>&amp;Для чего</translation>
+    </message>
+    <message>
+        <source>Balance quality grades of ISO 21940-11, and what each is for.</source>
+        <translation>Классы точности балансировки ИСО 21940-11 и для чего каждый.</translation>
+    </message>
+    <message>
+        <source>Make it the shop&apos;s own &amp;machine</source>
+        <translation>Запомнить &amp;станок для мастерской</translation>
+    </message>
+    <message>
+        <source>New jobs begin with this set-up.</source>
+        <translation>Новые работы начинаются с этой настройки.</translation>
     </message>
 </context>
 <context>
@@ -13716,6 +13418,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;What’s this?</source>
         <translation>Что &amp;это?</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>Сохранить %1</translation>
     </message>
 </context>
 <context>
@@ -14394,6 +14100,49 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PartsSheet</name>
+    <message>
+        <source>Those in grey are the means of the weigh-in sheet.</source>
+        <translation>Серые — средние листа взвешивания.</translation>
+    </message>
+    <message>
+        <source>Parts of one cylinder</source>
+        <translation>Детали одного цилиндра</translation>
+    </message>
+    <message>
+        <source>Balance factor</source>
+        <translation>Коэффициент балансировки</translation>
+    </message>
+    <message>
+        <source>Parts of one cylinder, heavier than nominal by (negative: lighter)</source>
+        <translation>Детали одного цилиндра тяжелее номинала на (минус: легче)</translation>
+    </message>
+    <message>
+        <source>Nominal masses, for the bob weight</source>
+        <translation>Номинальные массы, для груза</translation>
+    </message>
+    <message>
+        <source>&amp;Fill from the nominal parts</source>
+        <translation>&amp;Заполнить по номинальным деталям</translation>
+    </message>
+    <message>
+        <source>Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the nominal masses of the weigh-in sheet.</source>
+        <translation>Поступательная: поршень, палец, кольца, верхняя головка; вращающаяся: нижняя головка и вкладыши, по номинальным массам листа «Взвешивание».</translation>
+    </message>
+    <message>
+        <source>Limit of the plugs</source>
+        <translation>Предел для заглушек</translation>
+    </message>
+    <message>
+        <source>&amp;Make it the shop&apos;s own</source>
+        <translation>&amp;Принять в мастерской</translation>
+    </message>
+    <message>
+        <source>New jobs begin with this limit.</source>
+        <translation>С этим пределом начинаются новые работы.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PictureFile</name>
     <message>
         <source>%1: a picture is written as .png, .svg or .pdf.</source>
@@ -14454,8 +14203,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>коррекции пока нет</translation>
     </message>
     <message>
-        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite, paler what is drilled already. 0° is above, angles grow clockwise.</source>
-        <translation>Стрелка — показание, штриховой круг — допуск, точка — остаток; отверстия в ободе, вставки напротив, бледнее — что уже просверлено. 0° вверху, углы растут по часовой стрелке.</translation>
+        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite, paler what is drilled already. Seen from the front, angles as the machine counts them.</source>
+        <translation>Стрелка — показание, штриховая окружность — предел, точка — остаток; отверстия на ободе, вставки напротив, бледнее — уже просверленное. Вид спереди, углы — как отсчитывает станок.</translation>
     </message>
 </context>
 <context>
@@ -14545,56 +14294,113 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::PlugSizesSheet</name>
+    <name>ravnoves::PlugView</name>
+    <message>
+        <source>Plug in section</source>
+        <translation>Заглушка в разрезе</translation>
+    </message>
     <message>
         <source>Plug</source>
-        <translation>Пробка</translation>
+        <translation>Заглушка</translation>
     </message>
     <message>
-        <source>Boring</source>
-        <translation>Расточка</translation>
+        <source>not to scale: sizes on the sheet “Plug”</source>
+        <translation>без масштаба: размеры — на листе «Заглушка»</translation>
     </message>
     <message>
-        <source>Density</source>
-        <translation>Плотность</translation>
+        <source>The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in millimetres.</source>
+        <translation>Заглушка с листа 4 в масштабе, в разрезе, с размерами; без единицы — в миллиметрах.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::PlugsSheet</name>
+    <message>
+        <source>No plugs: tick “The crankpins have sludge-trap plugs” on the sheet Job.</source>
+        <translation>Заглушек нет: отметьте на листе «Работа», что в шатунных шейках есть заглушки.</translation>
+    </message>
+    <message>
+        <source>Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs.</source>
+        <translation>Заглушки грязеуловителей бывают только у V-8 с углом 90° и двумя шатунами на шейке.</translation>
+    </message>
+    <message>
+        <source>Crankshaft and today&apos;s plugs</source>
+        <translation>Вал и существующие заглушки</translation>
+    </message>
+    <message>
+        <source>Sizes of today&apos;s plug</source>
+        <translation>Размеры нынешней заглушки</translation>
+    </message>
+    <message>
+        <source>There are &amp;aluminium plugs</source>
+        <translation>Есть &amp;алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>Aluminium plugs in place of the steel ones count among the options.</source>
+        <translation>Алюминиевые заглушки вместо стальных учитываются среди вариантов.</translation>
+    </message>
+    <message>
+        <source>There are plugs of the new &amp;design</source>
+        <translation>Есть заглушки &amp;новой конструкции</translation>
+    </message>
+    <message>
+        <source>Their options count where a crankshaft made for them is fitted.</source>
+        <translation>Их варианты учитываются, если установлен изготовленный под них коленчатый вал.</translation>
     </message>
     <message>
         <source>“%1” is no metric thread with its pitch, like %2.</source>
         <translation>«%1» — не метрическая резьба с шагом, как %2.</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::PlugView</name>
     <message>
-        <source>Plug in section</source>
-        <translation>Пробка в разрезе</translation>
+        <source>&amp;Keep as own engine…</source>
+        <translation>&amp;Запомнить двигатель…</translation>
     </message>
     <message>
-        <source>Plug</source>
-        <translation>Пробка</translation>
+        <source>Rena&amp;me…</source>
+        <translation>&amp;Переименовать…</translation>
     </message>
     <message>
-        <source>not to scale: sizes on the sheet “Plug”</source>
-        <translation>без масштаба: размеры — на листе «Пробка»</translation>
+        <source>Remo&amp;ve…</source>
+        <translation>&amp;Удалить…</translation>
     </message>
     <message>
-        <source>The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in millimetres.</source>
-        <translation>Пробка с листа 4 в масштабе, в разрезе, с размерами; без единицы — в миллиметрах.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::PlugsAnswer</name>
-    <message>
-        <source>The options</source>
-        <translation>Варианты</translation>
+        <source>Name of the engine:</source>
+        <translation>Название двигателя:</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin</source>
-        <translation>Балансировочный груз на шейку</translation>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin, line by line</source>
-        <translation>Балансировочный груз на шейку по строкам</translation>
+        <source>Keep as own engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>An engine “%1” is kept already. Replace its values?</source>
+        <translation>Двигатель «%1» уже сохранён. Заменить его данные?</translation>
+    </message>
+    <message>
+        <source>Engine %1 kept.</source>
+        <translation>Двигатель %1 запомнен.</translation>
+    </message>
+    <message>
+        <source>Rename own engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The engine is called %1 now.</source>
+        <translation>Двигатель теперь называется %1.</translation>
+    </message>
+    <message>
+        <source>Remove engine</source>
+        <translation>Удаление двигателя</translation>
+    </message>
+    <message>
+        <source>Remove “%1” from your own engines?</source>
+        <translation>Удалить «%1» из своих двигателей?</translation>
+    </message>
+    <message>
+        <source>Engine %1 removed.</source>
+        <translation>Двигатель %1 удалён.</translation>
     </message>
 </context>
 <context>
@@ -15427,6 +15233,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>%1 cannot be opened: %2</source>
         <translation>%1 не открывается: %2</translation>
     </message>
+    <message>
+        <source>Waits for lines such as “%1”; got “%2”. Another scale? Open Edit ▸ Scale….</source>
+        <translation>Ожидаются строки вида «%1», пришло «%2». Другие весы? Откройте «Правка ▸ Весы…».</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ScatterTable</name>
@@ -15470,14 +15280,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Пружинные направляющие, сохраняющие угловую скорость кривошипа</translation>
     </message>
     <message>
-        <source>V-8 workshop</source>
-        <translation>Ремонт V-8</translation>
-    </message>
-    <message>
-        <source>Crankpin plugs and bob weights of a V-8 under repair</source>
-        <translation>Пробки шатунных шеек и балансировочные грузы при ремонте V-8</translation>
-    </message>
-    <message>
         <source>Inertia moments</source>
         <translation>Моменты сил инерции</translation>
     </message>
@@ -15494,12 +15296,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Скорость против точности и где методы отказывают</translation>
     </message>
     <message>
-        <source>Bob weights</source>
-        <translation>Грузы</translation>
+        <source>Workshop</source>
+        <translation>Мастерская</translation>
     </message>
     <message>
-        <source>Bob weights and the drilled crankshaft of any engine</source>
-        <translation>Балансировочные грузы и высверливание вала любого двигателя</translation>
+        <source>From the scale to the drilled crankshaft, plugs of a V-8 included</source>
+        <translation>От весов до просверленного коленчатого вала, с заглушками V-8</translation>
     </message>
 </context>
 <context>
@@ -16109,15 +15911,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа</translation>
     </message>
     <message>
-        <source>Understood as %1 numbers: %2 %3</source>
-        <translation>Понято как несколько чисел (%1): %2 %3</translation>
+        <source>Read as one: %1</source>
+        <translation>Прочитано как одно: %1</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2</source>
+        <translation>Прочитано как %1: %2</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ShiftPlot</name>
     <message>
         <source>Shift of the plug&apos;s centre of mass</source>
-        <translation>Смещение центра масс пробки</translation>
+        <translation>Смещение центра масс заглушки</translation>
     </message>
     <message>
         <source>Coefficient Δk over the shift Δr for five crank radii</source>
@@ -16385,6 +16191,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Examples</source>
         <translation>Примеры</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Работы</translation>
+    </message>
+    <message>
+        <source>Journal…</source>
+        <translation>Журнал…</translation>
+    </message>
+    <message>
+        <source>unfinished</source>
+        <translation>не закончена</translation>
     </message>
 </context>
 <context>
@@ -16830,16 +16648,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Взять частоту момента</translation>
     </message>
     <message>
-        <source>&amp;Read CSV file…</source>
-        <translation>Про&amp;читать CSV…</translation>
-    </message>
-    <message>
         <source>Cylinder</source>
         <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>Read pressure trace</source>
-        <translation>Чтение давления</translation>
     </message>
     <message>
         <source>Gas exchange and compression</source>
@@ -16848,14 +16658,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Combustion</source>
         <translation>Сгорание</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>Measured cylinder pressure over a cycle as a CSV file: crank angle from top dead centre before intake (two-stroke, 360°: from the firing one), absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
-        <translation>Измеренное давление в цилиндре за цикл в файле CSV: угол от верхней мёртвой точки перед впуском (двухтактный, 360°: от точки сгорания), абсолютное давление (в барах, если заголовок не называет кПа, МПа, Па или psi).</translation>
     </message>
     <message>
         <source>A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion. 360° is the firing top dead centre.</source>
@@ -16892,6 +16694,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The trace is that of %1.</source>
         <translation>Диаграмма взята из %1.</translation>
+    </message>
+    <message>
+        <source>Measured cylinder pressure over one or more cycles, as a text file with columns. Crank angles count from top dead centre before intake (two-stroke, 360°: from the firing one).</source>
+        <translation>Измеренное давление в цилиндре за один или несколько циклов в текстовом файле со столбцами. Углы отсчитываются от верхней мёртвой точки перед впуском (двухтактный, 360°: от точки сгорания).</translation>
+    </message>
+    <message>
+        <source>Impo&amp;rt file…</source>
+        <translation>Импорт фай&amp;ла…</translation>
+    </message>
+    <message>
+        <source>Import pressure trace</source>
+        <translation>Импорт индикаторной диаграммы</translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
+        <translation>Индикаторная диаграмма</translation>
     </message>
 </context>
 <context>
@@ -16982,352 +16800,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>the first and the last torque are one instant of the cycle and must be equal.</source>
         <translation>первый и последний моменты — одно мгновение цикла и должны быть равны.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::V8PlugsModel</name>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>The values kept for the engine “%1” cannot be read: %2</source>
-        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
-    </message>
-    <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of a preset; choose another.</source>
-        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
-    </message>
-    <message>
-        <source>Save engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of another engine of your own; choose another.</source>
-        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
-    </message>
-    <message>
-        <source>Rename engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
-        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
-    </message>
-    <message>
-        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
-        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
-    </message>
-    <message>
-        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
-        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
-    </message>
-    <message>
-        <source>The values do not go together.</source>
-        <translation>Значения не согласуются.</translation>
-    </message>
-    <message>
-        <source>Still needed: %1.</source>
-        <translation>Ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>The bob weight still needs: %1.</source>
-        <translation>Для груза ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11 needs grade, mass and speed.</source>
-        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>With thread and height the sheet says what the plug would weigh.</source>
-        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
-    </message>
-    <message>
-        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
-        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
-    </message>
-    <message>
-        <source>Option</source>
-        <translation>Вариант</translation>
-    </message>
-    <message>
-        <source>const., g</source>
-        <translation>пост., г</translation>
-    </message>
-    <message>
-        <source>slope</source>
-        <translation>наклон</translation>
-    </message>
-    <message>
-        <source>reach, g</source>
-        <translation>предел, г</translation>
-    </message>
-    <message>
-        <source>needed, g</source>
-        <translation>снять, г</translation>
-    </message>
-    <message>
-        <source>left, g</source>
-        <translation>ост., г</translation>
-    </message>
-    <message>
-        <source>left, g·mm</source>
-        <translation>ост., г·мм</translation>
-    </message>
-    <message>
-        <source>The engine has no such plug, or its data are missing.</source>
-        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
-    </message>
-    <message>
-        <source>For the other crankshaft.</source>
-        <translation>Для другого вала.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>factor × mass, g</source>
-        <translation>коэфф. × масса, г</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>после</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Груз</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>allowed, g·mm</source>
-        <translation>допустимо, г·мм</translation>
-    </message>
-    <message>
-        <source>reading, g·mm</source>
-        <translation>показание, г·мм</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>вывод</translation>
-    </message>
-    <message>
-        <source>✓ passes</source>
-        <translation>✓ годен</translation>
-    </message>
-    <message>
-        <source>✗ fails</source>
-        <translation>✗ не годен</translation>
-    </message>
-    <message>
-        <source>Front (pulley)</source>
-        <translation>Передняя (шкив)</translation>
-    </message>
-    <message>
-        <source>Rear (flywheel)</source>
-        <translation>Задняя (маховик)</translation>
-    </message>
-    <message>
-        <source>Crankpin</source>
-        <translation>Шейка</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>as weighed, g</source>
-        <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>after moving, g</source>
-        <translation>после, г</translation>
-    </message>
-    <message>
-        <source>Excess Δmᵤ: not known yet</source>
-        <translation>Неуравновешенная масса Δmᵤ пока неизвестна</translation>
-    </message>
-    <message>
-        <source>Excess Δmᵤ: %1, %2</source>
-        <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
-        <translation>С пробки можно снять не больше %1; наклон kᵤ = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>By the method alone; the shift that it neglects leaves up to %1.</source>
-        <translation>Лишь по методу: смещение, которым он пренебрегает, оставляет до %1.</translation>
-    </message>
-    <message>
-        <source>What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the method</source>
-        <translation>Что высверливают или заменяют; ✓ достаточно, ✗ недостаточно, ! только по методике</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass that the option takes away with nothing bored, kₚ times the exchange of plugs</source>
-        <translation>Неуравновешенная масса, которую вариант убирает без сверления, kₚ на замену пробок</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass for each gram that is bored out of a plug</source>
-        <translation>Неуравновешенная масса на каждый грамм, высверленный из пробки</translation>
-    </message>
-    <message>
-        <source>Largest unbalanced mass that the option compensates</source>
-        <translation>Наибольшая неуравновешенная масса, которую вариант компенсирует</translation>
-    </message>
-    <message>
-        <source>To come off each plug; negative or beyond what is possible where the option cannot</source>
-        <translation>Сколько снять с каждой пробки; отрицательно или больше возможного, если вариант не годится</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass that stays</source>
-        <translation>Неуравновешенная масса, которая остаётся</translation>
-    </message>
-    <message>
-        <source>Unbalance that stays, mass times crank radius</source>
-        <translation>Дисбаланс, который остаётся: масса на радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>Share of the part in the bob weight times its mass</source>
-        <translation>Доля детали в грузе на её массу</translation>
-    </message>
-    <message>
-        <source>Sum of the lines: what is hung on each crankpin</source>
-        <translation>Сумма строк: что вешают на каждую шейку</translation>
-    </message>
-    <message>
-        <source>Correction plane of the crankshaft</source>
-        <translation>Плоскость коррекции коленчатого вала</translation>
-    </message>
-    <message>
-        <source>Permissible residual unbalance, share of U = G m / ω (ISO 21940-11)</source>
-        <translation>Допускаемый остаточный дисбаланс, доля от U = G m / ω (ISO 21940-11)</translation>
-    </message>
-    <message>
-        <source>What the balancing machine reads</source>
-        <translation>Показание балансировочного станка</translation>
-    </message>
-    <message>
-        <source>Passes where the reading is not above what is allowed</source>
-        <translation>Годен, если показание не выше допускаемого</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin over the mean, parts moved</source>
-        <translation>Избыток на каждой шейке над средним, детали переставлены</translation>
-    </message>
-    <message>
-        <source>Largest less smallest excess of the four crankpins</source>
-        <translation>Наибольший минус наименьший избыток четырёх шеек</translation>
-    </message>
-    <message>
-        <source>the engine&apos;s values</source>
-        <translation>данные двигателя</translation>
-    </message>
-    <message>
-        <source>the plug&apos;s sizes</source>
-        <translation>размеры пробки</translation>
-    </message>
-    <message>
-        <source>nominal masses and permitted spreads</source>
-        <translation>номинальные массы и допустимый разброс</translation>
-    </message>
-    <message>
-        <source>grade, mass and speed</source>
-        <translation>класс, масса и частота вращения</translation>
-    </message>
-    <message>
-        <source>From the job before: %1.</source>
-        <translation>Из предыдущей работы: %1.</translation>
-    </message>
-    <message>
-        <source>Masses of the nominal parts</source>
-        <translation>Массы номинальных деталей</translation>
-    </message>
-    <message>
-        <source>%1 in each plane is for this job alone.</source>
-        <translation>%1 в каждой плоскости — только для этой работы.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft.</source>
-        <translation>ИСО 21940-11: Uдоп = 1000 m G / ω = %1 на весь вал.</translation>
-    </message>
-    <message>
-        <source>By the nominal masses</source>
-        <translation>По номинальным массам</translation>
-    </message>
-    <message>
-        <source>With the parts as they are</source>
-        <translation>С деталями, какие есть</translation>
-    </message>
-    <message>
-        <source>After the compensation</source>
-        <translation>После компенсации</translation>
-    </message>
-    <message>
-        <source>Readings hold</source>
-        <translation>Показания верны</translation>
-    </message>
-    <message>
-        <source>Move parts</source>
-        <translation>Перестановка деталей</translation>
-    </message>
-    <message>
-        <source>Parts as weighed</source>
-        <translation>Детали как взвешены</translation>
-    </message>
-    <message>
-        <source>Excess Δmᵤ: %1, %2, the mean of unequal crankpins</source>
-        <translation>Избыток Δmᵤ: %1, %2, среднее неодинаковых шеек</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin over the mean, parts where they were weighed</source>
-        <translation>Избыток на каждой шейке над средним, детали там, где взвешены</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::V8PlugsPage</name>
-    <message>
-        <source>&amp;3 Weigh-in</source>
-        <translation>&amp;3 Взвешивание</translation>
-    </message>
-    <message>
-        <source>&amp;1 Job</source>
-        <translation>&amp;1 Работа</translation>
-    </message>
-    <message>
-        <source>&amp;2 Engine</source>
-        <translation>&amp;2 Двигатель</translation>
-    </message>
-    <message>
-        <source>&amp;4 Plug</source>
-        <translation>&amp;4 Пробка</translation>
-    </message>
-    <message>
-        <source>&amp;5 Machine</source>
-        <translation>&amp;5 Станок</translation>
-    </message>
-    <message>
-        <source>nothing needed</source>
-        <translation>ничего не требуется</translation>
-    </message>
-    <message>
-        <source>not compensated</source>
-        <translation>не компенсируется</translation>
     </message>
 </context>
 <context>
@@ -17610,6 +17082,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Excess on each crankpin, as weighed and after moving</source>
         <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
     </message>
+    <message>
+        <source>In line each cylinder has a crankpin of its own.</source>
+        <translation>В рядном двигателе у каждого цилиндра своя шатунная шейка.</translation>
+    </message>
+    <message>
+        <source>The sheet shows %1 of %2 cylinders. Paste a column of a spreadsheet for all, or type the means on sheet 2.</source>
+        <translation>На листе %1 из %2 цилиндров. Вставьте столбец из таблицы для всех или введите средние на листе 2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WeighInTable</name>
@@ -17672,6 +17152,348 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
         <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WorkshopAnswer</name>
+    <message>
+        <source>Plugs</source>
+        <translation>Заглушки</translation>
+    </message>
+    <message>
+        <source>The options</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Bob weight, line by line</source>
+        <translation>Балансировочный груз по строкам</translation>
+    </message>
+    <message>
+        <source>Details of the plugs</source>
+        <translation>Подробности о заглушках</translation>
+    </message>
+    <message>
+        <source>What each option compensates, and what the method neglects.</source>
+        <translation>Что уравновешивает каждый вариант и чем метод пренебрегает.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Коррекция</translation>
+    </message>
+    <message>
+        <source>Holes and slugs</source>
+        <translation>Отверстия и вставки</translation>
+    </message>
+    <message>
+        <source>The correction planes</source>
+        <translation>Плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Runs of the machine</source>
+        <translation>Пуски станка</translation>
+    </message>
+    <message>
+        <source>Already drilled</source>
+        <translation>Уже просверлено</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WorkshopModel</name>
+    <message>
+        <source>STOP: no bob weight yet</source>
+        <translation>СТОП: балансировочного груза пока нет</translation>
+    </message>
+    <message>
+        <source>Still needed for the bob weight: %1</source>
+        <translation>Для балансировочного груза ещё нужно: %1</translation>
+    </message>
+    <message>
+        <source>Counts once every cylinder is weighed.</source>
+        <translation>Считается, когда взвешены все цилиндры.</translation>
+    </message>
+    <message>
+        <source>Parts as weighed</source>
+        <translation>Детали как взвешены</translation>
+    </message>
+    <message>
+        <source>Move parts</source>
+        <translation>Перестановка деталей</translation>
+    </message>
+    <message>
+        <source>The bob weight: weigh it out so</source>
+        <translation>Балансировочный груз: столько и набирают</translation>
+    </message>
+    <message>
+        <source>How many times the mass is in the bob weight: rods on it, times the factor for what moves with the piston</source>
+        <translation>Сколько раз масса входит в груз: число шатунов, умноженное на долю для того, что движется с поршнем</translation>
+    </message>
+    <message>
+        <source>Mass × how often it counts</source>
+        <translation>Масса × сколько раз считается</translation>
+    </message>
+    <message>
+        <source>The readings of the run taken to the front plane</source>
+        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
+    </message>
+    <message>
+        <source>The readings of the run taken to the rear plane</source>
+        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
+    </message>
+    <message>
+        <source>By the limits of both planes</source>
+        <translation>По допускам обеих плоскостей</translation>
+    </message>
+    <message>
+        <source>Both readings taken to the correction planes: same force, same moment</source>
+        <translation>Оба показания, перенесённые в плоскости коррекции: та же сила, тот же момент</translation>
+    </message>
+    <message>
+        <source>Angle of the heavy spot from the machine&apos;s zero mark</source>
+        <translation>Угол тяжёлого места от нулевой метки станка</translation>
+    </message>
+    <message>
+        <source>Mass that makes this unbalance at the plane&apos;s radius</source>
+        <translation>Масса, дающая этот дисбаланс на радиусе плоскости</translation>
+    </message>
+    <message>
+        <source>What the holes below leave, their depths rounded, added up as vectors</source>
+        <translation>Что оставляют отверстия ниже с округлёнными глубинами, сложенное векторно</translation>
+    </message>
+    <message>
+        <source>By the limit of the plane: as measured → after the correction</source>
+        <translation>По допуску плоскости: измерено → после коррекции</translation>
+    </message>
+    <message>
+        <source>From the machine&apos;s zero mark</source>
+        <translation>От нулевой метки станка</translation>
+    </message>
+    <message>
+        <source>Mass, the cone of the point included; negative: a slug adds its own weight, which stands beside its diameter, less what its hole took off</source>
+        <translation>Масса вместе с конусом; отрицательна: вставка прибавляет собственную массу, которая стоит рядом с диаметром, за вычетом того, что сняло её отверстие</translation>
+    </message>
+    <message>
+        <source>Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs. Untick them first.</source>
+        <translation>Заглушки грязеуловителей бывают только у V-8 с углом 90° и двумя шатунами на шейке. Сначала снимите отметку.</translation>
+    </message>
+    <message>
+        <source>Two rods share a bob weight, and %1 is odd. Choose one rod on a bob weight first.</source>
+        <translation>На груз приходятся два шатуна, а %1 — нечётное число. Сначала выберите один шатун на груз.</translation>
+    </message>
+    <message>
+        <source>Swap the columns</source>
+        <translation>Поменять столбцы</translation>
+    </message>
+    <message>
+        <source>Swap the rod’s ends</source>
+        <translation>Поменять головки шатуна</translation>
+    </message>
+    <message>
+        <source>Readings hold</source>
+        <translation>Показания верны</translation>
+    </message>
+    <message>
+        <source>Enter what the machine reads in both planes.</source>
+        <translation>Введите показания станка в обеих плоскостях.</translation>
+    </message>
+    <message>
+        <source>Drill the holes and measure again.</source>
+        <translation>Просверлите отверстия и измерьте снова.</translation>
+    </message>
+    <message>
+        <source>Kept: engine, plugs, factor, machine, planes, drills and limits.</source>
+        <translation>Сохранены: двигатель, заглушки, доля, станок, плоскости, свёрла и пределы.</translation>
+    </message>
+    <message>
+        <source>Sludge-trap plugs</source>
+        <translation>Заглушки грязеуловителей</translation>
+    </message>
+    <message>
+        <source>Masses of the nominal parts</source>
+        <translation>Массы номинальных деталей</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>The values kept for the engine “%1” cannot be read: %2</source>
+        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
+    </message>
+    <message>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of a preset; choose another.</source>
+        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
+    </message>
+    <message>
+        <source>Save engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of another engine of your own; choose another.</source>
+        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
+    </message>
+    <message>
+        <source>Rename engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
+        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
+    </message>
+    <message>
+        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
+    </message>
+    <message>
+        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
+        <translation>Массы заглушек — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте заглушки и введите показания весов.</translation>
+    </message>
+    <message>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Still needed for the plugs: %1.</source>
+        <translation>Для заглушек ещё нужно: %1.</translation>
+    </message>
+    <message>
+        <source>Excess Δmᵤ: %1, %2</source>
+        <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is for this job alone.</source>
+        <translation>%1 в каждой плоскости — только для этой работы.</translation>
+    </message>
+    <message>
+        <source>With thread and height the sheet says what the plug would weigh.</source>
+        <translation>По резьбе и высоте лист скажет, сколько весила бы заглушка.</translation>
+    </message>
+    <message>
+        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
+        <translation>Заглушка таких размеров весит %1 из стали, %2 из алюминия.</translation>
+    </message>
+    <message>
+        <source>Option</source>
+        <translation>Вариант</translation>
+    </message>
+    <message>
+        <source>What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the method</source>
+        <translation>Что высверливают или заменяют; ✓ достаточно, ✗ недостаточно, ! только по методике</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass that the option takes away with nothing bored, kₚ times the exchange of plugs</source>
+        <translation>Неуравновешенная масса, которую вариант убирает без сверления, kₚ на замену заглушек</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass for each gram that is bored out of a plug</source>
+        <translation>Неуравновешенная масса на каждый грамм, высверленный из заглушки</translation>
+    </message>
+    <message>
+        <source>Largest unbalanced mass that the option compensates</source>
+        <translation>Наибольшая неуравновешенная масса, которую вариант компенсирует</translation>
+    </message>
+    <message>
+        <source>To come off each plug; negative or beyond what is possible where the option cannot</source>
+        <translation>Сколько снять с каждой заглушки; отрицательно или больше возможного, если вариант не годится</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass that stays</source>
+        <translation>Неуравновешенная масса, которая остаётся</translation>
+    </message>
+    <message>
+        <source>Unbalance that stays, mass times crank radius</source>
+        <translation>Дисбаланс, который остаётся: масса на радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>The engine has no such plug, or its data are missing.</source>
+        <translation>Такой заглушки у двигателя нет или нет её данных.</translation>
+    </message>
+    <message>
+        <source>For the other crankshaft.</source>
+        <translation>Для другого вала.</translation>
+    </message>
+    <message>
+        <source>By the method alone; the shift that it neglects leaves up to %1.</source>
+        <translation>Лишь по методу: смещение, которым он пренебрегает, оставляет до %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
+        <translation>С заглушки можно снять не больше %1; наклон kᵤ = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>Crankpin</source>
+        <translation>Шейка</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>Largest less smallest excess of the four crankpins</source>
+        <translation>Наибольший минус наименьший избыток четырёх шеек</translation>
+    </message>
+    <message>
+        <source>as weighed, g</source>
+        <translation>как есть, г</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts where they were weighed</source>
+        <translation>Избыток на каждой шейке над средним, детали там, где взвешены</translation>
+    </message>
+    <message>
+        <source>after moving, g</source>
+        <translation>после, г</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts moved</source>
+        <translation>Избыток на каждой шейке над средним, детали переставлены</translation>
+    </message>
+    <message>
+        <source>fixed part, g</source>
+        <translation>постоянная часть, г</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>коэффициент</translation>
+    </message>
+    <message>
+        <source>maximum, g</source>
+        <translation>предел, г</translation>
+    </message>
+    <message>
+        <source>take off each, g</source>
+        <translation>снять с каждой, г</translation>
+    </message>
+    <message>
+        <source>remains, g</source>
+        <translation>остаток, г</translation>
+    </message>
+    <message>
+        <source>remains, g·mm</source>
+        <translation>остаток, г·мм</translation>
+    </message>
+    <message>
+        <source>Bob weight with the nearest option: %1</source>
+        <translation>Балансировочный груз с ближайшим вариантом: %1</translation>
+    </message>
+    <message>
+        <source>None are needed: the crankpins balance one another.</source>
+        <translation>Не нужны: шатунные шейки уравновешивают друг друга.</translation>
+    </message>
+    <message>
+        <source>STOP: drill nothing before the line at the top is settled.</source>
+        <translation>СТОП: ничего не сверлите, пока не улажено то, что стоит в верхней строке.</translation>
+    </message>
+    <message>
+        <source>Not to be used: bob weight %1.</source>
+        <translation>Не использовать: балансировочный груз %1.</translation>
     </message>
 </context>
 <context>
@@ -17817,8 +17639,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
     </message>
     <message>
-        <source>The job of %1 in the journal is finished, its verdict: %2. On the sheet the readings are not of the bob weight and crankshaft there; saved so, the verdict is: %3.</source>
-        <translation>Работа %1 в журнале закончена, её заключение: %2. На листе показания не с тем грузом или не с того вала, которые указаны; если сохранить так, заключение будет: %3.</translation>
+        <source>The job of %1 in the journal is finished, its verdict: %2. Saved as the sheet is now, the verdict is: %3.</source>
+        <translation>Работа %1 в журнале закончена, её заключение: %2. Если сохранить лист как он есть, заключение будет: %3.</translation>
     </message>
     <message>
         <source>The journal has a job of %1 and this day already, saved on %2.</source>
@@ -17871,6 +17693,50 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Cancel</source>
         <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>&amp;1 Job</source>
+        <translation>&amp;1 Работа</translation>
+    </message>
+    <message>
+        <source>&amp;2 Parts</source>
+        <translation>&amp;2 Детали</translation>
+    </message>
+    <message>
+        <source>&amp;3 Weigh-in</source>
+        <translation>&amp;3 Взвешивание</translation>
+    </message>
+    <message>
+        <source>&amp;4 Plugs</source>
+        <translation>&amp;4 Заглушки</translation>
+    </message>
+    <message>
+        <source>&amp;5 Machine</source>
+        <translation>&amp;5 Станок</translation>
+    </message>
+    <message>
+        <source>&amp;6 Correction</source>
+        <translation>&amp;6 Коррекция</translation>
+    </message>
+    <message>
+        <source>Correct what was drilled</source>
+        <translation>Исправить просверленное</translation>
+    </message>
+    <message>
+        <source>nothing needed</source>
+        <translation>ничего не требуется</translation>
+    </message>
+    <message>
+        <source>not compensated</source>
+        <translation>не компенсируется</translation>
+    </message>
+    <message>
+        <source>Save the job in the journal; “Save case as…” writes a file</source>
+        <translation>Сохранить работу в журнале; в файл – «Сохранить задачу как…»</translation>
+    </message>
+    <message>
+        <source>Swap the rod ends</source>
+        <translation>Поменять головки шатуна</translation>
     </message>
 </context>
 <context>
@@ -18020,11 +17886,11 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Bob weight, steel plugs</source>
-        <translation>Балансировочный груз, стальные пробки</translation>
+        <translation>Балансировочный груз, стальные заглушки</translation>
     </message>
     <message>
         <source>Bob weight, aluminium plugs</source>
-        <translation>Балансировочный груз, алюминиевые пробки</translation>
+        <translation>Балансировочный груз, алюминиевые заглушки</translation>
     </message>
     <message>
         <source>Coefficients</source>
@@ -18032,7 +17898,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of today&apos;s and of the new plug from the crank axis</source>
-        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой пробки от оси вала</translation>
+        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой заглушки от оси вала</translation>
     </message>
     <message>
         <source>Excess on the crankpin axis</source>
@@ -18044,23 +17910,23 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Lightening of each plug</source>
-        <translation>Облегчение каждой пробки</translation>
+        <translation>Облегчение каждой заглушки</translation>
     </message>
     <message>
         <source>Aluminium in place of steel plugs</source>
-        <translation>Алюминиевые пробки вместо стальных</translation>
+        <translation>Алюминиевые заглушки вместо стальных</translation>
     </message>
     <message>
         <source>constant part; mₛ and mₐ mass of a plug of steel and of aluminium</source>
-        <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой пробки</translation>
+        <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой заглушки</translation>
     </message>
     <message>
         <source>Crankshaft made for new plugs, today&apos;s fitted</source>
-        <translation>Вал под новые пробки с нынешними</translation>
+        <translation>Вал под новые заглушки с нынешними</translation>
     </message>
     <message>
         <source>constant parts with plugs of steel and of aluminium; mₛₙ mass of a new steel plug</source>
-        <translation>постоянные части со стальными и с алюминиевыми пробками; mₛₙ — масса новой стальной пробки</translation>
+        <translation>постоянные части со стальными и с алюминиевыми заглушками; mₛₙ — масса новой стальной заглушки</translation>
     </message>
     <message>
         <source>Compensated by an option</source>
@@ -18068,7 +17934,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Cᵢ its constant part, Δmᵢ lightening of each plug, up to the limit of its wall</source>
-        <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой пробки, до предела по стенке</translation>
+        <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой заглушки, до предела по стенке</translation>
     </message>
     <message>
         <source>What the shift of the centre of mass leaves</source>
@@ -18076,7 +17942,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>d distance by which the metal bored off lies beyond the centre of mass of the plug</source>
-        <translation>d — насколько снятый металл лежит дальше центра масс пробки</translation>
+        <translation>d — насколько снятый металл лежит дальше центра масс заглушки</translation>
     </message>
     <message>
         <source>The crankshaft is rigid.</source>
@@ -18092,7 +17958,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>the engine has no such plug</source>
-        <translation>в этом двигателе нет такой пробки</translation>
+        <translation>в этом двигателе нет такой заглушки</translation>
     </message>
     <message>
         <source>Excess on a crankpin Δmᵤ</source>
@@ -18384,14 +18250,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again.</source>
         <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их снова.</translation>
-    </message>
-    <message>
-        <source>Fails: %1 front, %2 rear; permissible %3 and %4.</source>
-        <translation>Не годен: %1 спереди, %2 сзади; допускается %3 и %4.</translation>
-    </message>
-    <message>
-        <source>Passes: %1 front, %2 rear; permissible %3 and %4.</source>
-        <translation>Годен: %1 спереди, %2 сзади; допускается %3 и %4.</translation>
     </message>
     <message>
         <source>Weigh-in</source>
@@ -18696,6 +18554,30 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Enter the missing values of engine and parts.</source>
         <translation>Введите недостающие данные двигателя и деталей.</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>спереди</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>сзади</translation>
+    </message>
+    <message>
+        <source>Fails: %1 %5, %2 %6; permissible %3 and %4.</source>
+        <translation>Не годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
+    </message>
+    <message>
+        <source>Passes: %1 %5, %2 %6; permissible %3 and %4.</source>
+        <translation>Годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
+    </message>
+    <message>
+        <source>%1: spread %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
+        <translation>%1: разброс %2 (самый тяжёлый: цилиндр %3, самый лёгкий: %4). Взвесьте ещё раз или подберите детали.</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass %1 and rotating mass %2 of a cylinder do not go together. Check the masses of the parts.</source>
+        <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не подходят друг другу. Проверьте массы деталей.</translation>
     </message>
 </context>
 </TS>

@@ -42,7 +42,7 @@ for home in -uHOME HOME=/proc/none; do
     env "$home" "$cli" solve "$case_file" | cmp -s - plain.json || fault "$home: another result"
     # The window itself: still there after a second.
     status=0
-    env "$home" timeout 2 "$desktop" --scene v8-plugs >out 2>err || status=$?
+    env "$home" timeout 2 "$desktop" --scene workshop >out 2>err || status=$?
     [ $status = 124 ] || fault "$home: the window ends with $status: $(cat err)"
 done
 
@@ -50,7 +50,7 @@ done
 mkdir -p pipe/.config/Ravnoves
 mkfifo pipe/.config/Ravnoves/Ravnoves.conf
 status=0
-HOME=$folder/pipe timeout 4 "$desktop" --scene v8-plugs >out 2>err || status=$?
+HOME=$folder/pipe timeout 4 "$desktop" --scene workshop >out 2>err || status=$?
 [ $status = 124 ] || fault "a pipe for settings: the window ends with $status: $(cat err)"
 [ -d pipe/.local/share/Ravnoves/Ravnoves/recovery ] || fault "a pipe for settings is waited for"
 [ -p pipe/.config/Ravnoves/Ravnoves.conf ] || fault "the pipe in the place of settings is gone"

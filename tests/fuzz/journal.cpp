@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shop/model/journal.h"
 #include "window_target.h"
-#include "workshop/model/journal.h"
 
 namespace {
 
@@ -16,12 +16,12 @@ using namespace ravnoves;
 
 JournalJob job(int number) {
     JournalJob made;
-    made.scene = QStringLiteral("v8-plugs");
+    made.scene = QStringLiteral("workshop");
     made.engineNumber = QStringLiteral("53-%1").arg(number);
     made.customer = QString(20 * number, QLatin1Char('x'));
     made.date = QDate(2026, 1, number);
     made.bobWeight = 2000.0 + number;
-    made.form = QByteArrayLiteral(R"({"ravnoves":1,"scene":"v8-plugs","input":{}})");
+    made.form = QByteArrayLiteral(R"({"ravnoves":1,"scene":"workshop","input":{}})");
     return made;
 }
 

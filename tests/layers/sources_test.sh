@@ -3,9 +3,9 @@
 # The arrows app -> ui -> core as the includes draw them:
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
-#   a scene includes no other scene but workshop those that it joins, in core, in ui and in the tests of both; core's ground (case
-#   files, numerics, drawing, bibliography, shop) includes nothing that stands on it, nor does
-#   a scene include the methods or the registry;
+#   a scene includes no other scene but workshop those that it joins, in core, in ui and in the
+#   tests of both; core's ground (case files, numerics, drawing, bibliography, shop) includes
+#   nothing that stands on it, nor does a scene include the methods or the registry;
 #   folders form no circles.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
@@ -106,6 +106,8 @@ for ground in case-file numerics drawing bibliography shop; do
     check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
 done
 check_folders_apart core/numerics case-file drawing bibliography
+# What a shop has besides its job: journal, card, scale.
+check_folders_apart ui/shop "${scenes[@]}" methods
 for scene in "${scenes[@]}"; do
     others=()
     for other in "${scenes[@]}"; do
@@ -117,9 +119,8 @@ for scene in "${scenes[@]}"; do
     done
     check_folders_apart "core/$scene" "${others[@]}" methods scenes
     check_folders_apart "tests/core/$scene" "${others[@]}" methods
-    # The window's folder of that name is ground of the pages of the workshop.
-    [ "$scene" != workshop ] || continue
-    others=("${others[@]/#workshop/}")
+    # These are parts of a job: the window shows them on the page of the workshop.
+    case $scene in v8-plugs | bob-weights) continue ;; esac
     check_folders_apart "ui/$scene" "${others[@]}" methods
     check_folders_apart "tests/ui/$scene" "${others[@]}" methods
 done

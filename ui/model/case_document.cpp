@@ -53,7 +53,7 @@ std::optional<Json> namedInput(const CaseFile& file) {
     for (const QString& name : folder.entryList()) {
         QFile example(folder.filePath(name));
         if (example.open(QIODevice::ReadOnly)) {
-            const CaseFile known = parse_case(example.readAll().toStdString());
+            const CaseFile known = parse_shown_case(example.readAll().toStdString());
             if (known.scene == file.scene && known.title == file.title &&
                 known.input == file.input) {
                 return known.input;
@@ -206,7 +206,7 @@ CaseFile CaseDocument::read(const QString& path, QByteArray* digest) {
         if (digest != nullptr) {
             *digest = FileOnDisk::digestOf(text);
         }
-        return parse_case(text);
+        return parse_shown_case(text);
     });
 }
 
@@ -355,6 +355,11 @@ QString CaseDocument::saveTo(const QString& path) {
 }
 
 bool CaseDocument::save() {
+    const auto inPlace =
+        path_.isEmpty() && dialogs_.saveInPlace ? dialogs_.saveInPlace() : std::nullopt;
+    if (inPlace) {
+        return *inPlace;
+    }
     if (!mayBeSaved()) {
         return false;
     }

@@ -36,6 +36,9 @@ struct DocumentDialogs {
     std::function<bool()> goOnWithoutRefused{};
     /// The same before a case is closed of which nothing else is unsaved.
     std::function<bool()> leaveRefused{};
+    /// Saves a case without a file in a place of the page's own: whether it is saved there; nothing
+    /// where the page has none.
+    std::function<std::optional<bool>()> saveInPlace{};
 };
 
 /// A case between its file and its model: where it came from, whether it has to be saved, and what

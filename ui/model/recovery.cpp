@@ -15,6 +15,7 @@
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "workshop/scene.h"
 
 namespace ravnoves {
 
@@ -49,7 +50,7 @@ RecoveredCase readKept(const QString& file) {
         throw NewerCase();
     }
     RecoveredCase kept;
-    kept.content = read_case(json.at("case"));
+    kept.content = workshop::as_job(read_case(json.at("case")));
     kept.path = keptText(json, "path");
     kept.known = QByteArray::fromHex(keptText(json, "known").toLatin1());
     kept.context = {fsPath(keptText(json, "directory"))};

@@ -19,9 +19,10 @@ class ComparedFigure : public QWidget {
     void followReference(SceneModel* model);
     QString referenceName() const { return referenceName_; }
 
-  protected:
     /// The pen of what the reference has: wide and pale, as its curves are in plots.
     static QPen ghostPen(QColor colour, double width = 6.0);
+
+  protected:
     /// Its name with that pen at the top right of a rectangle; nothing where there is none.
     void sayReference(QPainter& painter, const QRectF& corner) const;
 

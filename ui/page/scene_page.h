@@ -43,6 +43,11 @@ class ScenePage : public QWidget {
     /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
+    /// Saves a case without a file there, with the page's questions. @return false where the user
+    /// wants to stay or it cannot be saved; nothing: the window asks for a file
+    virtual std::optional<bool> saveInPlace() { return std::nullopt; }
+    /// What saveInPlace() does, for a tip; empty where the window asks for a file.
+    virtual QString savingTip() const { return {}; }
 
     /// How to look up what is open on the other pages. Called once, after the page was made.
     virtual void setOpenCases(const OpenCases& /*cases*/) {}
@@ -59,12 +64,12 @@ class ScenePage : public QWidget {
 
     /// Looks into the journal of the page, where it keeps one.
     virtual void showJournal(const QString& /*search*/) {}
+    /// Brings a job of that journal onto the page, where it is open already that page to the front.
+    virtual void openJob(qint64 /*id*/) {}
 
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
-    /// The journal of another scene has what was searched for.
-    void journalWanted(const QString& scene, const QString& search);
 
   protected:
     /// The model that a page before this one has left, else a new one.

@@ -1,7 +1,8 @@
 #include "report/report_choice.h"
 
-#include <QLocale>
 #include <QSettings>
+
+#include "text/usual_paper.h"
 
 namespace ravnoves {
 
@@ -18,8 +19,7 @@ ReportChoice ReportChoice::kept() {
     const auto isOn = [&](const char* name, bool usual) {
         return settings.value(key(name), usual).toBool();
     };
-    const bool isMetric = QLocale::system().measurementSystem() != QLocale::ImperialUSSystem;
-    const bool isLetter = settings.value(key("letter"), !isMetric).toBool();
+    const bool isLetter = settings.value(key("letter"), usualPaper() == QPageSize::Letter).toBool();
     return {isOn("inputs", true), isOn("plots", true), isOn("formulas", true),
             isOn("validation", false), isLetter ? QPageSize::Letter : QPageSize::A4};
 }

@@ -178,7 +178,6 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
             Q_EMIT status(text);
         }
     });
-    connect(page, &ScenePage::journalWanted, this, &Documents::journalWanted);
     stack_->addWidget(page);
 }
 
@@ -323,9 +322,9 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
                     const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
     if (!scene) {
-        throw InputError("/scene",
-                         CORE_TEXT("core", "must be a scene with a page; the command line solves it"),
-                         file.scene);
+        throw InputError(
+            "/scene", CORE_TEXT("core", "must be a scene with a page; the command line solves it"),
+            file.scene);
     }
     OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
     OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);

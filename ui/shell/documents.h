@@ -117,8 +117,6 @@ class Documents : public QWidget {
     void refusedInChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);
-    /// The journal of a scene is to be looked into.
-    void journalWanted(const QString& scene, const QString& search);
     void saved(const QString& path);
 
   protected:

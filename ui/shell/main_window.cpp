@@ -37,15 +37,18 @@
 #include "shell/recovery_dialog.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
+#include "shop/journal_dialog.h"
+#include "shop/scale_button.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
+#include "text/plain_title.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "workshop/journal_dialog.h"
-#include "workshop/scale_button.h"
 
 namespace ravnoves {
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -63,8 +66,7 @@ MainWindow::MainWindow(First first) {
     documents_ = new Documents(this);
     scale_ = new ScaleButton(this);
     statusBar()->addPermanentWidget(scale_);
-    connect(scale_, &ScaleButton::status, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
+    connect(scale_, &ScaleButton::status, this, [this](const QString& text) { say(text, 10s); });
     buildNavigation();
     buildMenus();
     hint_ = new QLabel(this);
@@ -85,13 +87,10 @@ MainWindow::MainWindow(First first) {
     connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
     connect(documents_, &Documents::status, this, [this](const QString& text) {
         showHint(text.isEmpty() ? documents_->currentScene().summary : text);
+        say(text);
     });
-    // The page's own list is to be gone before another comes.
-    connect(documents_, &Documents::journalWanted, this, &MainWindow::showJournal,
-            Qt::QueuedConnection);
-    connect(documents_, &Documents::saved, this, [this](const QString& path) {
-        statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
-    });
+    connect(documents_, &Documents::saved, this,
+            [this](const QString& path) { say(tr("Saved %1").arg(path)); });
     if (first == First::Scene) {
         documents_->showScene(documents_->scenes().front().name);
     }
@@ -188,10 +187,8 @@ void MainWindow::showStart() {
         connect(start_, &StartPage::openRequested, this, &MainWindow::openOrSayWhy);
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
         connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
-        connect(start_, &StartPage::journalRequested, this, [this] {
-            const QString last = QSettings().value(journalKey).toString();
-            showJournal(last.isEmpty() ? QStringLiteral("bob-weights") : last, {});
-        });
+        connect(start_, &StartPage::journalRequested, this, &MainWindow::showJournal);
+        connect(start_, &StartPage::jobRequested, this, &MainWindow::openJob);
     }
     if (documents_->hasCurrent()) {
         currentPage()->setActive(false);
@@ -212,9 +209,15 @@ void MainWindow::leaveStart() {
     }
 }
 
-void MainWindow::showJournal(const QString& scene, const QString& search) {
-    if (showScene(scene)) {
-        currentPage()->showJournal(search);
+void MainWindow::showJournal() {
+    if (showScene(QStringLiteral("workshop"))) {
+        currentPage()->showJournal({});
+    }
+}
+
+void MainWindow::openJob(qint64 id) {
+    if (showScene(QStringLiteral("workshop"))) {
+        currentPage()->openJob(id);
     }
 }
 
@@ -275,8 +278,7 @@ QString MainWindow::saveCase(const QString& path) {
 
 void MainWindow::beginSession() {
     recovery_ = new Recovery(Recovery::defaultFolder(), this);
-    connect(recovery_, &Recovery::failed, this,
-            [this](const QString& why) { statusBar()->showMessage(why, 10'000); });
+    connect(recovery_, &Recovery::failed, this, [this](const QString& why) { say(why, 10s); });
     documents_->keepIn(recovery_);
     const QSettings settings;
     if (settings.value(restoreKey, false).toBool()) {
@@ -305,8 +307,7 @@ void MainWindow::beginSession() {
             QMetaObject::invokeMethod(
                 this,
                 [this, missing] {
-                    statusBar()->showMessage(
-                        tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10'000);
+                    say(tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10s);
                 },
                 Qt::QueuedConnection);
         }
@@ -372,6 +373,17 @@ void MainWindow::showHint(const QString& text) {
     hint_->setToolTip(text);  // a narrow window cuts it
 }
 
+void MainWindow::say(const QString& text, std::chrono::milliseconds during) {
+    said_.setRemainingTime(text.isEmpty() ? 0ms : during);
+    statusBar()->showMessage(text, static_cast<int>(during.count()));
+}
+
+bool MainWindow::event(QEvent* event) {
+    // A tip, or that the pointer has left what had one.
+    const bool isPassed = event->type() == QEvent::StatusTip && !said_.hasExpired();
+    return isPassed || QMainWindow::event(event);
+}
+
 void MainWindow::updateCaseActions() {
     const bool hasCase = !documents_->hasCurrent() || currentPage()->model()->hasCaseFile();
     for (QAction* action : caseActions_) {
@@ -381,6 +393,16 @@ void MainWindow::updateCaseActions() {
                                : tr("This page has no case file: its numbers are measured anew. "
                                     "Copy or export them."));
     }
+    if (hasCase && documents_->hasCurrent()) {
+        const QString file = documents_->current().document->path();
+        const QString where =
+            file.isEmpty() ? currentPage()->savingTip() : tr("Save %1").arg(plainTitle(file));
+        if (!where.isEmpty()) {
+            save_->setToolTip(where + QStringLiteral(" (%1)").arg(
+                                          save_->shortcut().toString(QKeySequence::NativeText)));
+        }
+    }
+    save_->setStatusTip(save_->toolTip());
     nextTab_->setEnabled(documents_->hasSeveralTabs());
     previousTab_->setEnabled(documents_->hasSeveralTabs());
 }
@@ -546,9 +568,9 @@ void MainWindow::exportReport() {
     const bool isCancelled = progress.wasCanceled();
     progress.reset();
     if (isCancelled) {
-        statusBar()->showMessage(tr("Cancelled: the report was not written."), 10'000);
+        say(tr("Cancelled: the report was not written."), 10s);
     } else if (trouble.isEmpty()) {
-        statusBar()->showMessage(tr("Report written: %1").arg(path), 5000);
+        say(tr("Report written: %1").arg(path));
     } else {
         QMessageBox::warning(this, tr("Report"), trouble);
     }

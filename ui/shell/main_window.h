@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <vector>
 
@@ -73,6 +74,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -105,9 +107,13 @@ class MainWindow : public QMainWindow {
     void foldToolBar();
     /// In the status bar, while nothing else is said there.
     void showHint(const QString& text);
+    /// Says what was done, before all else in the status bar; no tip of what the pointer passes
+    /// takes its place meanwhile.
+    void say(const QString& text, std::chrono::milliseconds during = std::chrono::seconds(5));
     void updateCaseActions();
     void updateHistoryActions();
-    void showJournal(const QString& scene, const QString& search);
+    void showJournal();
+    void openJob(qint64 id);
     void showHelp(const QString& topic);
     void showAbout();
     /// The window of the tolerances of the case in front; one that is open comes to the front.
@@ -119,6 +125,7 @@ class MainWindow : public QMainWindow {
     StartPage* start_ = nullptr;
     QAction* startAction_ = nullptr;
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
+    QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QActionGroup* sceneGroup_ = nullptr;
@@ -131,6 +138,7 @@ class MainWindow : public QMainWindow {
     VariantMenu* variants_ = nullptr;
     ScaleButton* scale_ = nullptr;
     QLabel* hint_ = nullptr;
+    QDeadlineTimer said_;  ///< until when what was said stays
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;
     bool isPainted_ = false;

@@ -9,29 +9,28 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWhatsThis>
 #include <algorithm>
 
+#include "page/scene_page.h"
 #include "shell/case_properties.h"
 #include "shell/changed_field.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
 #include "shell/page_drawing.h"
-#include "page/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
+#include "shop/scale_button.h"
 #include "studies/tolerance_switch.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
-#include "workshop/scale_button.h"
 
 namespace ravnoves {
 
@@ -192,8 +191,8 @@ void MainWindow::buildMenus() {
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
     examplesMenu_ = file->addMenu(tr("E&xamples"));
     connect(examplesMenu_, &QMenu::aboutToShow, this, &MainWindow::fillExamples);
-    QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
-                              [this] { documents_->current().document->save(); });
+    save_ = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
+                [this] { documents_->current().document->save(); });
     QAction* saveAsAction =
         add(file, {}, tr("Save case &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
             [this] { documents_->current().document->saveAs(); });
@@ -228,11 +227,11 @@ void MainWindow::buildMenus() {
     QAction* copyText = add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
                             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] {
                                 QApplication::clipboard()->setText(currentPage()->resultsAsText());
-                                statusBar()->showMessage(tr("Results copied as text"), 3000);
+                                say(tr("Results copied as text"));
                             });
     QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
         QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
-        statusBar()->showMessage(tr("Results copied as CSV"), 3000);
+        say(tr("Results copied as CSV"));
     });
 
     edit->addSeparator();
@@ -331,7 +330,7 @@ void MainWindow::buildMenus() {
     toolBar_->setObjectName(QStringLiteral("main-toolbar"));
     toolBar_->setMovable(false);
     toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
-    toolBar_->addActions({fresh, open, saveAction});
+    toolBar_->addActions({fresh, open, save_});
     newMenu_ = new QMenu(toolBar_);
     connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
     auto* newButton = qobject_cast<QToolButton*>(toolBar_->widgetForAction(fresh));
@@ -346,7 +345,7 @@ void MainWindow::buildMenus() {
     toolBar_->addAction(tolerances);
     toolBar_->addSeparator();
     pageActions_ = {close, copyText, copyCsv, picture, reset};
-    caseActions_ = {fresh, saveAction, saveAsAction, tolerances, properties, report};
+    caseActions_ = {fresh, save_, saveAsAction, tolerances, properties, report};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
     }

@@ -44,7 +44,7 @@ CaseFile readInside(const QString& path) {
     if (!file.open(QIODevice::ReadOnly)) {
         return {};
     }
-    return parse_case(file.readAll().toStdString());
+    return parse_shown_case(file.readAll().toStdString());
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ class SavingDialogs {
                                                 : Answer::Stay;
     }
 
+    std::optional<bool> saveInPlace() const { return document_->page->saveInPlace(); }
+
     QString choosePath(const QString& suggestion) const {
         QString path = askSavePath(window(), tr("Save case"), suggestion,
                                    {{QStringLiteral("case.json"), tr("Ravnoves case")}});
@@ -104,6 +106,7 @@ DocumentDialogs savingDialogs(Documents& documents, OpenDocument& document) {
     DocumentDialogs dialogs;
     dialogs.saveChanges = [ask](bool hasFile) { return ask.saveChanges(hasFile); };
     dialogs.choosePath = [ask](const QString& suggestion) { return ask.choosePath(suggestion); };
+    dialogs.saveInPlace = [ask] { return ask.saveInPlace(); };
     dialogs.elsewhere = [ask](const QString& trouble) { return ask.elsewhere(trouble); };
     dialogs.overwrite = [ask](const QString& path) { return ask.overwrite(path); };
     dialogs.goOnWithoutRefused = [ask] { return ask.goOnWithout(); };

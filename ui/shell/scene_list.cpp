@@ -3,13 +3,12 @@
 #include <iterator>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "bob-weights/bob_weights_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
 #include "numerics/demand.h"
 #include "studies/tolerance_bands.h"
-#include "v8-plugs/v8_plugs_page.h"
+#include "workshop/workshop_page.h"
 
 namespace ravnoves {
 
@@ -24,8 +23,8 @@ ScenePage* makePage(QWidget* parent, SceneModel* kept) {
 
 /// In the order of sceneNames().
 constexpr ScenePage* (*makers[])(QWidget*, SceneModel*){
-    makePage<BalanceShaftPage>, makePage<ElasticHingePage>,   makePage<V8PlugsPage>,
-    makePage<BobWeightsPage>,   makePage<InertiaMomentsPage>, makePage<MethodsPage>,
+    makePage<BalanceShaftPage>,   makePage<ElasticHingePage>, makePage<WorkshopPage>,
+    makePage<InertiaMomentsPage>, makePage<MethodsPage>,
 };
 
 }  // namespace

@@ -13,13 +13,20 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "model/case_document.h"
 #include "shell/scene_list.h"
+#include "shop/journal_dialog.h"
+#include "shop/model/job_desk.h"
+#include "shop/model/journal.h"
+#include "shop/model/verdict.h"
 #include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/layouts.h"
+#include "workshop/workshop_page.h"
 
 namespace ravnoves {
 
@@ -144,10 +151,12 @@ class SceneCard : public StartButton {
 class StartLine : public StartButton {
   public:
     StartLine(const QString& icon, const QString& text, QWidget* parent) : StartButton(parent) {
-        setText(text);
+        setText(QString(text).replace(QLatin1Char('&'), QLatin1String("&&")));  // no mnemonic
         setIcon(themedIcon(icon));
         setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }
+
+    void setInk(Ink ink) { ink_ = ink; }
 
     QSize sizeHint() const override {
         return {fontMetrics().horizontalAdvance(shown()) + iconSide() + 4 * Theme::space,
@@ -163,7 +172,7 @@ class StartLine : public StartButton {
         QFont shownFont = font();
         shownFont.setUnderline(underMouse());
         painter.setFont(shownFont);
-        painter.setPen(theme.accent());
+        painter.setPen((theme.*ink_)());
         const QRect room(side + 3 * Theme::gap, 0, width() - side - 4 * Theme::gap, height());
         painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                          fontMetrics().elidedText(shown(), Qt::ElideMiddle, room.width()));
@@ -175,10 +184,23 @@ class StartLine : public StartButton {
     }
 
   private:
-    /// Without the & of the mnemonic.
-    QString shown() const { return QString(text()).remove(QLatin1Char('&')); }
+    QString shown() const { return text().replace(QLatin1String("&&"), QLatin1String("&")); }
     int iconSide() const { return fontMetrics().height(); }
+
+    Ink ink_ = &Theme::accent;
 };
+
+/// When, whose, which engine, what the machine said.
+QString jobText(const Words& words, const JournalJob& job) {
+    QStringList said{words.day(job.date.toString(Qt::ISODate)),
+                     JobDesk::numbersOf(job),
+                     job.customer,
+                     WorkshopPage::listed(words, job).engine,
+                     verdictText(words, job.verdict),
+                     job.isFinished ? QString() : StartPage::tr("unfinished")};
+    said.removeAll(QString());
+    return said.join(QStringLiteral(" · "));
+}
 
 /// A heading, and the column below it.
 QVBoxLayout* column(QWidget* box, const QString& heading) {
@@ -222,6 +244,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     }
     layout->addSpacing(Theme::space);
 
+    jobsBox_ = new QWidget(content);
+    jobs_ = column(jobsBox_, tr("Jobs"));
+    layout->addWidget(jobsBox_);
+    jobsBox_->hide();
+    content->installEventFilter(this);
+
     lists_ = new QGridLayout;
     lists_->setHorizontalSpacing(3 * Theme::margin);
     lists_->setVerticalSpacing(Theme::margin);
@@ -238,6 +266,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
         to->addWidget(made);
         return made;
     };
+    line(jobs_, QStringLiteral("journal"), tr("Journal…"), QStringLiteral("start-journal"),
+         [this] { Q_EMIT journalRequested(); });
     line(recent_, QStringLiteral("new"), tr("New case…"), QStringLiteral("start-new"),
          [this] { Q_EMIT newDialogRequested(); });
     line(recent_, QStringLiteral("open"), tr("Open a case…"), QStringLiteral("start-open"),
@@ -283,6 +313,34 @@ void StartPage::showRecent() {
     recent_->addStretch();
 }
 
+void StartPage::showJobs() {
+    constexpr int above = 2;  // heading and its gap; below them stands "Journal…"
+    while (jobs_->count() > above + 1) {
+        const std::unique_ptr<QLayoutItem> item(jobs_->takeAt(above));
+        delete item->widget();
+    }
+    JournalQuery newest;
+    newest.limit = 5;
+    Journal journal(Journal::defaultPath());
+    const QList<JournalJob> jobs = journal.look() ? journal.search(newest) : QList<JournalJob>();
+    const Words words;
+    QWidget* before = cards_->itemAt(cards_->count() - 1)->widget();
+    for (const JournalJob& job : jobs) {
+        auto* made =
+            new StartLine(job.isFinished ? QStringLiteral("job-done") : QStringLiteral("job-new"),
+                          jobText(words, job), jobsBox_);
+        made->setObjectName(QStringLiteral("start-job"));
+        made->setToolTip(jobText(words, job));
+        made->setInk(job.isFinished ? &Theme::accent : &Theme::warning);
+        connect(made, &QAbstractButton::clicked, this,
+                [this, id = job.id] { Q_EMIT jobRequested(id); });
+        jobs_->insertWidget(jobs_->count() - 1, made);
+        QWidget::setTabOrder(before, made);
+        before = made;
+    }
+    jobsBox_->setVisible(!jobs.isEmpty());
+}
+
 void StartPage::arrange() {
     int narrowest = 0;
     for (int i = 0; i < cards_->count(); ++i) {
@@ -319,7 +377,16 @@ void StartPage::resizeEvent(QResizeEvent* event) {
 
 void StartPage::showEvent(QShowEvent* event) {
     showRecent();
+    isLooked_ = false;
     QWidget::showEvent(event);
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+    // After the first picture: a slow disk must not delay it.
+    if (event->type() == QEvent::Paint && !std::exchange(isLooked_, true)) {
+        QMetaObject::invokeMethod(this, &StartPage::showJobs, Qt::QueuedConnection);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace ravnoves

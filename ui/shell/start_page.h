@@ -19,6 +19,8 @@ class StartPage : public QWidget {
 
     /// The files opened last, anew.
     void showRecent();
+    /// The newest jobs of the journal, anew; nothing of a journal that cannot be opened.
+    void showJobs();
 
   Q_SIGNALS:
     /// A picture was pressed: the scene as it starts.
@@ -31,15 +33,21 @@ class StartPage : public QWidget {
     void newDialogRequested();
     /// The journal of the workshop, by F3 as on its pages.
     void journalRequested();
+    /// A job of that journal.
+    void jobRequested(qint64 id);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void arrange();
 
     QGridLayout* cards_;
+    QWidget* jobsBox_;
+    QVBoxLayout* jobs_;
+    bool isLooked_ = false;  ///< into the journal, since the page is shown
     QGridLayout* lists_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;

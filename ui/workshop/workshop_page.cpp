@@ -22,6 +22,13 @@
 #include "model/worker_thread.h"
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
+#include "shop/job_card.h"
+#include "shop/journal_banner.h"
+#include "shop/journal_dialog.h"
+#include "shop/model/job_desk.h"
+#include "shop/model/verdict.h"
+#include "shop/sheet_form.h"
+#include "shop/shop_dialog.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/language.h"
@@ -32,13 +39,14 @@
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
-#include "workshop/job_card.h"
-#include "workshop/journal_banner.h"
-#include "workshop/journal_dialog.h"
-#include "workshop/model/job_desk.h"
-#include "workshop/model/verdict.h"
-#include "workshop/sheet_form.h"
-#include "workshop/shop_dialog.h"
+#include "widgets/verdict_line.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plugs/model/v8_names.h"
+#include "workshop/plugs/model/v8_text.h"
+#include "workshop/sheets.h"
+#include "workshop/workshop_answer.h"
+#include "workshop/workshop_card.h"
 
 namespace ravnoves {
 
@@ -54,23 +62,47 @@ bool isEntry(const QWidget* field, const SheetForm& sheet) {
 
 }  // namespace
 
-void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
+WorkshopPage::WorkshopPage(QWidget* parent, SceneModel* kept)
+    : WorkshopPage(Journal::defaultPath(), parent, kept) {}
+
+WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<WorkshopModel>(kept, journalPath)) {
     QVBoxLayout* column = columnIn(this, 0);
     banner_ = new JournalBanner(desk(), this);
     column->addWidget(banner_);
+    verdict_ = new VerdictLine(this);
+    connect(verdict_, &VerdictLine::acted, this, &WorkshopPage::doVerdictAct);
+    connect(model_, &SceneModel::changed, this, &WorkshopPage::showVerdict);
+    column->addWidget(verdict_);
     sheets_ = new FittedTabs(this);
     sheets_->setDocumentMode(true);
     sheets_->setFixedWidth(Theme::withText(sheetWidth));
-    for (const auto& [form, title] : sheets) {
-        addSheet(form, title);
-    }
+    answer_ = new WorkshopAnswer(model_, this);
+    auto* plugs = new PlugsSheet(model_);
+    connect(plugs, &PlugsSheet::status, this, &ScenePage::status);
+    machine_ = new MachineSheet(model_);
+    correction_ = new CorrectionSheet(model_);
+    addSheet(new JobSheet(model_), tr("&1 Job"));
+    addSheet(new PartsSheet(model_), tr("&2 Parts"));
+    addSheet(new WeighInSheet(model_), tr("&3 Weigh-in"));
+    addSheet(plugs, tr("&4 Plugs"));
+    addSheet(machine_, tr("&5 Machine"));
+    addSheet(correction_, tr("&6 Correction"));
     column->addWidget(new PageColumns({.inputs = sheets_,
                                        .tabs = sheets_,
                                        .plots = nullptr,
-                                       .results = answer,
+                                       .results = answer_,
                                        .narrowest = Theme::withText(narrowestSheet)},
                                       this),
                       1);
+    connect(model_, &WorkshopModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
+    const auto showPlugs = [this] {
+        constexpr int plugsTab = 3;
+        sheets_->setTabVisible(plugsTab, model_->hasPlugs());
+    };
+    connect(model_, &SceneModel::changed, this, showPlugs);
+    showPlugs();
+    showVerdict();
     beginSheets();
     connect(model(), &SceneModel::begunAnew, this, &WorkshopPage::beginSheets);
     connect(sheets_, &QTabWidget::currentChanged, this, [this](int sheet) {
@@ -97,6 +129,74 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
     connect(model(), &SceneModel::begunAnew, this, [this] { banner_->say({}); });
 }
 
+SceneModel* WorkshopPage::model() {
+    return model_;
+}
+
+JobDesk* WorkshopPage::desk() const {
+    return model_->desk();
+}
+
+void WorkshopPage::setActive(bool active) {
+    if (active) {
+        model_->reloadEngines();
+    }
+    ScenePage::setActive(active);
+}
+
+void WorkshopPage::showVerdict() {
+    const Verdict verdict = model_->verdictShown().value();
+    verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
+                            : verdict.act == workshop::drilled_act ? tr("Correct what was drilled")
+                                                                   : QString());
+}
+
+void WorkshopPage::showSheet(int sheet) {
+    sheets_->setCurrentIndex(sheet);
+}
+
+void WorkshopPage::doVerdictAct() {
+    if (model_->verdictShown()->act == workshop::swap_ends_act) {
+        model_->swapRodEnds();
+        return;
+    }
+    showSheet(static_cast<int>(forms_.indexOf(correction_)));
+    if (QWidget* hole = correction_->lastDrilled()) {
+        hole->setFocus(Qt::TabFocusReason);
+    }
+}
+
+std::unique_ptr<JobCard> WorkshopPage::card() {
+    return std::make_unique<WorkshopCard>(*model_, model_->desk()->cardWords());
+}
+
+ListedJob WorkshopPage::listed(const Words& words, const JournalJob& job) {
+    if (job.process.isEmpty()) {
+        return {bob_text::engineName(words, job.engine),
+                job.bobWeight ? words.translate("BobWeights", "Bob weight %1")
+                                    .arg(words.number(*job.bobWeight * units::gram, units::gram, 1))
+                              : QStringLiteral("–")};
+    }
+    ListedJob text{v8_names::engineName(words, job.engine.toStdString()), job.recommended};
+    if (job.recommended.isEmpty()) {
+        text.result = QStringLiteral("–");
+    } else if (job.recommended == QLatin1String("none-needed")) {
+        text.result = tr("nothing needed");
+    } else if (job.recommended == QLatin1String("not-compensated")) {
+        text.result = tr("not compensated");
+    }
+    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+        if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
+            text.result = v8_names::optionName(words, id);
+            if (job.reduction) {
+                text.result +=
+                    QStringLiteral(", ") + v8_text::grams(words, *job.reduction * units::gram);
+            }
+        }
+    }
+    return text;
+}
+
 QString WorkshopPage::resultsAsText() const {
     const QString refused = refusedNote(Words(), refusedInputs(this));
     return (refused.isEmpty() ? refused : refused + QLatin1Char('\n')) + ScenePage::resultsAsText();
@@ -109,15 +209,17 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     scroll->setObjectName(QStringLiteral("sheet-%1").arg(forms_.size()));
     const QList<QWidget*> order = form->tabOrder();
     const int tab = sheets_->count() - 1;
-    for (QWidget* field : order) {
+    const auto follow = [this, tab](QWidget* field) {
         field->installEventFilter(this);
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                showRefused(refusedInputs(this));
+                answer_->setRefused(refusedInputs(this));
             });
         }
-    }
+    };
+    std::for_each(order.begin(), order.end(), follow);
+    connect(form, &SheetForm::fieldAdded, this, follow);
     connect(model(), &SceneModel::changed, this, [this, tab] { markTab(tab); });
     connect(&Theme::instance(), &Theme::changed, this, [this, tab] { markTab(tab); });
     for (qsizetype i = 1; i < order.size(); ++i) {
@@ -248,6 +350,11 @@ QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
 }
 
 QWidget* WorkshopPage::firstEmpty(const SheetForm& sheet) {
+    if (const auto* machine = qobject_cast<const MachineSheet*>(&sheet)) {
+        if (QWidget* reading = machine->nextReading()) {
+            return reading;
+        }
+    }
     for (QWidget* each : sheet.order()) {
         if (isEntry(each, sheet) && static_cast<EntryField*>(each)->text().isEmpty()) {
             return each;
@@ -284,9 +391,13 @@ void WorkshopPage::goOn(QWidget* from) {
         }
         // The end of the sheet: the first field of the next one, but no list, which the next key
         // would change. The last sheet is not left: nobody fills the first one after it.
-        if (sheet + 1 < forms_.size()) {
-            const SheetForm& following = *forms_.at(sheet + 1);
-            sheets_->setCurrentIndex(static_cast<int>(sheet + 1));
+        int then = static_cast<int>(sheet) + 1;
+        while (then < forms_.size() && !sheets_->isTabVisible(then)) {
+            ++then;  // that of the plugs, where there are none
+        }
+        if (then < forms_.size()) {
+            const SheetForm& following = *forms_.at(then);
+            sheets_->setCurrentIndex(then);
             const auto field =
                 std::find_if(following.order().begin(), following.order().end(),
                              [&](const QWidget* each) { return isEntry(each, following); });
@@ -308,7 +419,8 @@ void WorkshopPage::showEvent(QShowEvent* event) {
     // before is hidden, Qt looks for a place by itself, and may find a drawing or a table.
     QTimer::singleShot(0, this, [this] {
         if (isVisible() && QApplication::activeModalWidget() == nullptr &&
-            !sheets_->isAncestorOf(window()->focusWidget())) {
+            (!sheets_->isAncestorOf(window()->focusWidget()) ||
+             window()->focusWidget() == sheets_->tabBar())) {
             firstEntry(*forms_.at(sheets_->currentIndex()))->setFocus();
         }
     });
@@ -330,6 +442,14 @@ bool WorkshopPage::refusedEntriesAreKnown() {
 
 std::optional<bool> WorkshopPage::askToSave() {
     return leaveJob();
+}
+
+std::optional<bool> WorkshopPage::saveInPlace() {
+    return saveJob(true);
+}
+
+QString WorkshopPage::savingTip() const {
+    return tr("Save the job in the journal; “Save case as…” writes a file");
 }
 
 bool WorkshopPage::hasUnsavedJob() {
@@ -433,11 +553,11 @@ std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
     return made;
 }
 
-void WorkshopPage::saveJob(bool isFinished) {
+bool WorkshopPage::saveJob(bool isFinished) {
     // What is not what stands on the sheet is no finished job.
     isFinished = isFinished && refusedEntries(this).isEmpty();
     if (!refusedEntriesAreKnown() || !isJobKnown()) {
-        return;
+        return false;
     }
     bool saved = false;
     const QString text = desk()->saveJob(&saved, isFinished);
@@ -447,6 +567,7 @@ void WorkshopPage::saveJob(bool isFinished) {
     } else {
         QMessageBox::warning(this, tr("Journal"), text);
     }
+    return saved;
 }
 
 bool WorkshopPage::isJobKnown() {
@@ -491,9 +612,8 @@ bool WorkshopPage::isJobKnown() {
                          .arg(there, here);
     } else if (const QString verdict = desk()->verdictToLose(); !verdict.isEmpty()) {
         const Words words;
-        text = tr("The job of %1 in the journal is finished, its verdict: %2. On the sheet the "
-                  "readings are not of the bob weight and crankshaft there; saved so, the verdict "
-                  "is: %3.")
+        text = tr("The job of %1 in the journal is finished, its verdict: %2. Saved as the sheet "
+                  "is now, the verdict is: %3.")
                    .arg(here, verdictText(words, verdict),
                         verdictText(words, desk()->verdictOnSheet()));
     } else {
@@ -514,7 +634,7 @@ bool WorkshopPage::isJobKnown() {
 
 void WorkshopPage::newJob() {
     if (mayReplaceJob()) {
-        emptySheet();
+        model_->newJob();
         showNewJob(tr("The sheet is empty."));
     }
 }
@@ -527,7 +647,7 @@ void WorkshopPage::goToBeginning() {
 void WorkshopPage::showNewJob(const QString& said) {
     goToBeginning();
     beginSheets();
-    const QString kept = said + QLatin1Char(' ') + carriedOver();
+    const QString kept = said + QLatin1Char(' ') + WorkshopModel::carriedOver();
     Q_EMIT status(kept.trimmed());
 }
 
@@ -536,33 +656,30 @@ void WorkshopPage::showJournal(const QString& search) {
         QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
         return;
     }
-    JournalDialog dialog(
-        desk()->journal(), model()->sceneName(),
-        [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
-    QSettings().setValue(journalKey, model()->sceneName());
+    JournalDialog dialog(desk()->journal(), &WorkshopPage::listed, this);
     dialog.searchFor(search);
     connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
-    if (dialog.exec() != QDialog::Accepted) {
-        return;
+    if (dialog.exec() == QDialog::Accepted) {
+        bringJob(dialog.chosenId(), dialog.choice() == JournalDialog::Choice::Copy);
     }
-    if (dialog.choice() == JournalDialog::Choice::Elsewhere) {
-        Q_EMIT journalWanted(dialog.otherScene(), dialog.searched());
-        return;
+}
+
+void WorkshopPage::openJob(qint64 id) {
+    if (desk()->jobId() != id) {
+        bringJob(id, false);
     }
+}
+
+void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     // One that is open beside this one is not opened twice: the later saving would be a copy.
-    const auto isOpenThere = [&](ScenePage* other) {
+    const auto isOpenThere = [id](ScenePage* other) {
         const auto* page = qobject_cast<WorkshopPage*>(other);
-        return page != nullptr && page->desk()->jobId() == dialog.chosenId();
+        return page != nullptr && page->desk()->jobId() == id;
     };
-    if (dialog.choice() == JournalDialog::Choice::Open && showOther(isOpenThere)) {
+    if ((!isCopy && showOther(isOpenThere)) || !mayReplaceJob()) {
         return;
     }
-    if (!mayReplaceJob()) {
-        return;
-    }
-    const bool isCopy = dialog.choice() == JournalDialog::Choice::Copy;
-    const QString trouble =
-        isCopy ? desk()->copyJob(dialog.chosenId()) : desk()->openJob(dialog.chosenId());
+    const QString trouble = isCopy ? desk()->copyJob(id) : desk()->openJob(id);
     Q_EMIT status({});  // what was said of the sheet before
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);
@@ -588,6 +705,7 @@ void WorkshopPage::previewCard() {
     dialog.resize(900, 760);
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
     dialog.exec();
+    JobCard::keepPaper(printer);
 }
 
 void WorkshopPage::printCard() {
@@ -599,6 +717,7 @@ void WorkshopPage::printCard() {
     QPrintDialog dialog(&printer, this);
     dialog.setOption(QPrintDialog::PrintPageRange, false);  // the card is printed whole
     if (dialog.exec() == QDialog::Accepted) {
+        JobCard::keepPaper(printer);
         paintCard(&printer);
     }
 }

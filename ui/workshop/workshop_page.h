@@ -4,22 +4,27 @@
 #include <memory>
 
 #include "page/scene_page.h"
-#include "workshop/model/journal.h"
+#include "shop/model/journal.h"
 
 class QPrinter;
 class QTabWidget;
 
 namespace ravnoves {
 
+class CorrectionSheet;
 class JobCard;
 class JobDesk;
 class JournalBanner;
 struct ListedJob;
+class MachineSheet;
 class SheetForm;
+class VerdictLine;
 class Words;
+class WorkshopAnswer;
+class WorkshopModel;
 
-/// A page of the workshop: the sheets of a job to the left, the answer to the right, journal and
-/// job card in the toolbar.
+/// The page Workshop: the sheets of a job to the left, the answer to the right, journal and job
+/// card in the toolbar.
 ///
 /// Made for hands that are not clean: fields are large, Tab and Enter go down the sheet, Enter on
 /// to the next one, and every action has a key.
@@ -27,16 +32,24 @@ class WorkshopPage : public ScenePage {
     Q_OBJECT
 
   public:
-    using ScenePage::ScenePage;
+    explicit WorkshopPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
+    WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept = nullptr);
 
+    SceneModel* model() override;
+    WorkshopModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override { return actions_; }
     /// Never without what is refused: the answer is that of the values before it.
     QString resultsAsText() const override;
     std::optional<bool> askToSave() override;
+    std::optional<bool> saveInPlace() override;
+    QString savingTip() const override;
     void showJournal(const QString& search) override;
+    void openJob(qint64 id) override;
 
     /// Opens the journal; happens by itself once shown.
     void openJournal();
+    /// Engine and result as lists of the journal's jobs say them.
+    static ListedJob listed(const Words& words, const JournalJob& job);
 
     // For tests.
     QTabWidget* sheets() const { return sheets_; }
@@ -44,28 +57,19 @@ class WorkshopPage : public ScenePage {
     QList<QWidget*> fieldsOf(int sheet) const;
     QString writeCard(const QString& file);
 
+    void setActive(bool active) override;
+
   protected:
-    // What differs from scene to scene.
-    virtual JobDesk* desk() const = 0;
-    virtual std::unique_ptr<JobCard> card() = 0;
-    /// Empties the sheet for the next job.
-    virtual void emptySheet() = 0;
-    /// What a new job has of the one before, as a sentence.
-    virtual QString carriedOver() const = 0;
-    /// Engine and result as the journal's list says them.
-    virtual ListedJob listed(const Words& words, const JournalJob& job) const = 0;
-
-    /// What is typed and refused now, whenever that changes.
-    virtual void showRefused(const QStringList& /*refused*/) {}
-
-    /// Puts banner, sheets and answer onto the page and makes the actions; called once, by the
-    /// page's constructor.
-    void build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer);
-
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
   private:
+    JobDesk* desk() const;
+    std::unique_ptr<JobCard> card();
+    /// Does what the verdict proposes.
+    void doVerdictAct();
+    void showVerdict();
+    void showSheet(int sheet);
     void addSheet(SheetForm* form, const QString& title);
     void markTab(int tab);
     void buildActions();
@@ -84,7 +88,8 @@ class WorkshopPage : public ScenePage {
     bool mayReplaceJob();
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
-    void saveJob(bool isFinished);
+    /// @return false where it is not saved
+    bool saveJob(bool isFinished);
     /// Where F2 would save a job that nobody could find again, make a second one of the same engine
     /// and day, or overwrite the job of another engine, or a verdict by readings that may not hold
     /// any more: asks. @return false to stay
@@ -95,6 +100,8 @@ class WorkshopPage : public ScenePage {
     void restoreFrom(const QString& file);
     std::unique_ptr<JobCard> shopsCard();
     void newJob();
+    /// A job of the journal comes onto the sheet, as it is or as a new one like it.
+    void bringJob(qint64 id, bool isCopy);
     /// The sheet of a new job, from its beginning. @param said  what became of the sheet
     void showNewJob(const QString& said);
     void printCard();
@@ -102,6 +109,11 @@ class WorkshopPage : public ScenePage {
     void exportCard();
     void paintCard(QPrinter* printer);
 
+    WorkshopModel* model_;
+    VerdictLine* verdict_ = nullptr;
+    WorkshopAnswer* answer_ = nullptr;
+    MachineSheet* machine_ = nullptr;
+    CorrectionSheet* correction_ = nullptr;
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
     QList<SheetForm*> forms_;  // in the order of the tabs

@@ -24,9 +24,9 @@
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
+#include "shop/model/journal.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "workshop/model/journal.h"
 
 namespace ravnoves {
 namespace {
@@ -40,11 +40,12 @@ const bool hasBundledFont = qputenv("FONTCONFIG_FILE", RAVNOVES_FONTS);
 constexpr QSize windowSize(1280, 800);
 constexpr int rest = 250;  // ms: what waits until the hand rests is there then
 const char* const start = "start";
+const char* const withoutPlugs = "workshop-shaft";  ///< the workshop's other form
 
 /// The case of the examples that fills a page best; the others begin full.
 const std::map<std::string, const char*> filledBy{
-    {"v8-plugs", "v8-4.25-repair.case.json"},
-    {"bob-weights", "bob-weights-v8.case.json"},
+    {"workshop", "workshop-v8-4.25.case.json"},
+    {withoutPlugs, "bob-weights-v8.case.json"},
 };
 
 class PictureTest : public ::testing::Test {
@@ -219,6 +220,7 @@ TEST_P(PageGolden, LooksAsItDid) {
 std::vector<std::string> pages() {
     std::vector<std::string> names = test::sceneNames();
     names.emplace_back(start);
+    names.emplace_back(withoutPlugs);
     return names;
 }
 

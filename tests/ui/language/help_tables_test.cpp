@@ -9,14 +9,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bob-weights/input.h"
 #include "case-file/decimal.h"
 #include "case-file/field_index.h"
+#include "page/scene_page.h"
 #include "scenes/scenes.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/message_text.h"
-#include "workshop/input.h"
+#include "v8-plugs/input.h"
 
 namespace ravnoves {
 namespace {
@@ -177,12 +178,9 @@ TEST_P(HelpTables, AreWhatTheFieldsSay) {
             tables.emplace_back(scene.name, made->model()->describedFields());
         }
     }
-    // The command line has it before it has a page.
-    const QString name = u"workshop"_s;
-    if (std::none_of(tables.begin(), tables.end(),
-                     [&](const auto& table) { return table.first == name; })) {
-        tables.emplace_back(name, describe_fields<workshop::Input>());
-    }
+    // The window shows their cases as jobs of the workshop.
+    tables.emplace_back(u"v8-plugs"_s, describe_fields<v8_plugs::Input>());
+    tables.emplace_back(u"bob-weights"_s, describe_fields<bob_weights::Input>());
     for (const auto& [scene, fields] : tables) {
         const auto [begin, end] = tablePlace(lines, page.heading.arg(scene));
         ASSERT_GE(begin, 0) << "no table of " << scene.toStdString() << " in "

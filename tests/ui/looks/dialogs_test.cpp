@@ -111,7 +111,7 @@ TEST_P(Dialogs, FitOnTheScreenAndCutNothing) {
 const Screen screens[] = {{"at1024x700", {1024, 700}, 1.0}, {"LargeText", {1920, 1080}, 2.0}};
 
 INSTANTIATE_TEST_SUITE_P(Pages, Dialogs,
-                         ::testing::Combine(::testing::Values("v8-plugs"),
+                         ::testing::Combine(::testing::Values("workshop"),
                                             ::testing::ValuesIn(screens),
                                             ::testing::Values("en", "ru")),
                          [](const auto& each) {

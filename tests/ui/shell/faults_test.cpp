@@ -23,12 +23,12 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "events.h"
 #include "model/case_document.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
 #include "page/refused_entries.h"
 #include "page/scene_page.h"
+#include "shell/documents.h"
+#include "shell/main_window.h"
 #include "shell/screenshot.h"
-#include "workshop/model/job_desk.h"
+#include "shop/model/job_desk.h"
 
 namespace ravnoves {
 namespace {
@@ -178,7 +178,7 @@ TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
 }
 
 TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
-    ASSERT_TRUE(window->showScene(u"v8-plugs"_s));
+    ASSERT_TRUE(window->showScene(u"workshop"_s));
     QTest::qWait(100);  // until the page is there for its keys
     auto* desk = window->findChild<JobDesk*>();
     ASSERT_NE(desk, nullptr);
@@ -232,7 +232,7 @@ TEST_F(Faults, AFolderThatVanishedIsSaidAndAnotherTaken) {
 }
 
 TEST_F(Faults, WithoutAPrinterTheDialogsComeAndGo) {
-    ASSERT_TRUE(window->showScene(u"v8-plugs"_s));
+    ASSERT_TRUE(window->showScene(u"workshop"_s));
     int dialogs = 0;
     for (QAction* action : window->currentPage()->sceneActions()) {
         if (action != nullptr && action->objectName() == u"print_card"_s) {

@@ -15,7 +15,7 @@
 
 #include "model/case_document.h"
 #include "model/recovery.h"
-#include "workshop/model/journal.h"
+#include "shop/model/journal.h"
 
 namespace ravnoves {
 namespace {

@@ -264,7 +264,7 @@ TEST_F(NothingIsLost, TheJobOfTheWorkshopComesBackOnce) {
     const QString said = test::named<QTreeWidget>(*dialog, "recovered")->topLevelItem(0)->text(0);
     EXPECT_TRUE(said.endsWith(u"A-77, Smith"_s)) << said.toStdString();
     click(*dialog, "recovery_restore");
-    EXPECT_EQ(window->currentScene(), u"v8-plugs"_s);
+    EXPECT_EQ(window->currentScene(), u"workshop"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-77");
     EXPECT_TRUE(window->isWindowModified());
     QTest::qWait(100);

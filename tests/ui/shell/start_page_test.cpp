@@ -19,13 +19,13 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "page/scene_page.h"
 #include "scene_tests.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_case_dialog.h"
 #include "shell/new_cases.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
@@ -38,11 +38,8 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-/// Of scenes that have a page: the workshop's has none.
 qsizetype exampleCount() {
-    QStringList names = QDir(QStringLiteral(RAVNOVES_EXAMPLES)).entryList({u"*.case.json"_s});
-    names.removeIf([](const QString& name) { return name.startsWith(u"workshop"_s); });
-    return names.size();
+    return QDir(QStringLiteral(RAVNOVES_EXAMPLES)).entryList({u"*.case.json"_s}).size();
 }
 
 class StartPageTest : public ::testing::Test {
@@ -121,7 +118,7 @@ TEST_F(StartPageTest, IsWorkedByTheKeyboardAlone) {
         at = page.focusWidget();
     }
     for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
-        if (button->objectName().startsWith(u"start-")) {
+        if (button->objectName().startsWith(u"start-") && button->isVisible()) {
             EXPECT_TRUE(reached.contains(const_cast<QAbstractButton*>(button)))
                 << button->text().toStdString();
         }
@@ -214,17 +211,17 @@ TEST(NewCases, AreTakenByTheirScenes) {
 }
 
 TEST(NewCaseDialogTest, OffersWhatTheSceneHas) {
-    NewCaseDialog dialog(u"v8-plugs"_s);
+    NewCaseDialog dialog(u"workshop"_s);
     test::showAt(dialog, dialog.size());
     auto* scenes = test::named<QListWidget>(dialog, "new-scenes");
     auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
     EXPECT_EQ(scenes->count(), std::ssize(test::sceneNamesWithCases()));
-    EXPECT_EQ(scenes->currentItem()->data(Qt::UserRole), u"v8-plugs"_s);
-    EXPECT_EQ(dialog.chosen().scene, "v8-plugs");
+    EXPECT_EQ(scenes->currentItem()->data(Qt::UserRole), u"workshop"_s);
+    EXPECT_EQ(dialog.chosen().scene, "workshop");
     EXPECT_TRUE(dialog.chosen().title.empty());
-    const int ofV8 = beginnings->count();
+    const int ofWorkshop = beginnings->count();
     QTest::keyClick(scenes, Qt::Key_Up);
-    EXPECT_NE(beginnings->count(), ofV8);
+    EXPECT_NE(beginnings->count(), ofWorkshop);
     EXPECT_EQ(dialog.chosen().scene, "elastic-hinge");
     QTest::keyClick(beginnings, Qt::Key_Down);
     EXPECT_EQ(dialog.chosen().title, "Zotov and Sviridov 2021");
@@ -347,23 +344,22 @@ TEST_F(StartInTheWindow, TwoClicksLeadToAMovingSlider) {
 TEST_F(StartInTheWindow, ComesBackByItsKeyAndGoesWithAScene) {
     QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
     EXPECT_FALSE(window.isAtStart());
-    EXPECT_EQ(window.currentScene(), u"v8-plugs"_s);
+    EXPECT_EQ(window.currentScene(), u"workshop"_s);
     QTest::keyClick(&window, Qt::Key_Home, Qt::AltModifier);
     EXPECT_TRUE(window.isAtStart());
     EXPECT_EQ(window.windowTitle(), u"Ravnoves"_s);
     QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
     EXPECT_FALSE(window.isAtStart()) << "though it is the scene that was in front";
-    EXPECT_TRUE(window.windowTitle().contains(u"V-8"_s));
+    EXPECT_TRUE(window.windowTitle().contains(u"Workshop"_s));
 }
 
 /// When the page before goes, the focus goes where Qt finds a place: not always to a field.
-TEST_F(StartInTheWindow, OnAPageOfTheWorkshopOneTypesAtOnce) {
-    for (const Qt::Key scene : {Qt::Key_3, Qt::Key_4, Qt::Key_1, Qt::Key_4}) {
+TEST_F(StartInTheWindow, OnThePageOfTheWorkshopOneTypesAtOnce) {
+    for (const Qt::Key scene : {Qt::Key_3, Qt::Key_1, Qt::Key_3}) {
         QTest::keyClick(&window, scene, Qt::ControlModifier);
         QTest::qWait(20);
         if (scene != Qt::Key_1) {
-            EXPECT_NE(qobject_cast<EntryField*>(window.focusWidget()), nullptr)
-                << scene << ": " << window.focusWidget()->metaObject()->className();
+            QTRY_VERIFY(qobject_cast<EntryField*>(window.focusWidget()) != nullptr);
         }
         QTest::keyClick(&window, Qt::Key_Home, Qt::AltModifier);
         QTest::qWait(20);

@@ -236,10 +236,10 @@ TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
     EXPECT_EQ(resultName(u"elastic-hinge"_s, "/guide/minimum_stiffness_N_m").withUnit(),
               u"Crank guide, Minimum stiffness, N/m"_s);
     // What no preset has is known from the case that has it.
-    const auto shop = test::makePage("bob-weights");
+    const auto shop = test::makePage("workshop");
     test::openExample(*shop->model());
-    learnResultNames(u"bob-weights"_s, shop->model()->inputJson(), {});
-    EXPECT_TRUE(resultName(u"bob-weights"_s, "/bobweight_g").text.contains(u' '));
+    learnResultNames(u"workshop"_s, shop->model()->inputJson(), {});
+    EXPECT_TRUE(resultName(u"workshop"_s, "/bobweight_g").text.contains(u' '));
 }
 
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {

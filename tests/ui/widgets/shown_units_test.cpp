@@ -12,6 +12,7 @@
 #include "case-file/message.h"
 #include "events.h"
 #include "plot/plot_view.h"
+#include "shop/model/words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
@@ -19,7 +20,6 @@
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
-#include "workshop/model/words.h"
 
 namespace ravnoves {
 namespace {

@@ -1,142 +1,293 @@
 #pragma once
 
+#include <QList>
+#include <QStringList>
+#include <map>
+#include <optional>
+
 #include "model/case_model.h"
-#include "workshop/model/job_desk.h"
-#include "workshop/model/matching_text.h"
+#include "shop/model/job_desk.h"
+#include "shop/model/matching_text.h"
+#include "shop/model/weigh_in_table.h"
+#include "text/result_row.h"
+#include "workshop/input.h"
+#include "workshop/model/workshop_parts.h"
+#include "workshop/result.h"
 
 namespace ravnoves {
 
-/// The model of a page of the workshop: the job on the sheet, what follows from it, its history and
-/// its place in the journal. Beside what CaseModel asks for, `Scene` says
-///
-///     bool dated;              // a new job is of today
-///     void startJob(Input&) const;  // fills in what a new job has then
-///     static Json solvedJson(const Json& input, const CaseContext&);  // throws InputError
-template <typename Scene>
-class WorkshopModel : public CaseModel<Scene> {
+class InputError;
+
+/// What CaseModel knows of the scene.
+struct WorkshopScene {
+    using Input = workshop::Input;
+    struct Solved {
+        workshop::Result found;    ///< all of it, with what is doubted
+        workshop::Result allowed;  ///< what may be shown as an answer
+        std::optional<v8_plugs::Input> plugs;
+        Verdict verdict;
+    };
+    Input defaultInput() const;
+    /// Fills in what a new job has beside its engine.
+    void startJob(Input& input) const;
+    /// Gives the plugs of a new job the shop's own limit.
+    void startPlugs(v8_plugs::Input& plugs) const;
+    static QString defaultTitle() { return {}; }
+    /// The title is the engine's; its job and weights are another thing.
+    static bool isSameEngine(const Input& input, const Input& named);
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    /// Refuses nothing: what is missing or broken is named by the model.
+    static Solved solve(const Input& input);
+
+    bool dated;  ///< a new job is of today, and has what the shop keeps
+};
+
+/// The state of the page Workshop: one job from the scale to the drilled crankshaft. The sheet may
+/// be half filled: what is missing is named, what can be computed is computed.
+class WorkshopModel : public CaseModel<WorkshopScene> {
+    Q_OBJECT
+
   public:
-    using Input = typename Scene::Input;
-    using Solved = typename Scene::Solved;
+    using Input = workshop::Input;
 
-    const Solved& solution() const { return this->solved(); }
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    explicit WorkshopModel(const QString& journalPath, QObject* parent = nullptr);
 
-    QString edit(const QString& name, const std::function<void(Input&)>& mutate,
-                 const QString& title = {}) {
-        if (!this->isTyped()) {
-            beforeEditing_ = this->input();
-        }
-        return CaseModel<Scene>::edit(
-            name,
-            [&](Input& input) {
-                if (bobWeightAsLoaded_) {
-                    noteBobWeight(input, *bobWeightAsLoaded_);
-                }
-                const auto before = input.job;
-                mutate(input);
-                if (input.job != before) {
-                    noteShaft(input, beforeEditing_);
-                }
-            },
-            title);
+    QString sceneName() const override { return QStringLiteral("workshop"); }
+    std::span<const PagePart> parts() const override { return workshopParts(); }
+    Content part(std::string_view id) const override { return workshopPart(*this, id); }
+    std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
+        return std::make_unique<WorkshopModel>(QString());
     }
-
-    // What is to be done with the weighed parts.
-    /// Parts are elsewhere than they were weighed, and it is known where that was.
-    virtual bool canMoveBack() const {
-        const auto& sheet = this->input().weigh_in;
-        return sheet && sheet->is_moved();
-    }
-    /// Which of the weights are doubted: by them no part is moved.
-    virtual QString weighAgain() const = 0;
-    /// Which sets to move; nothing where no column counts, or weights are doubted.
-    virtual std::optional<matching_text::Shown> matchingShown() const = 0;
-    QString assignmentText() const {
-        const QString again = weighAgain();
-        return again.isEmpty() ? ofMatching(matching_text::summary) : again;
-    }
-    QStringList assignmentRemarks() const { return ofMatching(matching_text::remarks); }
-    Results assignmentResults() const { return ofMatching(matching_text::assignment); }
-    /// What the placing makes of spread, force and couple.
-    Results effectResults() const { return ofMatching(matching_text::effects); }
-
-    /// Its place in the journal.
-    JobDesk* desk() { return &desk_; }
-    QString jobName() const override {
-        const JournalJob job = JobDesk::entryOf(this->input().job);
-        return !job.engineNumber.isEmpty()       ? job.engineNumber
-               : !job.crankshaftNumber.isEmpty() ? job.crankshaftNumber
-                                                 : job.customer;
-    }
-
-    // In workshop_model_json.h.
     Json resultJson() const override;
     Json placeJson() const override;
     void takePlace(const Json& place) override;
     CaseFile asNew(const CaseFile& file) const override;
+    std::optional<Verdict> verdictShown() const override { return solved().verdict; }
+    std::vector<std::string> replacedInputs() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+    QString jobName() const override;
+
+    /// Of the crankshaft, as far as no doubt blocks it.
+    const bob_weights::Result& solution() const { return solved().allowed.shaft; }
+    /// Of the plugs, likewise; null without plugs.
+    const v8_plugs::Result* plugs() const {
+        return solved().allowed.plugs ? &*solved().allowed.plugs : nullptr;
+    }
+    /// The plugs with weigh-in, limits and readings of the job; null without plugs.
+    const v8_plugs::Input* plugsInput() const {
+        return solved().plugs ? &*solved().plugs : nullptr;
+    }
+    /// A copy of it all, for the job card.
+    WorkshopScene::Solved solvedForCard() const { return solved(); }
+    const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
+    bob_weights::Withheld withheld() const { return solved().found.withheld(); }
+    /// What is withheld, to be seen and not to be used; empty where nothing is.
+    QString doubtfulText() const;
+
+    /// Its place in the journal.
+    JobDesk* desk() { return &desk_; }
+
+    // ------------------------------------------------------------------------------- changes
+    QString edit(const QString& name, const std::function<void(Input&)>& mutate,
+                 const QString& title = {});
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override;
+    /// Chooses the type, with as many rods on a bob weight as are usual for it.
+    QString chooseType(int type);
+    /// Changes the correction; it comes into being with the first value and goes with the last.
+    QString editCorrection(const QString& name,
+                           const std::function<void(bob_weights::Correction&)>& mutate);
+    /// The same for the slug alone.
+    QString editSlug(const QString& name, const std::function<void(bob_weights::Slug&)>& mutate);
+    QString editTolerance(const QString& name,
+                          const std::function<void(bob_weights::Tolerance&)>& mutate);
+    /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
+    /// Those of plugs count from the first on, until the user says otherwise.
+    QString editWeights(const QString& name,
+                        const std::function<void(bob_weights::WeighIn&)>& mutate);
+    /// The columns of the rods' ends change places.
+    void swapRodEnds();
+
+    // Runs of the machine.
+    /// Number of the run that is corrected: 0 before drilling.
+    std::size_t newestRun() const;
+    /// What follows from a run; null while nothing does.
+    const bob_weights::RunResult* runResult(std::size_t run) const;
+    /// True where both of its readings are whole.
+    bool isRunRead() const;
+    /// True where it has holes to drill: a further run may follow.
+    bool isPlanned() const;
+    /// A reading of the machine, SI.
+    std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
+    /// The first of the run after the newest makes that the newest; without any it is none.
+    QString editReading(const QString& name, std::size_t run, std::size_t plane, bool isAngle,
+                        std::optional<double> value);
+    /// The newest readings that do not hold are said to hold for the crankshaft and the bob weight
+    /// that there are now, and with them what was read together with them.
+    void confirmReadings();
+    /// What is wrong with them; empty where all hold.
+    QString otherRunText() const;
+
+    /// Makes the machine as it is set up here that of new jobs.
+    void keepMachine();
+    bool isShopsMachine() const;
+
+    // --------------------------------------------------------------------------------- plugs
+    bool hasPlugs() const { return input().plugs.has_value(); }
+    bool mayHavePlugs() const { return workshop::may_have_plugs(input().engine); }
+    /// Says whether the crankshaft has sludge-trap plugs. What the other form does not ask for
+    /// comes back with it.
+    void setHasPlugs(bool there);
+    QString editPlugs(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate);
+    /// Reads the user's own engines again: another program may have kept one.
+    void reloadEngines();
+    /// Presets of the paper, then the user's own.
+    QStringList engineNames() const;
+    /// Takes an engine over by its place in engineNames().
+    void chooseEngine(int index);
+    /// Place of the present engine in engineNames(); -1 where it is neither.
+    int engineIndex() const;
+    /// True where the user keeps an engine of that name, whatever its capitals.
+    bool hasOwnEngine(const QString& name) const;
+    /// Keeps the present engine under the name among the user's own, in place of one that has it.
+    /// @return an empty string, or what went wrong
+    QString saveEngineAs(const QString& name);
+    /// The same return.
+    QString renameEngine(const QString& from, const QString& to);
+    QString removeEngine(const QString& name);
+    bool isOwnEngine(int index) const;
+    /// True where the sheet's values are not those kept under the engine's name.
+    bool ownEngineChanged() const;
+    /// Where the engine's values come from, and what the user should know of them.
+    QString engineNote() const;
+    /// Says whether the engine has the plugs of the group. The values of those that come back are
+    /// what stood there, else what the engine's own data have.
+    void setPlugs(const QString& name, v8_plugs::EngineGroup group, bool present);
+    /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
+    void fillNominalMasses();
+    /// False where there are no such parts, or the masses are theirs.
+    bool canFillNominalMasses() const;
+    /// Makes the tolerance the one that new jobs begin with.
+    void keepTolerance();
+    bool isShopsTolerance() const;
+
+    // ----------------------------------------------------------------------------- the parts
+    WeighedColumn columnNote(shop::Part part) const;
+    /// Each crankpin's own bob weight.
+    QString weighInText() const;
+    /// Which of the weights are doubted: by them no part is moved.
+    QString weighAgain() const;
+    /// Which sets to move; nothing where no column counts, or weights are doubted.
+    std::optional<matching_text::Shown> matchingShown() const;
+    QString assignmentText() const;
+    QStringList assignmentRemarks() const;
+    Results assignmentResults() const;
+    /// What the placing makes of spread, force and couple.
+    Results effectResults() const;
+    Results takeOffResults() const;
+    /// What was typed or weighed, but does not count (yet).
+    QStringList notCounted() const;
+    /// The weights change places as the placing says.
+    void moveParts();
+    /// The weights go back to where they were weighed.
+    void moveBack();
+    /// Parts are elsewhere than they were weighed, and it is known where that was.
+    bool canMoveBack() const;
+
+    // -------------------------------------------------------------------- what the page shows
+    QString planeName(std::size_t plane) const;
+    QString headline() const;  ///< the bob weight; why where it is not known
+    QString hangText() const;  ///< on what it is hung
+    QString factorText() const;
+    QString reasonText() const;
+    QString limitText() const;
+    QString holeNote() const;
+    /// What is wrong or to be known beside the verdict, a sentence each.
+    QStringList troubles() const;
+    /// What is to be known of the answer, a sentence each.
+    QStringList remarks() const;
+    Results lineResults() const;
+    Results runResults() const;  ///< nothing where there is but one run
+    /// A row for each quantity, a column for each plane.
+    Results planeResults() const;
+    Results holeResults() const;
+
+    // Of the plugs; empty without.
+    QString adviceText() const;  ///< what to do; what is missing where that is not known
+    QString boringText() const;
+    QString excessText() const;
+    QString shiftText() const;
+    QString checkText() const;  ///< after equals nominal
+    QString toleranceText() const;
+    QString plugWeightText() const;
+    Results optionResults() const;
+    Results crankpinResults() const;
+
+    // ------------------------------------------------------------------------------- journal
+    /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
+    void newJob();
+    /// What newJob() keeps.
+    static QString carriedOver() {
+        return tr("Kept: engine, plugs, factor, machine, planes, drills and limits.");
+    }
+
+  Q_SIGNALS:
+    void enginesChanged();
+    /// Which sheet of the form to show: job, parts, weigh-in, plugs, machine, correction.
+    void sheetChosen(int sheet);
 
   protected:
-    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
-    WorkshopModel(const QString& journalPath, QObject* parent)
-        : CaseModel<Scene>({.dated = !journalPath.isEmpty()}, parent),
-          desk_(this, journalPath,
-                {[this] { return journalEntry(); },
-                 [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-                 [this] { return hasNumbers(); }, [this] { return answerLacks(); },
-                 [this](const CaseFile& file) { return isEngineOf(file); }}) {}
-
-    void aboutToLoad() override {
-        desk_.forgetJob();
-        isLoading_ = true;
-    }
-    void taken() override {
-        if (isLoading_) {
-            isLoading_ = false;
-            bobWeightAsLoaded_ = bobWeight();
-        }
-    }
-    /// The sheet of the next job, done by who did the one before.
-    void beginJob(Input next) {
-        next.job.technician = this->input().job.technician;
-        desk_.beginJob([&] {
-            this->setTitle({});
-            // Undo must not bring another job's values under this job's number.
-            this->restart(next);
-        });
-    }
-    /// A job of the journal comes onto the sheet.
-    virtual void takeJob(const CaseFile& file, bool isCopy);
+    void aboutToLoad() override;
+    void taken() override;
 
   private:
+    std::size_t firstRun() const;
+    /// That hangs on the crankpins, doubted or not.
+    std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
+    QString shownError(const InputError& error) const;
+    /// Why there are not such an engine and such plugs; empty where there may be.
+    static QString engineTrouble(const Input& next);
     template <typename Said>
     Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&)) const {
         const auto shown = matchingShown();
         return shown ? say(Words(), *shown) : Said();
     }
+    QString optionTip(const v8_plugs::Option& option) const;
+    /// It is for the crankshaft that there is.
+    bool isFitted(v8_plugs::OptionId id) const;
+    /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
+    std::optional<v8_plugs::Engine> keptEngine() const;
+    QString engineNameTrouble(const QString& name) const;
 
     // What the desk asks for, as JobDesk::Scene.
-    virtual JournalJob journalEntry() const = 0;
-    virtual bool hasNumbers() const = 0;
-    virtual QString answerLacks() const = 0;
-    /// Whether the sheet's engine is that of a job in all but its name; false where its values name
-    /// it.
-    virtual bool isEngineOf(const CaseFile& /*job*/) const { return false; }
-    /// What hangs on the crankshaft while it is read; nothing where it is not known.
-    virtual std::optional<double> bobWeight() const = 0;
+    JournalJob journalEntry() const;
+    /// A job of the journal comes onto the sheet.
+    void takeJob(const CaseFile& file, bool isCopy);
+    bool hasNumbers() const;
+    QString answerLacks() const;
+    /// Whether the sheet's engine is that of a job in all but its name.
+    bool isEngineOf(const CaseFile& job) const;
+
     /// Readings that do not say with which bob weight they were taken get this one.
-    virtual void noteBobWeight(Input& input, double bobWeight) const = 0;
+    static void noteBobWeight(Input& input, double bobWeight);
     /// The card has become that of another crankshaft: whose the readings are is noted with them.
     /// @param before  the editing
-    virtual void noteShaft(Input& input, const Input& before) const = 0;
-    /// Those of the machine are of one shaft.
-    virtual void forgetReadings(Input& input) const = 0;
+    static void noteShaft(Input& input, const Input& before);
     /// What the job of another engine of the kind keeps: nothing that was weighed or read.
-    virtual Input nextOf(const Input& before) const = 0;
+    Input nextOf(const Input& before) const;
 
     bool isLoading_ = false;
     /// Of readings that do not say it: that of the case as it came.
     std::optional<double> bobWeightAsLoaded_;
-    Input beforeEditing_;  ///< of a field; else before the last change
+    Input beforeEditing_;             ///< of a field; else before the last change
+    std::optional<Input> otherForm_;  ///< what stood there before plugs came or went
+    QList<JournalEngine> ownEngines_;
+    std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out
     JobDesk desk_;
 };
+
+extern template class CaseModel<WorkshopScene>;
 
 }  // namespace ravnoves

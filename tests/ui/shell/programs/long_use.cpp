@@ -26,10 +26,10 @@
 #include "page/scene_page.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
+#include "shop/model/journal.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
-#include "workshop/model/journal.h"
 
 namespace {
 

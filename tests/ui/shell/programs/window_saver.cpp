@@ -10,9 +10,9 @@
 
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
+#include "shop/model/job_desk.h"
 #include "text/language.h"
 #include "theme/theme.h"
-#include "workshop/model/job_desk.h"
 
 int main(int argc, char** argv) {
     using namespace Qt::StringLiterals;
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
         std::printf("%s %d\n", what, number);
         std::fflush(stdout);
     };
-    window.page(u"v8-plugs"_s);
+    window.page(u"workshop"_s);
     window.page(u"elastic-hinge"_s);
     for (int i = std::atoi(argv[2]);; ++i) {
         said("next", i);
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
         type("centre_distance_mm", QString::number(100.0 + i * 1e-3, 'f', 3));
         QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
         said("case", i);
-        window.showScene(u"v8-plugs"_s);
+        window.showScene(u"workshop"_s);
         auto* desk = window.findChild<JobDesk*>();
         // Without a name nothing is kept, and of one that the journal has it would ask.
         type("engine_number", u"53-%1"_s.arg(QString::fromLocal8Bit(argv[2])));

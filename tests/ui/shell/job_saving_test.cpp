@@ -1,0 +1,201 @@
+// A job of the workshop saved from the window: in the journal, or in its file.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QStatusTipEvent>
+#include <QTabWidget>
+#include <QTemporaryDir>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "events.h"
+#include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
+#include "shell/documents.h"
+#include "shell/main_window.h"
+#include "shop/model/journal.h"
+#include "text/file_path.h"
+#include "workshop/workshop_page.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class JobSavingTest : public ::testing::Test {
+  protected:
+    JobSavingTest() {
+        for (const QString& part : {u""_s, u"-wal"_s, u"-shm"_s}) {
+            QFile::remove(Journal::defaultPath() + part);
+        }
+        fileChoosers().save = [this](QWidget*, const QString&, const QString&, const QString&,
+                                     QString*) {
+            ++filesAsked;
+            return file;
+        };
+        window = std::make_unique<MainWindow>();
+        test::showAt(*window, {1280, 800});
+        window->showScene(u"workshop"_s);
+    }
+    ~JobSavingTest() override { fileChoosers() = before; }
+
+    void type(const char* name, const QString& text) {
+        test::type(test::named<QLineEdit>(*window->currentPage(), name), text);
+    }
+    void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
+        QApplication::processEvents();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+        QTest::keyClick(window.get(), key, Qt::ControlModifier | more);
+    }
+    CaseDocument& document() { return *window->documents().current().document; }
+    QString said() const { return window->statusBar()->currentMessage(); }
+    QString savingTip() const {
+        for (const QAction* each : window->findChildren<QAction*>()) {
+            if (each->shortcut() == QKeySequence(QKeySequence::Save)) {
+                EXPECT_EQ(each->statusTip(), each->toolTip());
+                return each->toolTip();
+            }
+        }
+        return {};
+    }
+    /// The pointer comes over something with a tip, or leaves it.
+    void passOver(const QString& tip) {
+        QStatusTipEvent event(tip);
+        QApplication::sendEvent(window.get(), &event);
+    }
+    static QStringList numbers() {
+        Journal journal;
+        QStringList found;
+        if (journal.open()) {
+            for (const JournalJob& job : journal.search({})) {
+                found << job.engineNumber;
+            }
+        }
+        return found;
+    }
+
+    FileChoosers before = fileChoosers();
+    QTemporaryDir folder;
+    QString file;  ///< what the file dialog answers
+    int filesAsked = 0;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
+    EXPECT_TRUE(savingTip().contains(u"journal"_s)) << savingTip().toStdString();
+    type("engine_number", u"4711"_s);
+    EXPECT_TRUE(document().needsSaving());
+    press(Qt::Key_S);
+    EXPECT_EQ(filesAsked, 0);
+    EXPECT_EQ(numbers(), QStringList{u"4711"_s});
+    EXPECT_EQ(document().path(), QString());
+    // Nothing is asked when it goes: it is saved.
+    EXPECT_FALSE(document().needsSaving());
+    EXPECT_TRUE(window->documents().mayGo());
+    // What comes then is saved in the same job.
+    type("customer", u"Ivanov"_s);
+    EXPECT_TRUE(document().needsSaving());
+    press(Qt::Key_S);
+    EXPECT_EQ(numbers(), QStringList{u"4711"_s});
+}
+
+TEST_F(JobSavingTest, TheKeyAsksWhatTheJournalsKeyAsks) {
+    // A weight, and nothing by which the job could be found again.
+    auto* sheets = static_cast<WorkshopPage*>(window->currentPage())->sheets();
+    sheets->setCurrentIndex(2);
+    type("mass_piston_1", u"568.5"_s);
+    QString asked;
+    const auto answer = [&](const QString& button) {
+        test::whenModal<QMessageBox>(window.get(), [&asked, button](QMessageBox* box) {
+            asked = box->text();
+            for (QAbstractButton* each : box->buttons()) {
+                if (each->text().remove(u'&') == button) {
+                    each->click();
+                    return;
+                }
+            }
+            ADD_FAILURE() << button.toStdString();
+            box->reject();
+        });
+    };
+    answer(u"Enter one"_s);
+    press(Qt::Key_S);
+    EXPECT_TRUE(asked.contains(u"nobody could find the job"_s)) << asked.toStdString();
+    EXPECT_EQ(numbers(), QStringList());
+    EXPECT_TRUE(document().needsSaving());
+    EXPECT_EQ(window->focusWidget()->objectName(), u"engine_number"_s);
+    answer(u"Save without"_s);
+    press(Qt::Key_S);
+    EXPECT_EQ(numbers(), QStringList{QString()});
+    EXPECT_FALSE(document().needsSaving());
+    EXPECT_EQ(filesAsked, 0);
+}
+
+TEST_F(JobSavingTest, AFileIsSavedAsAFile) {
+    type("engine_number", u"4712"_s);
+    file = folder.filePath(u"job.case.json"_s);
+    press(Qt::Key_S, Qt::ShiftModifier);
+    EXPECT_EQ(filesAsked, 1);
+    EXPECT_EQ(document().path(), file);
+    EXPECT_TRUE(savingTip().contains(file)) << savingTip().toStdString();
+    type("engine_number", u"4713"_s);
+    press(Qt::Key_S);
+    EXPECT_EQ(filesAsked, 1);
+    EXPECT_FALSE(document().needsSaving());
+    const Json written = parse_json(read_text_file(fsPath(file)));
+    EXPECT_EQ(written.at("scene"), "workshop");
+    EXPECT_EQ(written.at("input").at("job").at("engine_number"), "4713");
+    EXPECT_EQ(numbers(), QStringList());
+    // Another page has no journal.
+    window->showScene(u"elastic-hinge"_s);
+    EXPECT_EQ(savingTip(), u"Save case (Ctrl+S)"_s);
+    file.clear();
+    press(Qt::Key_S);
+    EXPECT_EQ(filesAsked, 2);
+}
+
+TEST_F(JobSavingTest, ThePointerHidesNoMessageOfSaving) {
+    passOver(u"a tip"_s);
+    EXPECT_EQ(said(), u"a tip"_s);
+    type("engine_number", u"4711"_s);
+    press(Qt::Key_S);
+    const QString saved = said();
+    EXPECT_TRUE(saved.contains(u"4711"_s)) << saved.toStdString();
+    EXPECT_TRUE(saved.contains(u"unfinished"_s)) << "why it is";
+    passOver(u"a tip"_s);
+    EXPECT_EQ(said(), saved);
+    passOver({});
+    EXPECT_EQ(said(), saved);
+    // Nor does what a page says of itself.
+    type("customer", u"Ivanov"_s);
+    EXPECT_EQ(said(), saved);
+    QTest::qWait(4000);
+    EXPECT_EQ(said(), saved);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+            passOver(u"a tip"_s);
+            return said() == u"a tip"_s;
+        },
+        3000));
+    // What is done then is said at once, in the place of what was done before.
+    press(Qt::Key_S);
+    EXPECT_EQ(said(), saved);
+    file = folder.filePath(u"job.case.json"_s);
+    press(Qt::Key_S, Qt::ShiftModifier);
+    EXPECT_TRUE(said().contains(file)) << said().toStdString();
+    passOver({});
+    EXPECT_TRUE(said().contains(file));
+}
+
+}  // namespace
+}  // namespace ravnoves

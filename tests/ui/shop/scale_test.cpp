@@ -1,0 +1,344 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
+
+#include "events.h"
+#include "inertia-moments/model/cylinder_table_model.h"
+#include "shell/main_window.h"
+#include "shop/balance_grade.h"
+#include "shop/model/scale_reader.h"
+#include "shop/scale_button.h"
+#include "widgets/number_field.h"
+#include "workshop/workshop_page.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+bool comes(const std::function<bool()>& what) {
+    return QTest::qWaitFor(what, 5000);
+}
+
+/// Types in any alphabet, over what stands there.
+void typeInto(QLineEdit* field, const QString& text) {
+    field->selectAll();
+    for (const QChar c : text) {
+        QTest::sendKeyEvent(QTest::Click, field, Qt::Key_unknown, QString(c), Qt::NoModifier);
+    }
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+/// A scale: a pseudo-terminal under a name that stays when it is unplugged and plugged in again.
+class Scale {
+  public:
+    Scale() { plug(); }
+    ~Scale() { unplug(); }
+
+    QString port() const { return folder_.filePath(u"ttyScale"_s); }
+    void plug() {
+        master_ = posix_openpt(O_RDWR | O_NOCTTY);
+        ASSERT_GE(master_, 0);
+        ASSERT_EQ(grantpt(master_), 0);
+        ASSERT_EQ(unlockpt(master_), 0);
+        ASSERT_TRUE(QFile::link(QString::fromLocal8Bit(ptsname(master_)), port()));
+    }
+    void unplug() {
+        QFile::remove(port());
+        close(master_);
+    }
+    void send(std::string_view bytes) {
+        ASSERT_EQ(write(master_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    }
+
+  private:
+    QTemporaryDir folder_;
+    int master_ = -1;
+};
+
+/// The program's window on the weigh-in sheet of the workshop, a scale beside it.
+class ScaleTest : public ::testing::Test {
+  protected:
+    ScaleTest() {
+        ScaleSettings settings;
+        settings.port = scale.port();
+        start(settings);
+    }
+    ~ScaleTest() override { QSettings().remove(u"scale"_s); }
+
+    void start(const ScaleSettings& settings) {
+        settings.save();
+        window = std::make_unique<MainWindow>();
+        window->showScene(u"workshop"_s);
+        test::showAt(*window, {1280, 800});
+        window->activateWindow();
+        button = test::named<ScaleButton>(*window, "scale_button");
+        page = static_cast<WorkshopPage*>(window->page(u"workshop"_s));
+        page->sheets()->setCurrentIndex(2);
+        goTo("mass_piston_1");
+    }
+    NumberField* field(const char* name) { return test::named<NumberField>(*page, name); }
+    double value(const char* name) { return field(name)->value().value_or(-1.0); }
+    void goTo(const char* name) {
+        field(name)->setFocus();
+        ASSERT_EQ(focus(), name);
+    }
+    std::string focus() const {
+        const QWidget* focus = QApplication::focusWidget();
+        return focus != nullptr ? focus->objectName().toStdString() : std::string();
+    }
+    bool shows(const QString& text) {
+        return comes([&] { return button->text().contains(text); });
+    }
+    bool says(const QString& text) {
+        return comes([&] { return window->statusBar()->currentMessage().contains(text); });
+    }
+
+    Scale scale;
+    std::unique_ptr<MainWindow> window;
+    ScaleButton* button = nullptr;
+    WorkshopPage* page = nullptr;
+};
+
+TEST_F(ScaleTest, WeightsGoDownTheSheet) {
+    ASSERT_TRUE(button->isVisible());
+    EXPECT_EQ(button->text(), u"Scale: ready"_s) << button->toolTip().toStdString();
+    scale.send("S S    568.50 g\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_2"; }));
+    EXPECT_EQ(value("mass_piston_1"), 568.5);
+    EXPECT_TRUE(says(u"568.50"_s));
+
+    // What has not settled, is garbled or too much is shown and not taken.
+    scale.send("S D    570.10 g\r\n");
+    EXPECT_TRUE(shows(u"570.10\u00A0g, not settled"_s));
+    scale.send("S S    5x8.10 g\r\n");
+    EXPECT_TRUE(shows(u"not understood"_s));
+    scale.send("S +\r\n");
+    EXPECT_TRUE(shows(u"out of its range"_s));
+    EXPECT_EQ(focus(), "mass_piston_2");
+
+    // A line comes in pieces; half a line that does not go on is no line, nor part of the next.
+    scale.send("S S    5");
+    QTest::qWait(50);
+    scale.send("67.25 g\r");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_3"; }));
+    EXPECT_EQ(value("mass_piston_2"), 567.25);
+    scale.send("\nS S    56");
+    EXPECT_TRUE(shows(u"not understood"_s));
+    scale.send("569.00 g\r\n");  // says less of itself than the lines before
+    QTest::qWait(100);
+    EXPECT_EQ(focus(), "mass_piston_3");
+
+    // Other units, and other forms.
+    scale.send("ST,+0.5690 kg\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_4"; }));
+    EXPECT_EQ(value("mass_piston_3"), 569.0);
+    scale.send("ST,GS,+ 20.00 oz\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_5"; }));
+    EXPECT_NEAR(value("mass_piston_4"), 566.9904625, 1e-9);
+
+    // A weight that the field refuses leaves it as it is.
+    scale.send("S S      0.00 g\r\n");
+    EXPECT_TRUE(says(u"refused"_s));
+    EXPECT_EQ(field("mass_piston_5")->text(), QString());
+    EXPECT_EQ(focus(), "mass_piston_5");
+
+    // The same again within a moment is Print pressed twice, or a scale that sends all the time.
+    for (int i = 0; i < 10; ++i) {
+        scale.send("S S    571.00 g\r\n");
+        QTest::qWait(20);
+    }
+    EXPECT_EQ(focus(), "mass_piston_6");
+    EXPECT_TRUE(says(u"taken once"_s));
+
+    // One weight is one step to undo.
+    page->model()->undo();
+    EXPECT_FALSE(field("mass_piston_5")->value());
+    EXPECT_EQ(value("mass_piston_4"), 566.9904625);
+}
+
+TEST_F(ScaleTest, AWeightGoesIntoMassFieldsAlone) {
+    page->sheets()->setCurrentIndex(0);
+    auto* number = test::named<QLineEdit>(*page, "engine_number");
+    number->setFocus();
+    scale.send("568.5 g\r\n");
+    EXPECT_TRUE(says(u"no field for a mass has the focus"_s));
+    EXPECT_EQ(number->text(), QString());
+    page->sheets()->setCurrentIndex(1);
+    auto* factor = field("reciprocating_percent");
+    factor->setFocus();
+    const QString before = factor->text();
+    scale.send("569.5 g\r\n");
+    QTest::qWait(50);
+    EXPECT_EQ(factor->text(), before);
+
+    // On other pages as well, and into a table.
+    window->showScene(u"balance-shaft"_s);
+    NumberField* mass = nullptr;
+    for (auto* each : window->currentPage()->findChildren<NumberField*>()) {
+        mass = mass == nullptr && each->unit() == u"kg"_s && each->isVisible() ? each : mass;
+    }
+    ASSERT_NE(mass, nullptr);
+    mass->setFocus();
+    scale.send("412.5 g\r\n");
+    EXPECT_TRUE(comes([&] { return mass->value() == 0.4125; }));
+    EXPECT_FALSE(mass->hasFocus());
+    ASSERT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/radial-9.case.json")), QString());
+    QTableView* table = nullptr;
+    for (auto* each : window->currentPage()->findChildren<QTableView*>()) {
+        table = each->accessibleName() == u"Cylinders"_s ? each : table;
+    }
+    ASSERT_NE(table, nullptr);
+    const QModelIndex knuckle = table->model()->index(1, CylinderTableModel::KnuckleMass);
+    table->setCurrentIndex(knuckle);
+    table->setFocus();
+    scale.send("790.5 g\r\n");
+    EXPECT_TRUE(comes([&] { return knuckle.data(Qt::EditRole) == u"0.7905"_s; }));
+    EXPECT_EQ(table->currentIndex().row(), 2);
+}
+
+TEST_F(ScaleTest, UnpluggedInTheMiddleItIsTakenUpAgain) {
+    scale.send("S S    568.50 g\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_2"; }));
+    scale.send("S S    57");
+    QTest::qWait(20);
+    scale.unplug();
+    EXPECT_TRUE(shows(u"not connected"_s));
+    EXPECT_TRUE(says(u"unplugged"_s));
+    EXPECT_FALSE(button->reader()->isConnected());
+    QTest::qWait(1200);  // it is looked for
+    EXPECT_TRUE(button->toolTip().contains(u"unplugged"_s));
+    scale.plug();
+    EXPECT_TRUE(shows(u"ready"_s));
+    scale.send("0.25 g\r\n");  // the end of what was sent when it went
+    EXPECT_TRUE(shows(u"not understood"_s));
+    EXPECT_EQ(focus(), "mass_piston_2");
+    scale.send("S S    570.25 g\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_piston_3"; }));
+    EXPECT_EQ(value("mass_piston_2"), 570.25);
+}
+
+TEST_F(ScaleTest, ThatSendsAllTheTimeGivesEachPartOnce) {
+    ScaleSettings settings = button->reader()->settings();
+    settings.taking = ScaleSettings::EachPart;
+    window.reset();
+    start(settings);
+    const auto send = [&](const char* line, int times) {
+        for (int i = 0; i < times; ++i) {
+            scale.send(line);
+            QTest::qWait(5);
+        }
+    };
+    send("ST,+0000.0 g\r\n", 5);
+    send("US,+0312.4 g\r\n", 3);
+    send("ST,+0568.5 g\r\n", 30);
+    EXPECT_EQ(focus(), "mass_piston_2");
+    send("US,+0100.0 g\r\n", 2);
+    send("ST,+0000.1 g\r\n", 5);
+    send("ST,+0568.7 g\r\n", 30);
+    EXPECT_EQ(focus(), "mass_piston_3");
+    EXPECT_EQ(value("mass_piston_1"), 568.5);
+    EXPECT_EQ(value("mass_piston_2"), 568.7);
+}
+
+TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
+    for (QAction* action : window->findChildren<QAction*>()) {
+        if (action->text() == u"Sca&le…"_s) {
+            action->trigger();
+        }
+    }
+    auto* lines = test::named<QPlainTextEdit>(*window, "scale_lines");
+    ASSERT_NE(lines, nullptr);
+    EXPECT_TRUE(test::named<QLabel>(*window, "scale_state")->text().contains(scale.port()));
+    auto* digit = test::named<NumberField>(*window, "scale_resolution");
+    QWidget* dialog = lines->window();
+    digit->setFocus();
+    scale.send("S S  568.50 g\r\n\x02? g\r\n");
+    EXPECT_TRUE(comes([&] { return lines->blockCount() == 2; }));
+    EXPECT_EQ(lines->toPlainText(),
+              u"S S  568.50 g  →  568.50 g, stable\n‹02›? g  →  not understood"_s);
+    // The weight went nowhere; its last digit is known now.
+    EXPECT_EQ(digit->value(), 0.01);
+    EXPECT_EQ(value("mass_piston_1"), -1.0);
+    auto* unit = test::named<QComboBox>(*window, "scale_unit");
+    QTest::keyClick(unit, Qt::Key_Down);
+    scale.send("0.5\r\n");
+    EXPECT_TRUE(comes([&] { return lines->toPlainText().contains(u"0.5 kg, stable"_s); }));
+    typeInto(digit, u"0,1 г"_s);
+    auto* port = test::named<QComboBox>(*window, "scale_port");
+    port->lineEdit()->setText(u"/dev/no-such-port"_s);
+    QTest::keyClick(port->lineEdit(), Qt::Key_Return);
+    EXPECT_TRUE(test::named<QLabel>(*window, "scale_state")->text().contains(u"is not there"_s));
+    dialog->close();
+    const ScaleSettings kept = ScaleSettings::load();
+    EXPECT_EQ(kept.port, u"/dev/no-such-port"_s);
+    EXPECT_EQ(kept.usualUnit, ScaleSettings::Kilogram);
+    EXPECT_DOUBLE_EQ(kept.resolution, 1e-4);
+
+    // The page says what the last digit means for the bob weight.
+    EXPECT_TRUE(comes([&] {
+        window->activateWindow();
+        return focus() == "mass_piston_1";
+    }));
+    EXPECT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json")),
+              QString());
+    page = static_cast<WorkshopPage*>(window->currentPage());
+    EXPECT_TRUE(test::named<QLabel>(*page, "limits")->text().contains(u"Weighed to 0.1\u00A0g"_s))
+        << test::named<QLabel>(*page, "limits")->text().toStdString();
+}
+
+TEST_F(ScaleTest, AKeyboardScaleAndAColumnWithUnitsAreUnderstood) {
+    const auto type = [&](const char* name, const QString& text) {
+        goTo(name);
+        typeInto(field(name), text);
+        return value(name);
+    };
+    EXPECT_EQ(type("mass_piston_1", u"568.5g"_s), 568.5);
+    EXPECT_EQ(focus(), "mass_piston_2");
+    EXPECT_EQ(type("mass_piston_2", u"568,5 г"_s), 568.5);
+    EXPECT_EQ(type("mass_piston_3", u"1.2 kg"_s), 1200.0);
+    EXPECT_EQ(type("mass_piston_4", u"0,5685КГ"_s), 568.5);
+    EXPECT_NEAR(type("mass_piston_5", u"20 oz"_s), 566.9904625, 1e-9);
+    EXPECT_NEAR(type("mass_piston_6", u"1.25lb"_s), 566.9904625, 1e-9);
+    EXPECT_EQ(type("mass_piston_6", u"568ю5п"_s), 568.5);  // its keys in the Russian layout
+    type("mass_piston_7", u"80 mm"_s);
+    EXPECT_EQ(field("mass_piston_7")->trouble(),
+              u"“mm” is no unit of this value, which is in g."_s);
+    QTest::keyClick(field("mass_piston_7"), Qt::Key_Escape);
+    type("mass_piston_7", u"568.5 ct"_s);
+    EXPECT_EQ(field("mass_piston_7")->trouble(), u"“568.5 ct” is not a number."_s);
+    QTest::keyClick(field("mass_piston_7"), Qt::Key_Escape);
+
+    goTo("mass_pin_1");
+    QApplication::clipboard()->setText(u"173.6 g\n0.1735 kg\n173,7 г\n173.6\n6.12 oz"_s);
+    QTest::keyClick(field("mass_pin_1"), Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(value("mass_pin_1"), 173.6);
+    EXPECT_EQ(value("mass_pin_2"), 173.5);
+    EXPECT_EQ(value("mass_pin_3"), 173.7);
+    EXPECT_EQ(value("mass_pin_4"), 173.6);
+    EXPECT_NEAR(value("mass_pin_5"), 173.4990815, 1e-6);
+
+    // Every field of a mass, in kg too; one of another unit says so.
+    NumberField rotor(shop::field::rotor_mass);
+    rotor.show();
+    typeInto(&rotor, u"56850 g"_s);
+    EXPECT_EQ(rotor.value(), 56.85);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,1815 @@
+// The page Workshop by keys and mouse: a job without plugs.
+
+#include "workshop/workshop_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScopeGuard>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <algorithm>
+
+#include "bob-weights/factor_theory.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "events.h"
+#include "model/case_document.h"
+#include "page/part_views.h"
+#include "painted.h"
+#include "shop/checked_field.h"
+#include "shop/journal_dialog.h"
+#include "shop/model/job_desk.h"
+#include "shop/model/verdict.h"
+#include "shown_number.h"
+#include "text/language.h"
+#include "text/preferences.h"
+#include "theme/theme.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plane_view.h"
+#include "workshop/workshop_card.h"
+#include "workshop_page_test.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace bob_weights;
+using Job = workshop::Input;
+
+class JobPageTest : public test::WorkshopPageTest<WorkshopPage> {
+  protected:
+    QString label(const char* name) {
+        return find<QLabel>(name)->text().replace(QChar(0x00A0), u' ');
+    }
+    void save() { press(Qt::Key_F2); }
+    void pressSave() { pressNow(Qt::Key_F2); }
+    void typeShopCard() {
+        const std::pair<const char*, const char*> masses[] = {
+            {"rings", "69.5"},      {"piston", "583.9"},  {"pin", "173.6"},   {"locks", "4.8"},
+            {"small_end", "162.4"}, {"big_end", "229.8"}, {"shells", "23.7"}, {"oil", "4"}};
+        for (const auto& [key, mass] : masses) {
+            type(key, QString::fromLatin1(mass));
+        }
+    }
+    /// Where no hole has a place.
+    void typeSlugAlone(const QString& diameter) {
+        typeReadings();
+        type("from_1", u"180"_s);
+        type("to_1", u"300"_s);
+        type("slug_diameter_mm", diameter);
+        type("slug_density_kg_m3", u"17500"_s);
+    }
+    void typeReadings() {
+        const std::pair<const char*, const char*> values[] = {
+            {"position_1", "60"}, {"radius_1", "85"},      {"unbalance_1", "2600"},
+            {"angle_1", "75"},    {"position_2", "480"},   {"radius_2", "85"},
+            {"angle_2", "210"},   {"unbalance_2", "1450"}, {"maximum_depth_mm", "35"}};
+        for (const auto& [key, value] : values) {
+            type(key, QString::fromLatin1(value));
+        }
+        type("diameters_mm", u"8 10 12.5; 16"_s);
+    }
+    int rowsOf(const char* accessibleName) {
+        for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+            if (table->accessibleName() == QLatin1String(accessibleName)) {
+                return table->rowCount();
+            }
+        }
+        return -1;
+    }
+
+    /// Clicks the button of the next question that begins with the text. @return what was asked
+    std::shared_ptr<QString> answer(const QString& button) {
+        auto asked = std::make_shared<QString>();
+        answerLater(button, asked);
+        return asked;
+    }
+    static void answerLater(const QString& button, const std::shared_ptr<QString>& asked) {
+        QTimer::singleShot(10, qApp, [=] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr) {
+                answerLater(button, asked);
+                return;
+            }
+            *asked = box->text();
+            for (QAbstractButton* each : box->buttons()) {
+                if (each->text().remove(u'&').startsWith(button)) {
+                    QTest::mouseClick(each, Qt::LeftButton);
+                    return;
+                }
+            }
+            ADD_FAILURE() << "no button " << qPrintable(button);
+            box->reject();
+        });
+    }
+    QList<JournalJob> jobs() { return model->desk()->journal()->search({}); }
+    Results drilled() { return std::get<Results>(model->part("drilled")); }
+    bool isAmber(const char* name) {
+        return find<QLabel>(name)->palette().color(QPalette::WindowText) ==
+               Theme::instance().warning();
+    }
+    /// What the verdict begins with: "Passes", "Fails", "STOP".
+    QString verdict() {
+        static const QRegularExpression end(u"[:.]"_s);
+        return label("verdict").section(end, 0, 0);
+    }
+    /// What the job card prints.
+    QString card(const QStringList& refused = {}) {
+        WorkshopCard made(*model, Words(u"en"_s));
+        made.setRefused(refused);
+        onCard = {};
+        test::Recorder recorder({2100, 2970}, onCard);
+        QPainter painter(&recorder);
+        made.paint(painter, {0, 0, 2100, 2970}, [] { return true; });
+        painter.end();
+        QStringList texts;
+        for (const auto& each : onCard.texts) {
+            texts << each.text;
+            EXPECT_LE(each.ink.bottom(), 2970) << qPrintable(each.text);
+        }
+        return texts.join(u'\n').replace(QChar(0x00A0), u' ');
+    }
+    test::Painted onCard;  ///< by card()
+};
+
+TEST_F(JobPageTest, TheJournalSaysTheEngineInTheLanguageOfItsReader) {
+    const Words russian(u"ru"_s);
+    const Words english(u"en"_s);
+    Engine wide;
+    wide.bank_angle = 62.5 * degree;
+    Engine row;
+    row.type = EngineType::in_line;
+    row.cylinders = 4;
+    Engine boxer;
+    boxer.type = EngineType::boxer;
+    for (const Engine& engine : {Engine{}, wide, row, boxer}) {
+        const QString kept = bob_text::engineName(english, engine);
+        EXPECT_EQ(bob_text::engineName(russian, kept), bob_text::engineName(russian, engine))
+            << qPrintable(kept);
+    }
+    EXPECT_EQ(bob_text::engineName(russian, u"another"_s), u"another"_s);
+}
+
+TEST_F(JobPageTest, ShopCardByKeys) {
+    EXPECT_EQ(label("headline"), u"The bob weight still needs: piston, big end"_s);
+    EXPECT_EQ(rowsOf("Bob weight, line by line"), 0);
+    typeShopCard();
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    EXPECT_EQ(label("hang"), u"On each of the 4 crankpins."_s);
+    EXPECT_TRUE(label("factor").contains(u"nothing remains"_s)) << label("factor").toStdString();
+    EXPECT_EQ(rowsOf("Bob weight, line by line"), 11) << "8 parts, 2 subtotals, the sum";
+    type("reciprocating_percent", u"52"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1545.0 g"_s) << "994.2 × 1.04 + 511";
+}
+
+TEST_F(JobPageTest, TheEngineBringsItsFactor) {
+    typeShopCard();
+    type("cylinders", u"6"_s);
+    type("pin_split_deg", u"30"_s);
+    EXPECT_TRUE(label("factor").startsWith(u"Factor 36.6 %"_s)) << label("factor").toStdString();
+    auto* engine = find<QComboBox>("type");
+    page.sheets()->setCurrentIndex(0);
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().engine.type, EngineType::in_line);
+    EXPECT_EQ(model->input().engine.rods_per_pin, 1);
+    EXPECT_EQ(model->input().engine.pin_split, 0.0);
+    EXPECT_FALSE(find<NumberField>("bank_angle_deg")->isEnabled());
+    EXPECT_TRUE(label("hang").contains(u"6"_s));
+    model->history()->undo();
+    EXPECT_EQ(model->input().engine.type, EngineType::v);
+    EXPECT_EQ(model->input().engine.rods_per_pin, 2);
+    // Two rods on a bob weight are of an even number of cylinders; one is of a VR5, too.
+    type("cylinders", u"5"_s);
+    EXPECT_TRUE(find<NumberField>("cylinders")->trouble().contains(u"5 is odd"_s));
+    EXPECT_EQ(model->input().engine.cylinders, 6);
+    model->edit(u"rods"_s, [](Job& input) { input.engine.rods_per_pin = 1; });
+    type("cylinders", u"5"_s);
+    EXPECT_EQ(model->input().engine.cylinders, 5);
+    EXPECT_EQ(bob_text::contradiction(Words(), model->input()), QString());
+}
+
+TEST_F(JobPageTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
+    typeShopCard();
+    typeReadings();
+    model->edit(u"runs"_s, [](Job& input) {
+        input.correction->earlier_runs.resize(most_runs - 1);
+        for (int i = 0; i < 900; ++i) {
+            input.job.notes += "note" + std::to_string(i) + ' ';
+        }
+    });
+    const QString printed = card({QString(600, u'r')});
+    for (const QString& text : {u"note0"_s, u"note899"_s, u"Notes"_s, u"Page 1 of "_s,
+                                u"Correction planes"_s, u"Inspector, signature"_s}) {
+        EXPECT_TRUE(printed.contains(text)) << qPrintable(text);
+    }
+    static const QRegularExpression cut(u"\\w…"_s);
+    EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
+    EXPECT_GE(printed.count(u'r'), 600);
+}
+
+TEST_F(JobPageTest, ASlugSaysWhatItWeighsOnTheScale) {
+    typeShopCard();
+    typeSlugAlone(u"20"_s);
+    const auto& plane = (*model->solution().correction)[0];
+    ASSERT_EQ(plane.slugs.size(), 1u);
+    const QString grams = Words().number(plane.slugs[0].slug, units::gram, 1);
+    const QString name = u"slug ⌀ 20 mm, "_s + grams;
+    const QString onPage = u"Front plane: "_s + name;
+    const auto plain = [](QString text) { return text.replace(QChar(0x00A0), u' '); };
+    EXPECT_TRUE(plain(model->holeResults().rows.at(0).at(0).text).startsWith(plain(onPage)));
+    EXPECT_TRUE(label("hole_note").contains(u"its own weight stands beside its diameter"_s));
+    EXPECT_TRUE(plain(card()).contains(plain(name)));
+    // Once drilled, too.
+    type("run_1_unbalance_1", u"100"_s);
+    EXPECT_EQ(plain(drilled().rows.at(0).at(1).text), plain(onPage));
+}
+
+TEST_F(JobPageTest, ASlugStandsWholeOnTheCard) {
+    typeShopCard();
+    typeSlugAlone(u"20.25"_s);
+    const QString printed = card().replace(u'\n', u' ');
+    const auto size = [this](const QString& text) {
+        const auto found = std::ranges::find_if(
+            onCard.texts, [&](const auto& each) { return each.text.startsWith(text); });
+        return found == onCard.texts.end() ? 0 : found->pixelSize;
+    };
+    EXPECT_GT(size(u"⌀"_s), 0);
+    EXPECT_GT(size(u"slug ⌀"_s), 0);
+    static const QRegularExpression cut(u"\\w…"_s);
+    EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(
+        u"drill’s point of 118° and a crankshaft of 7850 kg/m³, slugs of 17500 kg/m³."_s))
+        << qPrintable(printed);
+}
+
+TEST_F(JobPageTest, TheBobWeightOfUnequalCrankpinsIsCalledTheirMean) {
+    typeShopCard();
+    EXPECT_FALSE(card().contains(u"Weights of the parts"_s));
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass.assign(8, 0.5839);
+        sheet[shop::Part::piston].mass[2] = 0.5879;
+    });
+    EXPECT_EQ(label("headline"), u"Mean bob weight 1505.7 g"_s) << "half of 4 g on one of four";
+    const QString single =
+        u"g: 1505.2 (cylinders 1+5); 1505.2 (2+6); 1507.2 (3+7); 1505.2 (4+8)."_s;
+    EXPECT_TRUE(label("hang").contains(single)) << qPrintable(label("hang"));
+    const QString printed = card().replace(u'\n', u' ');
+    for (const QString& text : {label("headline"), single, u"Weights of the parts by cylinder, g"_s,
+                                u"Piston 583.90 583.90 587.90 583.90"_s,
+                                u"Cylinders that share a crankpin: 1+5; 2+6; 3+7; 4+8."_s}) {
+        EXPECT_TRUE(printed.contains(text)) << qPrintable(text) << qPrintable(printed);
+    }
+    // Alike, there is one bob weight.
+    model->editWeights(u"Weights"_s,
+                       [](WeighIn& sheet) { sheet[shop::Part::piston].mass[2] = 0.5839; });
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+}
+
+TEST_F(JobPageTest, TheCardSaysWhetherPartsAreMoved) {
+    typeShopCard();
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+    });
+    const QString suggested = u"suggested, not applied yet"_s;
+    const QString applied = u"Matched parts: applied"_s;
+    EXPECT_TRUE(card().contains(suggested));
+    EXPECT_FALSE(card().contains(applied));
+    model->moveParts();
+    EXPECT_FALSE(card().contains(suggested));
+    EXPECT_TRUE(card().contains(applied));
+}
+
+TEST_F(JobPageTest, NoPartIsMovedByDoubtedWeights) {
+    typeShopCard();
+    const auto weigh = [&](double first, double bigEnd) {
+        model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {
+            using shop::Part;
+            sheet[Part::piston].mass = {first, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+            sheet[Part::rod_big_end].mass = {0.45, bigEnd, 0.45, 0.46, 0.45, 0.45, 0.46, 0.45};
+            sheet[Part::rod_small_end].mass = {0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
+        });
+    };
+    const QString suggested = u"suggested"_s;
+    weigh(0.58, 0.45);
+    EXPECT_TRUE(card().contains(suggested));
+    EXPECT_FALSE(find<QPushButton>("move_parts")->isHidden());
+    for (const auto& [first, bigEnd, said] :
+         {std::tuple{0.85, 0.45, u"Weigh again first: piston of cylinder 1."_s},
+          std::tuple{0.58, 0.15, u"Weigh again first: rod of cylinder 2."_s}}) {
+        weigh(first, bigEnd);
+        EXPECT_FALSE(card().contains(suggested)) << qPrintable(card());
+        EXPECT_TRUE(card().contains(said)) << qPrintable(card());
+        EXPECT_EQ(label("weigh_in_summary"), said);
+        EXPECT_TRUE(isAmber("weigh_in_summary"));
+        EXPECT_TRUE(find<QPushButton>("move_parts")->isHidden());
+        EXPECT_TRUE(model->effectResults().rows.isEmpty());
+    }
+}
+
+TEST_F(JobPageTest, TheCardHasEveryWarningOfThePage) {
+    typeShopCard();
+    typeReadings();
+    type("oil", QString());
+    const auto isOnCard = [&] {
+        const QString printed = card().replace(u'\n', u' ');
+        for (const QString& each : model->troubles()) {
+            EXPECT_TRUE(printed.contains(QString(each).replace(QChar(0x00A0), u' ')))
+                << qPrintable(each) << qPrintable(printed);
+        }
+        return model->troubles().join(u'\n');
+    };
+    const auto edit = [&](const std::function<void(Correction&)>& change) {
+        model->editCorrection(u"change"_s, change);
+    };
+    EXPECT_TRUE(isOnCard().contains(u"Not given, counted as"_s));
+    const auto box = std::ranges::find_if(
+        onCard.texts, [](const auto& each) { return each.text.startsWith(u"Not given"_s); });
+    const auto table = std::ranges::find_if(onCard.texts, [](const auto& each) {
+        return each.text == u"Readings of the balancing machine"_s;
+    });
+    EXPECT_LT(box->ink.bottom(), table->ink.top()) << "beside the number that it concerns";
+    edit([](Correction& it) { it.slug = Slug{0.02, std::nullopt}; });
+    EXPECT_TRUE(isOnCard().contains(u"Slug density is still needed"_s));
+    edit([](Correction& it) {
+        it.slug.reset();
+        it.readings[0].position = -3.0;
+    });
+    isOnCard();
+    type("oil", u"4"_s);  // which stops no reading any more
+    const QString printed = card().replace(u'\n', u' ');
+    EXPECT_TRUE(printed.contains(u"far outside the planes"_s)) << qPrintable(printed);
+    // As a file may have it.
+    Json input = model->inputJson();
+    input["correction"]["planes"][1]["position_mm"] = 60;
+    model->loadInput(input, {});
+    EXPECT_TRUE(isOnCard().contains(u"Rear plane, position: must differ"_s)) << qPrintable(card());
+    edit([](Correction& it) { it.readings[1].unbalance.reset(); });
+    isOnCard();
+}
+
+TEST_F(JobPageTest, CylindersInLineAreNotPaired) {
+    auto* pairs = find<QComboBox>("cylinder_numbering");
+    EXPECT_TRUE(pairs->isEnabled());
+    model->edit(u"type"_s, [](Job& input) {
+        input.engine.type = EngineType::in_line;
+        input.engine.rods_per_pin = 1;
+    });
+    EXPECT_FALSE(pairs->isEnabled());
+    EXPECT_TRUE(pairs->toolTip().contains(u"In line each cylinder has a crankpin of its own"_s));
+}
+
+TEST_F(JobPageTest, ReadingsBecomeHoles) {
+    typeShopCard();
+    typeReadings();
+    ASSERT_TRUE(model->solution().correction);
+    EXPECT_EQ(rowsOf("The correction planes"), 4) << "a row for each quantity that is known";
+    EXPECT_EQ(rowsOf("Holes and slugs"), 2);
+    EXPECT_TRUE(label("troubles").isEmpty()) << label("troubles").toStdString();
+    const Hole& hole = (*model->solution().correction)[0].holes.at(0);
+    EXPECT_NEAR(hole.angle, 75 * degree, 1e-9);
+    // Another drill: a word that is none is refused, the drills before it stay.
+    type("diameters_mm", u"8 wide"_s);
+    // The name of the field stands before it already.
+    EXPECT_EQ(test::named<EntryField>(page, "diameters_mm")->trouble(),
+              u"Must be numbers with blanks or semicolons between them, got \"wide\""_s);
+    EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
+    type("diameters_mm", u"8"_s);
+    EXPECT_GT((*model->solution().correction)[0].holes.size(), 1u);
+    EXPECT_EQ(label("diameters_mm_understood"), u"Read as one: 8 mm"_s);
+    type("diameters_mm", u"8, 10, 12, 5"_s);
+    EXPECT_EQ(label("diameters_mm_understood"), u"Read as 4: 8; 10; 12; 5 mm"_s);
+    // A sector that ends at the heavy spot: the page says how far a hole reaches out of it.
+    type("from_1", u"75"_s);
+    type("to_1", u"180"_s);
+    EXPECT_TRUE(label("verdict").contains(u"Front plane: the edge of a hole reaches "_s))
+        << label("verdict").toStdString();
+    // A sector elsewhere: no hole, and the page says what to do.
+    type("from_1", u"180"_s);
+    type("to_1", u"300"_s);
+    EXPECT_TRUE(label("troubles").contains(u"outside the sector"_s))
+        << label("troubles").toStdString();
+    type("slug_diameter_mm", u"20"_s);
+    type("slug_density_kg_m3", u"17500"_s);
+    EXPECT_FALSE((*model->solution().correction)[0].slugs.empty());
+    // All emptied again, the case has no correction.
+    const Json kept = model->inputJson();
+    EXPECT_TRUE(kept.contains("correction"));
+}
+
+TEST_F(JobPageTest, WeighedPartsGoBeforeTypedOnes) {
+    typeShopCard();
+    type("cylinders", u"2"_s);
+    EXPECT_FALSE(find<NumberField>("mass_piston_3")->isVisibleTo(&page));
+    type("mass_piston_1", u"590"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "not all are weighed yet";
+    type("mass_piston_2", u"592"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1512.3 g"_s);
+    EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
+    EXPECT_EQ(test::textsOf(model->takeOffResults().rows),
+              (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
+    // Swapped rods: nobody is told to grind them to each other.
+    type("mass_rod_big_end_1", u"160"_s);
+    type("mass_rod_big_end_2", u"162"_s);
+    type("mass_rod_small_end_1", u"230"_s);
+    type("mass_rod_small_end_2", u"231"_s);
+    EXPECT_TRUE(label("verdict").contains(u"the big end weighs less than the small end"_s))
+        << qPrintable(label("verdict"));
+    EXPECT_EQ(model->takeOffResults().rows.size(), 1) << "the pistons'";
+    QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
+    // A mean that is what was typed before stands in its place as any other.
+    type("mass_piston_1", u"583.9"_s);
+    type("mass_piston_2", u"583.9"_s);
+    EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
+    type("cylinders", u"4"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "two of four are weighed";
+}
+
+TEST_F(JobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
+    typeShopCard();
+    type("cylinders", u"2"_s);
+    type("mass_piston_1", u"566.99046"_s);  // 20 oz
+    type("mass_piston_2", u"595.33999"_s);  // 21 oz
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    const QString said = model->weighInText();
+    const auto off = model->takeOffResults().rows;
+    const auto note = model->columnNote(shop::Part::piston);
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(said.contains(u"oz: "_s)) << said.toStdString();
+    EXPECT_EQ(off.at(0).at(2), u"1.0000"_s);
+    EXPECT_TRUE(note.mean.startsWith(u"20.5000"_s)) << note.mean.toStdString();
+    EXPECT_TRUE(note.spread.startsWith(u"1.0000"_s)) << note.spread.toStdString();
+    // In the cells the points stand below each other.
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    model->editWeights(u"Paste"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass = {20.5 * units::ounce, 3.0625 * units::ounce};
+    });
+    WorkshopPage inOunces(QString(), nullptr);
+    inOunces.model()->loadInput(model->inputJson(), {});
+    EXPECT_EQ(test::named<NumberField>(inOunces, "mass_piston_1")->text(), u"20.5000"_s);
+    EXPECT_EQ(test::named<NumberField>(inOunces, "mass_piston_2")->text(), u"3.0625"_s);
+    QSettings().clear();
+    Preferences::instance().load();
+}
+
+TEST_F(JobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
+    typeShopCard();
+    const double pistons[] = {584.1, 586.3, 583.2, 588.9, 585.0, 583.9, 587.4, 584.4};
+    const double ends[] = {229.0, 231.5, 230.2, 229.9, 233.0, 229.4, 230.0, 231.1};
+    for (int i = 0; i < 8; ++i) {
+        type(("mass_piston_" + std::to_string(i + 1)).c_str(), QString::number(pistons[i]));
+        type(("mass_rod_big_end_" + std::to_string(i + 1)).c_str(), QString::number(ends[i]));
+    }
+    EXPECT_EQ(rowsOf("What to take off each part to reach the lightest"), 2);
+    const auto placing = [&] { return model->solution().placing.value(); };
+    const std::vector<int> asItIs{0, 1, 2, 3, 4, 5, 6, 7};
+    EXPECT_TRUE(placing().proven);
+    EXPECT_NE(placing().pistons, asItIs);
+    EXPECT_LT(placing().spread, 0.1 * placing().spread_before);
+    // Pistons fitted to their bores, rods that face their side.
+    const auto choose = [&](const char* name, Qt::Key key) {
+        auto* box = find<QComboBox>(name);
+        box->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(box, key);
+    };
+    choose("moves_pistons", Qt::Key_End);
+    choose("moves_rods", Qt::Key_Down);
+    EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
+    EXPECT_EQ(model->input().weigh_in->matching.rods, shop::SetMoves::within_bank);
+    EXPECT_EQ(placing().pistons, asItIs);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(placing().rods[i] / 4, static_cast<int>(i) / 4);
+    }
+    // What the engine feels; what it lacks is said.
+    auto* moves = find<NumberField>("permitted_crankpin_spread");
+    EXPECT_FALSE(moves->isVisibleTo(&page));
+    choose("goal", Qt::Key_Down);
+    EXPECT_TRUE(moves->isVisibleTo(&page));
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"is missing"_s));
+    type("permitted_crankpin_spread", u"3"_s);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::fewest_moves);
+    EXPECT_LE(placing().spread, 3e-3 + 1e-9);
+    choose("goal", Qt::Key_Down);
+    EXPECT_EQ(rowsOf("What the placing makes of the differences"), 3);
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"0°; 90°; 270°; 180°"_s));
+    type("cylinder_spacing_mm", u"112"_s);
+    type("matching_crank_radius", u"44"_s);
+    type("service_speed_rpm", u"6000"_s);
+    EXPECT_EQ(rowsOf("What the placing makes of the differences"), 6);
+    type("crankpin_angles_deg", u"0; 180; 180"_s);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_spread);
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"4 angles of the crankpins"_s));
+    type("crankpin_angles_deg", u"0 180 180 0"_s);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_shaking);
+    EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
+    // The weights move as the parts do, which keep their numbers.
+    const auto wanted = placing();
+    auto* move = find<QPushButton>("move_parts");
+    ASSERT_TRUE(move->isVisibleTo(&page));
+    QTest::mouseClick(move, Qt::LeftButton);
+    EXPECT_FALSE(move->isVisibleTo(&page));
+    EXPECT_EQ(placing().moved, 0);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("move_back")) << "the button in its place";
+    EXPECT_NEAR(placing().spread, wanted.spread, 1e-12);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(model->input().weigh_in->rod_sets[i], wanted.rods[i] + 1);
+    }
+    EXPECT_TRUE(model->input().weigh_in->piston_sets.empty());
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(u"Rod set from"_s)) << qPrintable(printed);
+    const qsizetype placed = printed.indexOf(u"Matched parts"_s);
+    const qsizetype takesOff =
+        printed.indexOf(u"To match the lightest, only if moving is not enough: take off, g"_s);
+    EXPECT_TRUE(placed >= 0 && printed.indexOf(u"Rod set from"_s, placed) < takesOff)
+        << "taking off is another thing than moving: " << qPrintable(printed);
+    EXPECT_GT(printed.indexOf(u"Piston\n"_s, takesOff), takesOff);
+    EXPECT_TRUE(printed.contains(u"where one is made lighter, weigh again."_s));
+    EXPECT_TRUE(printed.contains(u"Assemble by the numbers"_s));
+    // What was weighed is still known, and comes back by a button.
+    auto* back = find<QPushButton>("move_back");
+    EXPECT_TRUE(back->isVisibleTo(&page));
+    EXPECT_FALSE(find<QComboBox>("moves_pins")->isEnabled()) << "the pins went with their pistons";
+    EXPECT_TRUE(find<QComboBox>("moves_rods")->isEnabled());
+    const auto effects = matching_text::effects(Words(), model->matchingShown().value()).rows;
+    EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.spread_before, units::gram, 2));
+    EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.spread, units::gram, 2));
+    QTest::mouseClick(back, Qt::LeftButton);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR(*(*model->input().weigh_in)[shop::Part::rod_big_end].mass[i],
+                    ends[i] * units::gram, 1e-12);
+        EXPECT_NEAR(*(*model->input().weigh_in)[shop::Part::piston].mass[i],
+                    pistons[i] * units::gram, 1e-12);
+    }
+    EXPECT_FALSE(back->isVisibleTo(&page));
+    EXPECT_EQ(page.focusWidget(), move);
+    EXPECT_TRUE(find<QComboBox>("moves_pins")->isEnabled());
+    model->history()->undo();
+    EXPECT_EQ(placing().moved, 0) << "moved again";
+    // Kept by the case file, and by the next job but for the weights.
+    const Job kept = model->input();
+    const Json file = model->inputJson();
+    model->loadDefault();
+    model->loadInput(file, {});
+    EXPECT_EQ(model->input().weigh_in, kept.weigh_in);
+    model->newJob();
+    EXPECT_EQ(model->input().weigh_in->matching, kept.weigh_in->matching);
+    EXPECT_TRUE(model->input().weigh_in->is_empty());
+    EXPECT_FALSE(model->input().weigh_in->is_moved());
+}
+
+TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        installLanguage(language);
+        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
+        WorkshopPage narrow(QString(), nullptr);
+        test::showAt(narrow, {1180, 710});
+        narrow.model()->loadInput(
+            Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")).at("input"),
+            {});
+        narrow.sheets()->setCurrentIndex(2);
+        narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+            // No weight is far from the others: by doubted ones nothing is placed.
+            sheet[shop::Part::piston].mass = {0.54, 0.5, 0.52, 0.51, 0.5, 0.53, 0.5, 0.52};
+            sheet.matching.crank_radius.reset();
+            sheet.matching.cylinder_spacing = 0.1;
+        });
+        QCoreApplication::processEvents();
+        int quantities = 0;
+        for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
+            for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
+                const QString name = table->item(row, 0)->text();
+                EXPECT_LE(table->fontMetrics().horizontalAdvance(name), table->columnWidth(0))
+                    << qPrintable(name);
+                ++quantities;
+            }
+        }
+        EXPECT_GE(quantities, 4);
+    }
+}
+
+TEST_F(JobPageTest, MovedPartsOutliveAnotherNumberOfCylinders) {
+    typeShopCard();
+    for (int i = 0; i < 8; ++i) {
+        type(("mass_piston_" + std::to_string(i + 1)).c_str(), QString::number(584 + 2 * (i % 5)));
+        type(("mass_rod_big_end_" + std::to_string(i + 1)).c_str(), QString::number(231 - i));
+    }
+    model->moveParts();
+    ASSERT_TRUE(model->input().weigh_in->is_moved());
+    const auto weighed = (*model->input().weigh_in)[shop::Part::piston].mass;
+    const double mean = *model->solution().bob_weight;
+    for (const char* cylinders : {"4", "6", "12", "8"}) {
+        type("cylinders", QLatin1String(cylinders));
+        EXPECT_EQ(model->matchingShown().has_value(), std::atoi(cylinders) <= 8) << cylinders;
+        // The numbers of the sets are those of eight.
+        const bool isWhole = std::atoi(cylinders) == 8;
+        EXPECT_NE(find<QPushButton>("move_back")->isHidden(), isWhole) << cylinders;
+        if (!isWhole) {
+            model->moveBack();
+            for (const ResultColumn& column : model->effectResults().columns) {
+                EXPECT_NE(column.heading, u"as weighed"_s) << cylinders;
+            }
+            EXPECT_FALSE(model->assignmentText().contains(u"as weighed"_s)) << cylinders;
+        }
+        EXPECT_FALSE(page.grab().isNull());
+    }
+    EXPECT_EQ((*model->input().weigh_in)[shop::Part::piston].mass, weighed);
+    EXPECT_NEAR(*model->solution().bob_weight, mean, 1e-12);
+}
+
+TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
+    typeShopCard();
+    typeReadings();
+    auto* own = find<QCheckBox>("own_limit");
+    page.sheets()->setCurrentIndex(4);
+    own->setFocus();
+    QTest::keyClick(own, Qt::Key_Space);
+    type("g_mm", u"3000"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    EXPECT_FALSE(hold->isVisibleTo(&page));
+    type("piston", u"583.92"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s) << "no tenth of a gram";
+    type("piston", u"590"_s);
+    const QString why =
+        u"The readings were taken with another bob weight: 1505.2 g then, 1511.3 g "
+        u"now."_s;
+    EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + why)) << qPrintable(label("verdict"));
+    EXPECT_TRUE(label("other_bob_weight").startsWith(why));
+    EXPECT_TRUE(model->holeResults().rows.isEmpty()) << "nothing is to be drilled";
+    EXPECT_TRUE(model->planeResults().rows.last().texts().contains(u"another bob weight"_s));
+    EXPECT_EQ(model->planeResults().rows.size(), 2) << "nothing is known to remain";
+    EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_FALSE(find<NumberField>("position_1")->isDoubtful());
+    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
+    EXPECT_TRUE(card().contains(why.left(55)));
+    EXPECT_FALSE(card().contains(u"PASS"_s));
+    EXPECT_NEAR(model->resultJson()["correction"]["read_with_bobweight_g"].get<double>(), 1505.2,
+                1e-9);
+    type("engine_number", u"53-1"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_EQ(jobs().at(0).verdict, u"other-bob-weight"_s);
+    EXPECT_EQ(verdictText(Words(), jobs().at(0).verdict), u"another bob weight"_s);
+    // The mass comes from the weigh-in sheet, too; and back with it all holds.
+    type("piston", u"583.9"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_FALSE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(4).isValid());
+    // A verdict is not lost without a word.
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("piston", u"590"_s);
+    const auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"another bob weight"_s)) << qPrintable(*asked);
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("piston", u"583.9"_s);
+    type("cylinders", u"2"_s);
+    type("mass_piston_1", u"590"_s);
+    type("mass_piston_2", u"592"_s);
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    // A technician who knows better says so; or the machine reads anew.
+    page.sheets()->setCurrentIndex(4);
+    ASSERT_TRUE(hold->isVisibleTo(&page));
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_FALSE(hold->isVisibleTo(&page));
+    model->history()->undo();
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    type("run_1_unbalance_1", u"100"_s);
+    type("run_1_angle_1", u"10"_s);
+    type("run_1_unbalance_2", u"100"_s);
+    type("run_1_angle_2", u"20"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another bob weight"_s);
+    EXPECT_EQ(model->runResults().rows.at(1).constLast(), u"PASS"_s);
+    // A case of before keeps no bob weight: the readings are of the one that it came with.
+    Json old = model->inputJson();
+    for (Json& reading : old["correction"]["readings"]) {
+        reading.erase("bobweight_g");
+    }
+    model->loadInput(old, {});
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    type("big_end", u"260"_s);
+    EXPECT_EQ(verdict(), u"STOP"_s);
+}
+
+TEST_F(JobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
+    typeShopCard();
+    typeReadings();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 3000 * units::gram_mm;
+    });
+    type("crankshaft_number", u"A"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s) << "a number that comes later";
+    type("crankshaft_number", u"B"_s);
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    EXPECT_TRUE(label("verdict").startsWith(
+        u"STOP. The readings are of another crankshaft: number A then, B now."_s))
+        << qPrintable(label("verdict"));
+    EXPECT_TRUE(find<NumberField>("unbalance_1")->isDoubtful());
+    EXPECT_TRUE(model->holeResults().rows.isEmpty());
+    EXPECT_EQ(model->resultJson()["correction"]["read_on"], "A");
+    // As the file keeps it.
+    model->loadInput(model->inputJson(), {});
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    for (const auto& [key, value] : {std::pair("run_1_unbalance_1", "100"),
+                                     {"run_1_angle_1", "10"},
+                                     {"run_1_unbalance_2", "100"},
+                                     {"run_1_angle_2", "20"}}) {
+        type(key, QString::fromLatin1(value));
+    }
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another crankshaft"_s);
+    type("crankshaft_number", u"C"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    page.sheets()->setCurrentIndex(4);
+    ASSERT_TRUE(hold->isVisibleTo(&page));
+    test::showAt(page, {915, 560});
+    auto* const sheet = qobject_cast<QScrollArea*>(page.sheets()->widget(4));
+    sheet->ensureWidgetVisible(hold);
+    const int scrolled = sheet->verticalScrollBar()->value();
+    hold->setFocus();
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another crankshaft"_s) << "that of A";
+    EXPECT_TRUE(hold->hasFocus());
+    QTest::mouseClick(hold, Qt::LeftButton);
+    EXPECT_FALSE(hold->isVisible());
+    EXPECT_EQ(QApplication::focusWidget(), find<NumberField>("unbalance_1"))
+        << "all are there, and nothing is to be drilled";
+    EXPECT_EQ(sheet->verticalScrollBar()->value(), scrolled);
+}
+
+TEST_F(JobPageTest, WhatIsMissingIsSaidWithItsPlace) {
+    typeShopCard();
+    typeReadings();
+    type("radius_1", QString());
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 5, Front plane: Radius is still needed. From the axis to the rim that is drilled"_s))
+        << label("troubles").toStdString();
+    typeReadings();
+    type("diameters_mm", QString());
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 6, drills: Drills are still needed, in mm, one after the other: 8; 10; 12.5"_s))
+        << label("troubles").toStdString();
+    type("diameters_mm", u"8"_s);
+    type("maximum_depth_mm", QString());
+    EXPECT_TRUE(label("troubles").contains(u"Sheet 6, drills: Deepest hole is still needed."_s))
+        << label("troubles").toStdString();
+    type("maximum_depth_mm", u"20"_s);
+    type("slug_density_kg_m3", u"17000"_s);
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(
+                u"Sheet 6, heavy metal: Slug diameter is still needed. Diameter of the slugs at hand."_s))
+        << label("troubles").toStdString();
+    type("slug_density_kg_m3", QString());
+    type("grade_mm_s", u"6.3"_s);
+    EXPECT_TRUE(label("troubles").contains(u"Sheet 5, what may remain: "_s));
+    EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << label("troubles").toStdString();
+}
+
+TEST_F(JobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
+    type("cylinders", u"6"_s);
+    const auto asked = answer(u"OK"_s);
+    save();
+    EXPECT_TRUE(asked->startsWith(u"The sheet is empty: nothing is saved."_s))
+        << asked->toStdString();
+    EXPECT_TRUE(jobs().isEmpty());
+    type("cylinders", u"8"_s);
+    typeShopCard();
+    page.sheets()->setCurrentIndex(4);
+    const auto nameless = answer(u"Enter one"_s);
+    save();
+    EXPECT_TRUE(nameless->contains(u"nobody could find the job"_s)) << nameless->toStdString();
+    EXPECT_TRUE(jobs().isEmpty());
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
+    answer(u"Save without"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_FALSE(jobs().at(0).isFinished) << "nobody could find it";
+    type("crankshaft_number", u"77"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    type("piston", QString());
+    save();
+    EXPECT_FALSE(jobs().at(0).isFinished) << "there is no answer any more";
+}
+
+TEST_F(JobPageTest, LimitsComeByGradeOrByHand) {
+    type("customer", u"Smith"_s);
+    typeShopCard();
+    typeReadings();
+    auto* grades = find<QComboBox>("grade_list");
+    page.sheets()->setCurrentIndex(4);
+    grades->setFocus();
+    grades->setCurrentIndex(5);
+    QTest::keyClick(grades, Qt::Key_Down);  // G 16
+    EXPECT_NEAR(*model->input().tolerance->grade, 16e-3, 1e-12);
+    type("rotor_mass_kg", u"32"_s);
+    type("service_speed_rpm", u"6000"_s);
+    EXPECT_TRUE(label("limits").contains(u"407.4 g·mm in each plane"_s))
+        << label("limits").toStdString();
+    auto* own = find<QCheckBox>("own_limit");
+    page.sheets()->setCurrentIndex(4);
+    QTest::mouseClick(own, Qt::LeftButton, Qt::NoModifier, {8, own->height() / 2});
+    EXPECT_FALSE(model->input().tolerance->by_grade);
+    type("g_mm", u"3000"_s);
+    EXPECT_EQ(rowsOf("Holes and slugs"), 0) << "both readings are within the limit";
+    EXPECT_EQ(model->planeResults().rows.last().texts(),
+              QStringList({u"Verdict"_s, u"PASS"_s, u"PASS"_s}));
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_TRUE(card().contains(u"limit of the shop’s own"_s));
+    type("g_mm", u"2000"_s);
+    EXPECT_EQ(model->planeResults().rows.last().texts(),
+              QStringList({u"Verdict"_s, u"FAIL → drill, then PASS"_s, u"PASS"_s}));
+    EXPECT_EQ(verdict(), u"Fails"_s);
+    EXPECT_TRUE(label("verdict").contains(u"After the planned correction: "_s));
+    pressSave();
+    EXPECT_EQ(jobs().at(0).verdict, u"fails-then-passes"_s);
+    EXPECT_TRUE(card().contains(u"FAIL → drill, then PASS"_s));
+}
+
+TEST_F(JobPageTest, JournalAndCard) {
+    typeShopCard();
+    typeReadings();
+    type("engine_number", u"ZMZ-53 7"_s);
+    pressSave();
+    EXPECT_GT(model->desk()->jobId(), 0);
+    const auto jobs = this->jobs();
+    ASSERT_EQ(jobs.size(), 1);
+    EXPECT_NEAR(*jobs[0].bobWeight, 1505.2, 1e-9);
+    EXPECT_NEAR(*jobs[0].frontReading, 2600, 1e-9);
+    const QString file = QDir(folder.path()).filePath(u"card.pdf"_s);
+    EXPECT_EQ(page.writeCard(file), QString());
+    EXPECT_GT(QFileInfo(file).size(), 5000);
+    // The next job keeps engine, planes and drills; readings and masses are new.
+    QTest::keyClick(&page, Qt::Key_F4);
+    EXPECT_FALSE(model->solution().bob_weight);
+    EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
+    EXPECT_FALSE(model->input().correction->readings[0].unbalance);
+    EXPECT_EQ(model->desk()->openJob(jobs[0].id), QString());
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    // So does a copy, and it begins on sheet 1 with a word about what it has.
+    page.sheets()->setCurrentIndex(4);
+    QString said;
+    QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
+    test::whenModal<JournalDialog>(qApp, [](JournalDialog* dialog) {
+        test::named<QPushButton>(*dialog, "journal_copy")->click();
+    });
+    QTest::keyClick(&page, Qt::Key_F3);
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_FALSE(model->solution().bob_weight);
+    EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
+    EXPECT_EQ(page.sheets()->currentIndex(), 0);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
+    EXPECT_TRUE(said.contains(u"planes, drills"_s)) << said.toStdString();
+}
+
+TEST_F(JobPageTest, AJobWithPlanesIsUnfinishedUntilItIsRead) {
+    typeShopCard();
+    type("engine_number", u"7"_s);
+    pressSave();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    type("position_1", u"60"_s);
+    pressSave();
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    typeReadings();
+    pressSave();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(JobPageTest, TabGoesAlongTheRowsOfThePlanes) {
+    page.sheets()->setCurrentIndex(4);
+    find<QWidget>("position_1")->setFocus(Qt::TabFocusReason);
+    const auto press = [](Qt::Key key) {
+        QTest::keyClick(QApplication::focusWidget(), key);
+        return QApplication::focusWidget()->objectName();
+    };
+    EXPECT_EQ(press(Qt::Key_Tab), u"position_2"_s);
+    EXPECT_EQ(press(Qt::Key_Tab), u"radius_1"_s);
+    EXPECT_EQ(press(Qt::Key_Return), u"read_at_1"_s) << "Enter goes down";
+    EXPECT_EQ(press(Qt::Key_Right), u"read_at_2"_s);
+    EXPECT_EQ(press(Qt::Key_Up), u"radius_2"_s);
+    find<QWidget>("unbalance_1")->setFocus(Qt::TabFocusReason);
+    EXPECT_EQ(press(Qt::Key_Right), u"angle_1"_s);
+}
+
+TEST_F(JobPageTest, EnterOnTheLastFieldStaysThereAndCounts) {
+    type("slug_density_kg_m3", u"17500"_s);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("slug_direction"));
+    QWidget* last = page.fieldsOf(5).constLast();
+    last->setFocus();
+    QTest::keyClick(last, Qt::Key_Return);
+    EXPECT_EQ(page.sheets()->currentIndex(), 5);
+    EXPECT_EQ(page.focusWidget(), last);
+    EXPECT_FALSE(model->isTyped());
+    // On the way on, no list takes the keys.
+    type("notes", u"worn"_s);
+    EXPECT_EQ(page.sheets()->currentIndex(), 1);
+    EXPECT_NE(qobject_cast<EntryField*>(page.focusWidget()), nullptr);
+}
+
+TEST_F(JobPageTest, ACaseIsProposedByTheNameOfItsJob) {
+    QStringList proposed;
+    DocumentDialogs dialogs;
+    dialogs.choosePath = [&](const QString& path) {
+        proposed << path;
+        return QString();
+    };
+    CaseDocument document(model, dialogs);
+    EXPECT_FALSE(document.saveAs());
+    for (const char* number : {"ЗМЗ-53 № 1234/56", "//"}) {
+        model->edit(u"number"_s, [&](Job& input) { input.job.engine_number = number; });
+        EXPECT_FALSE(document.saveAs());
+    }
+    EXPECT_EQ(proposed, QStringList({u"workshop.case.json"_s, u"ЗМЗ-53_1234_56.case.json"_s,
+                                     u"workshop.case.json"_s}));
+}
+
+TEST_F(JobPageTest, WhatContradictsItselfHasNoAnswer) {
+    type("customer", u"Smith"_s);
+    typeShopCard();
+    type("cylinders", QString());
+    EXPECT_FALSE(find<NumberField>("cylinders")->trouble().isEmpty()) << "it is needed";
+    EXPECT_EQ(model->input().engine.cylinders, 8);
+    Json odd = model->inputJson();
+    odd["engine"]["cylinders"] = 7;
+    model->loadInput(odd, {});
+    EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
+    EXPECT_FALSE(model->solution().bob_weight);
+    // The journal keeps the sheet, not an answer that it does not have.
+    pressSave();
+    const auto jobs = this->jobs();
+    ASSERT_EQ(jobs.size(), 1);
+    EXPECT_FALSE(jobs[0].bobWeight);
+    type("cylinders", u"8"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    type("reciprocating_percent", u"10"_s);
+    type("overbalance_percent", u"-20"_s);
+    EXPECT_FALSE(model->solution().bob_weight);
+}
+
+TEST_F(JobPageTest, TheCardWithholdsWhatThePageWithholds) {
+    typeShopCard();
+    EXPECT_TRUE(card().contains(u"Bob weight 1505.2 g"_s)) << qPrintable(card());
+    type("reciprocating_percent", u"10"_s);
+    type("overbalance_percent", u"-20"_s);
+    ASSERT_FALSE(model->solution().bob_weight);
+    EXPECT_TRUE(label("headline").contains(u"must leave a factor of 0 or more"_s))
+        << qPrintable(label("headline"));
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(label("headline"))) << qPrintable(printed);
+    static const QRegularExpression weight(u"Bob weight \\d"_s);
+    EXPECT_FALSE(printed.contains(weight)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"still needs"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"On each of"_s)) << qPrintable(printed);
+    // An engine that cannot be.
+    Json odd = model->inputJson();
+    odd["engine"]["cylinders"] = 7;
+    model->loadInput(odd, {});
+    ASSERT_TRUE(label("headline").contains(u"must be even"_s));
+    EXPECT_TRUE(card().contains(label("headline"))) << qPrintable(card());
+}
+
+TEST_F(JobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
+    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    model->loadInput(example.at("input"), {});
+    type("reciprocating_percent", u"10"_s);
+    EXPECT_TRUE(label("verdict").contains(u"another bob weight"_s)) << qPrintable(label("verdict"));
+    type("overbalance_percent", u"-20"_s);
+    ASSERT_FALSE(model->solution().bob_weight);
+    EXPECT_FALSE(label("verdict").contains(u"another bob weight"_s))
+        << qPrintable(label("verdict"));
+    EXPECT_FALSE(card().contains(u"another bob weight"_s)) << qPrintable(card());
+}
+
+TEST_F(JobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {
+    type("customer", u"Smith"_s);
+    CaseDocument document(model, {});
+    typeShopCard();
+    ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
+    EXPECT_FALSE(document.path().isEmpty());
+    pressSave();
+    QTest::keyClick(&page, Qt::Key_F4);
+    EXPECT_TRUE(document.path().isEmpty());
+}
+
+TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
+    typeShopCard();
+    EXPECT_EQ(label("troubles"), QString());
+    EXPECT_EQ(label("doubtful"), QString());
+    const struct {
+        const char* field;
+        QString wrong;
+        QString right;
+        QString said;  ///< behind "STOP. "
+    } cases[] = {
+        {"piston", u"0.584"_s, u"583.9"_s, u"Piston: 0.584 g looks like kilograms. Enter grams."_s},
+        {"big_end", u"60"_s, u"229.8"_s,
+         u"The big end of the rod, 60.00 g, weighs less than its small end, 162.40 g."_s},
+        {"reciprocating_percent", u"0.5"_s, u"50"_s,
+         u"A balance factor of 0.50 % looks like a share of 1."_s},
+    };
+    for (const auto& each : cases) {
+        type(each.field, each.wrong);
+        EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + each.said))
+            << qPrintable(label("verdict"));
+        EXPECT_EQ(label("headline"), u"STOP: no bob weight yet"_s);
+        EXPECT_EQ(label("hang"), QString());
+        EXPECT_TRUE(model->lineResults().rows.isEmpty());
+        EXPECT_TRUE(label("doubtful").startsWith(u"Not to be used: bob weight "_s))
+            << qPrintable(label("doubtful"));
+        const QString printed = card().replace(u'\n', u' ');
+        EXPECT_TRUE(printed.contains(each.said)) << qPrintable(printed);
+        EXPECT_TRUE(printed.contains(u"STOP"_s));
+        static const QRegularExpression weight(u"[Bb]ob weight \\d"_s);
+        EXPECT_FALSE(printed.contains(weight)) << qPrintable(printed);
+        type("engine_number", u"7"_s);
+        pressSave();
+        EXPECT_FALSE(jobs().at(0).bobWeight);
+        EXPECT_FALSE(jobs().at(0).isFinished);
+        type(each.field, each.right);
+        EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+        EXPECT_EQ(label("doubtful"), QString());
+    }
+    EXPECT_EQ(label("troubles"), QString());
+    type("locks", QString());
+    EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: locks."_s)) << qPrintable(card());
+    EXPECT_TRUE(label("troubles").contains(u"Not given, counted as 0 g: locks."_s));
+    type("locks", u"0"_s);
+    EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
+    type("locks", u"4.8"_s);
+    // Both readings at one end: by how much their errors grow.
+    typeReadings();
+    type("read_at_1", u"500"_s);
+    type("read_at_2", u"600"_s);
+    const QString said = label("verdict");
+    EXPECT_TRUE(said.contains(u"The machine reads far outside the planes"_s)) << qPrintable(said);
+    EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
+    EXPECT_TRUE(card().replace(u'\n', u' ').contains(u"far outside"_s));
+}
+
+TEST_F(JobPageTest, SwappedEndsChangePlacesByTheButtonOfTheVerdict) {
+    typeShopCard();
+    type("small_end", u"229.8"_s);
+    type("big_end", u"162.4"_s);
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    auto* act = find<QPushButton>("verdict_act");
+    ASSERT_TRUE(act->isVisible());
+    QTest::mouseClick(act, Qt::LeftButton);
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    EXPECT_FALSE(act->isVisible());
+    model->history()->undo();
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    model->history()->redo();
+    // Those of the weigh-in sheet.
+    type("cylinders", u"2"_s);
+    for (const char* cylinder : {"1", "2"}) {
+        type((std::string("mass_rod_big_end_") + cylinder).c_str(), u"160"_s);
+        type((std::string("mass_rod_small_end_") + cylinder).c_str(), u"230"_s);
+    }
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    EXPECT_TRUE(model->takeOffResults().rows.isEmpty());
+    QTest::mouseClick(act, Qt::LeftButton);
+    EXPECT_EQ(find<NumberField>("mass_rod_big_end_1")->value(), 230.0);
+    EXPECT_NE(verdict(), u"STOP"_s) << qPrintable(label("verdict"));
+}
+
+TEST_F(JobPageTest, WhatIsTypedAgainstTheScaleCanBePutRight) {
+    typeShopCard();
+    type("cylinders", u"2"_s);
+    type("mass_piston_1", u"483.9"_s);
+    type("mass_piston_2", u"483.9"_s);
+    EXPECT_EQ(label("verdict"),
+              u"STOP. Piston: 583.90 g entered, but 483.90 g weighed. Correct the one that is "
+              "wrong."_s);
+    ASSERT_TRUE(find<NumberField>("piston")->isEnabled());
+    EXPECT_EQ(find<NumberField>("piston")->value(), 583.9);
+    type("piston", {});
+    EXPECT_NE(verdict(), u"STOP"_s) << qPrintable(label("verdict"));
+    EXPECT_FALSE(find<NumberField>("piston")->isEnabled());
+    EXPECT_EQ(find<NumberField>("piston")->value(), 483.9);
+}
+
+TEST_F(JobPageTest, WhatTheLimitIsMadeOfIsDoubted) {
+    typeShopCard();
+    typeReadings();  // planes at 60 and 480 mm
+    const std::pair<const char*, const char*> right[] = {
+        {"grade_mm_s", "16"},      {"rotor_mass_kg", "32"},    {"service_speed_rpm", "6000"},
+        {"front_bearing_mm", "0"}, {"rear_bearing_mm", "540"}, {"centre_of_mass_mm", "270"}};
+    const auto putRight = [&] {
+        for (const auto& [field, value] : right) {
+            type(field, QString::fromLatin1(value));
+        }
+        EXPECT_EQ(verdict(), u"Fails"_s) << qPrintable(label("verdict"));
+        for (const auto& each : right) {
+            EXPECT_FALSE(find<NumberField>(each.first)->isDoubtful()) << each.first;
+        }
+    };
+    const struct {
+        const char* field;
+        const char* wrong;
+        QString said;
+    } cases[] = {
+        {"rotor_mass_kg", "32000", u"A crankshaft of 32000 kg is too heavy"_s},
+        {"service_speed_rpm", "6", u"No engine runs at 6 min⁻¹ in service."_s},
+        {"front_bearing_mm", "700", u"The bearings lie the other way round"_s},
+        {"centre_of_mass_mm", "6000", u"The centre of mass lies beyond planes and bearings."_s},
+    };
+    for (const auto& each : cases) {
+        putRight();
+        type(each.field, QString::fromLatin1(each.wrong));
+        EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + each.said))
+            << qPrintable(label("verdict"));
+        EXPECT_TRUE(find<NumberField>(each.field)->isDoubtful()) << each.field;
+        EXPECT_TRUE(model->holeResults().rows.isEmpty());
+        EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "that is not doubted";
+        EXPECT_TRUE(card().replace(u'\n', u' ').contains(each.said)) << qPrintable(card());
+        EXPECT_FALSE(card().contains(u"PASS"_s));
+    }
+}
+
+TEST_F(JobPageTest, PlanesAtOnePlaceAreNamedAsTheFormNamesThem) {
+    typeShopCard();
+    typeReadings();
+    type("position_2", u"60"_s);
+    const QString said = find<NumberField>("position_2")->trouble() + label("headline") +
+                         label("troubles") + label("refused");
+    EXPECT_TRUE(said.contains(u"Rear plane, position: must differ"_s)) << qPrintable(said);
+}
+
+TEST_F(JobPageTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
+    type("rings", u"1,250"_s);
+    auto* rings = find<NumberField>("rings");
+    EXPECT_FALSE(rings->trouble().isEmpty());
+    QTest::keyClicks(rings, u"69"_s);
+    EXPECT_EQ(rings->text(), u"69"_s);
+    EXPECT_EQ(rings->value(), 69.0);
+}
+
+TEST_F(JobPageTest, WhatIsZeroNeedsNoAngle) {
+    typeShopCard();
+    typeReadings();
+    type("g_mm", u"100"_s);
+    type("unbalance_1", u"0"_s);
+    type("angle_1", QString());
+    EXPECT_FALSE(label("headline").contains(u"needed"_s));
+    const auto& result = model->solution();
+    ASSERT_TRUE(result.correction);
+    EXPECT_EQ(result.runs.size(), 1U);
+    // And has none, in the form and on the card.
+    EXPECT_EQ(find<NumberField>("angle_1")->placeholderText(), u"–"_s);
+    type("run_1_unbalance_1", u"0"_s);
+    type("run_1_unbalance_2", u"5"_s);
+    type("run_1_angle_2", u"10"_s);
+    EXPECT_TRUE(card().contains(u"Run 1\n0.0\n–\n5.0\n10.0"_s)) << qPrintable(card());
+    EXPECT_TRUE(card().contains(u"0.0 g·mm\n–\n0.00 g"_s)) << qPrintable(card());
+    EXPECT_TRUE(card().contains(u"5.0 g·mm\n10.0°\n"_s)) << qPrintable(card());
+    type("unbalance_1", u"12"_s);
+    EXPECT_EQ(find<NumberField>("angle_1")->placeholderText(), u"needed"_s);
+}
+
+TEST_F(JobPageTest, ARefusedDateLeavesTheAnswerUpToDate) {
+    typeShopCard();
+    type("date", u"31.02.2024"_s);
+    EXPECT_FALSE(find<CheckedField>("date")->trouble().isEmpty());
+    EXPECT_TRUE(label("refused").isEmpty()) << qPrintable(label("refused"));
+    EXPECT_FALSE(isAmber("headline"));
+    type("date", u"2024-02-29"_s);
+    EXPECT_TRUE(find<CheckedField>("date")->trouble().isEmpty());
+}
+
+TEST_F(JobPageTest, WeightsUnlikeTheOthersAreDoubted) {
+    typeShopCard();
+    type("cylinders", u"4"_s);
+    type("piston", {});
+    type("mass_piston_1", u"584"_s);
+    type("mass_piston_2", u"5841"_s);
+    type("mass_piston_3", u"583"_s);
+    const QString said = u"Piston: cylinder 2 weighs 5841.00 g, the others"_s;
+    EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + said)) << qPrintable(label("verdict"));
+    EXPECT_TRUE(card().contains(said)) << qPrintable(card());
+    type("mass_piston_2", u"584.1"_s);
+    EXPECT_NE(verdict(), u"STOP"_s) << qPrintable(label("verdict"));
+}
+
+TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
+    typeShopCard();
+    type("engine_number", u"53"_s);
+    type("piston", u"58x"_s);
+    EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
+    EXPECT_TRUE(isAmber("headline"));
+    EXPECT_FALSE(find<QLabel>("headline")->font().bold());
+    EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"these entries are refused: Piston"_s));
+    const auto asked = answer(u"Go on"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"Piston"_s));
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    type("piston", u"583.9"_s);
+    EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_FALSE(isAmber("headline"));
+    save();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(JobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(4);
+    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
+    type("g_mm", u"300"_s);
+    type("run_1_unbalance_1", u"5100"_s);
+    type("run_1_angle_1", u"75"_s);
+    type("run_1_unbalance_2", u"1450"_s);
+    type("run_1_angle_2", u"210"_s);
+    const QString said = label("troubles");
+    EXPECT_TRUE(label("verdict").startsWith(
+        u"STOP. Front plane: the drilling has increased the unbalance to "_s))
+        << qPrintable(label("verdict"));
+    EXPECT_TRUE(said.contains(u"Rear plane: the drilling has left 1450.0 g·mm"_s))
+        << qPrintable(said);
+    // One says what was really drilled.
+    QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
+    EXPECT_EQ(page.sheets()->currentIndex(), 5);
+    EXPECT_FALSE(card().contains(u"then PASS"_s)) << qPrintable(card());
+    type("engine_number", u"7"_s);
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"stopped"_s);
+    EXPECT_TRUE(card().contains(u"has increased the unbalance"_s)) << qPrintable(card());
+}
+
+TEST_F(JobPageTest, RunsFollowOneAnother) {
+    type("customer", u"Smith"_s);
+    typeShopCard();
+    EXPECT_FALSE(find<NumberField>("run_1_unbalance_1")->isVisibleTo(&page));
+    typeReadings();
+    page.sheets()->setCurrentIndex(4);
+    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
+    type("g_mm", u"300"_s);
+    EXPECT_EQ(rowsOf("Runs of the machine"), 0);
+    type("run_1_unbalance_1", u"350"_s);
+    EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
+    EXPECT_TRUE(
+        label("troubles").contains(u"Sheet 5, Run 1, Front plane: Heavy spot is still needed"_s))
+        << qPrintable(label("troubles"));
+    type("run_1_angle_1", u"80"_s);
+    type("run_1_unbalance_2", u"120"_s);
+    type("run_1_angle_2", u"200"_s);
+    EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
+    EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
+    ASSERT_TRUE(model->solution().correction);
+    const std::vector<Hole>& holes = (*model->solution().correction)[0].holes;
+    ASSERT_EQ(holes.size(), 1u);
+    EXPECT_TRUE(holes[0].deepens) << "that of the run before";
+    EXPECT_NEAR(holes[0].angle, 75 * degree, 1e-9);
+    const double remaining = (*model->solution().correction)[0].remaining;
+    EXPECT_LT(remaining, 300e-6) << "the next correction is that of the newest run";
+    EXPECT_EQ(rowsOf("Runs of the machine"), 2);
+    EXPECT_EQ(model->runResults().rows.at(0).last(), u"FAIL"_s);
+    EXPECT_EQ(verdict(), u"Fails"_s);
+    EXPECT_TRUE(label("verdict").contains(u"After the planned correction: "_s));
+    type("run_2_unbalance_1", u"60"_s);
+    type("run_2_angle_1", u"10"_s);
+    type("run_2_unbalance_2", u"20"_s);
+    type("run_2_angle_2", u"300"_s);
+    EXPECT_EQ(model->runResults().rows.at(2).last(), u"PASS"_s);
+    const QString printed = card();
+    for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
+        EXPECT_TRUE(printed.contains(QString::fromUtf8(text))) << text << '\n'
+                                                               << qPrintable(printed);
+    }
+    // As a window of 1024 × 700 has it, nothing scrolls sideways.
+    test::showAt(page, {915, 560});
+    for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+        if (table->isVisible()) {
+            EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0)
+                << qPrintable(table->accessibleName());
+        }
+    }
+    for (int i = 0; i < page.sheets()->count(); ++i) {
+        page.sheets()->setCurrentIndex(i);
+        QApplication::processEvents();
+        const auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->widget(i));
+        EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << i;
+    }
+    save();
+    EXPECT_NEAR(*jobs().at(0).frontReading, 60, 1e-9);
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    EXPECT_EQ(model->inputJson().at("correction").at("earlier_runs").size(), 2u);
+    EXPECT_EQ(model->resultJson().at("correction").at("runs").size(), 3u);
+    // A run without any reading is none.
+    for (const char* name : {"unbalance_1", "angle_1", "unbalance_2", "angle_2"}) {
+        type(QByteArray("run_2_").append(name).constData(), QString());
+    }
+    EXPECT_EQ(model->newestRun(), 1u);
+    EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
+    page.model()->undo();
+    EXPECT_EQ(model->newestRun(), 2u);
+}
+
+TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(4);
+    const auto shown = [this] {
+        QStringList rows;
+        for (const ResultRow& row : drilled().rows) {
+            rows << row.texts().join(u" | "_s);
+        }
+        return rows;
+    };
+    EXPECT_TRUE(shown().isEmpty());
+    QStringList planned;
+    for (const ResultRow& row : model->holeResults().rows) {
+        planned << u"Before | "_s + row.texts().join(u" | "_s);
+    }
+    ASSERT_EQ(planned.size(), 2);
+    type("run_1_unbalance_1", u"900"_s);
+    EXPECT_EQ(shown(), planned) << "also while the next run is being typed";
+    type("run_1_angle_1", u"73"_s);
+    type("run_1_unbalance_2", u"100"_s);
+    type("run_1_angle_2", u"210"_s);
+    EXPECT_EQ(shown(), planned);
+    EXPECT_EQ(rowsOf("Already drilled"), 2);
+    const QString depth = drilled().rows.at(0).at(2).text;
+    EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
+    EXPECT_TRUE(card().contains(depth + u'\n'));
+    // Other drills say nothing of the holes that are there, nor does a reading that is put right.
+    type("diameters_mm", u"10"_s);
+    EXPECT_EQ(shown(), planned);
+    page.sheets()->setCurrentIndex(4);
+    const QString corrected = u"Before: what was drilled was planned from another reading."_s;
+    type("angle_1", u"60"_s);
+    EXPECT_EQ(shown(), planned);
+    EXPECT_TRUE(label("troubles").contains(corrected)) << qPrintable(label("troubles"));
+    EXPECT_TRUE(card().contains(corrected));
+    model->loadInput(model->inputJson(), {});
+    EXPECT_EQ(shown(), planned);
+    EXPECT_TRUE(label("troubles").contains(corrected));
+    type("angle_1", u"75"_s);
+    EXPECT_FALSE(label("troubles").contains(corrected));
+    // Nor do they where the next run is emptied and typed anew.
+    const std::pair<const char*, QString> next[] = {{"run_1_unbalance_1", u"900"_s},
+                                                    {"run_1_angle_1", u"73"_s},
+                                                    {"run_1_unbalance_2", u"100"_s},
+                                                    {"run_1_angle_2", u"210"_s}};
+    for (const auto& cell : next) {
+        type(cell.first, QString());
+    }
+    EXPECT_EQ(model->newestRun(), 0u);
+    model->loadInput(model->inputJson(), {});
+    page.sheets()->setCurrentIndex(4);
+    for (const auto& [key, value] : next) {
+        type(key, value);
+    }
+    EXPECT_EQ(shown(), planned);
+    // The picture has them where nothing is to be drilled, too.
+    const auto picture = [this] {
+        return page.findChild<PlaneView*>(u"plane_1"_s)->grab().toImage();
+    };
+    type("run_1_unbalance_1", u"1"_s);
+    const QImage drawn = picture();
+    model->editCorrection(u"none"_s, [](Correction& it) { it.earlier_runs[0].drilled.emplace(); });
+    EXPECT_TRUE(shown().isEmpty());
+    EXPECT_NE(picture(), drawn);
+    page.model()->undo();
+    EXPECT_EQ(picture(), drawn);
+    page.model()->undo();
+    // Once all is within its limits they are still there.
+    type("run_2_unbalance_1", u"1"_s);
+    type("run_2_angle_1", u"10"_s);
+    type("run_2_unbalance_2", u"1"_s);
+    type("run_2_angle_2", u"10"_s);
+    ASSERT_TRUE(shown().size() > 2);
+    EXPECT_EQ(shown().mid(0, 2), planned);
+    EXPECT_TRUE(shown().at(2).startsWith(u"Run 1 | Front"_s));
+    EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
+}
+
+TEST_F(JobPageTest, ReadingsMayBeSaidToHoldAfterTheNextRun) {
+    typeShopCard();
+    typeReadings();
+    page.sheets()->setCurrentIndex(4);
+    type("overbalance_percent", u"2"_s);
+    auto* hold = find<QPushButton>("readings_hold");
+    const auto run = [&](bool isHeldBefore) {
+        page.sheets()->setCurrentIndex(4);
+        if (isHeldBefore) {
+            hold->click();
+        }
+        type("run_1_unbalance_1", u"900"_s);
+        type("run_1_angle_1", u"73"_s);
+        type("run_1_unbalance_2", u"100"_s);
+        type("run_1_angle_2", u"210"_s);
+        if (!isHeldBefore) {
+            EXPECT_TRUE(drilled().rows.isEmpty());
+            hold->click();
+        }
+    };
+    const Json start = model->inputJson();
+    run(true);
+    const Correction before = *model->input().correction;
+    EXPECT_EQ(drilled().rows.size(), 2);
+    model->loadInput(start, {});
+    run(false);
+    EXPECT_EQ(*model->input().correction, before);
+}
+
+TEST_F(JobPageTest, ColumnsArePasted) {
+    typeShopCard();
+    type("cylinders", u"4"_s);
+    page.sheets()->setCurrentIndex(2);
+    auto* first = find<NumberField>("mass_piston_1");
+    const auto paste = [&](const QString& text) {
+        first->setFocus();
+        QApplication::clipboard()->setText(text);
+        QTest::keyClick(first, Qt::Key_V, Qt::ControlModifier);
+    };
+    paste(u"Piston\tPin\n590\t170 g\n592\t0.172 kg\n"_s);
+    const auto mass = [&](shop::Part part, std::size_t cylinder) {
+        return (*model->input().weigh_in)[part].mass.at(cylinder).value_or(0) / units::gram;
+    };
+    EXPECT_NEAR(mass(shop::Part::piston, 1), 592, 1e-9);
+    EXPECT_NEAR(mass(shop::Part::pin, 1), 172, 1e-9);
+    paste(u"1\n2\n3\n4\n5\n"_s);
+    EXPECT_TRUE(label("weigh_in_trouble").contains(u"does not fit"_s));
+    EXPECT_NEAR(mass(shop::Part::piston, 0), 590, 1e-9);
+    QTest::keyClick(first, Qt::Key_Down);
+    EXPECT_EQ(page.focusWidget(), find<NumberField>("mass_piston_2"));
+    // More cylinders than the sheet has lines.
+    type("cylinders", u"20"_s);
+    page.sheets()->setCurrentIndex(2);
+    paste(QStringList(20, u"600"_s).join(u'\n'));
+    EXPECT_EQ(label("headline"), u"Bob weight 1521.3 g"_s) << "all 20 count";
+}
+
+TEST_F(JobPageTest, AnotherEngineIsAJobOfItsOwn) {
+    CaseDocument document(model, {});
+    typeShopCard();
+    type("engine_number", u"A 1"_s);
+    ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
+    save();
+    type("oil", u"5"_s);
+    ASSERT_TRUE(document.needsSaving());
+    save();
+    EXPECT_TRUE(document.needsSaving()) << "the journal has it, the file has not";
+    EXPECT_TRUE(model->desk()->isJournaled());
+    EXPECT_EQ(jobs().size(), 1);
+    type("crankshaft_number", u"K 7"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 1) << "a number that comes later";
+    type("engine_number", u"B 2"_s);
+    auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"A 1 / K 7"_s)) << qPrintable(*asked);
+    EXPECT_TRUE(asked->contains(u"B 2 / K 7"_s)) << qPrintable(*asked);
+    EXPECT_EQ(jobs().at(0).engineNumber, u"A 1"_s);
+    asked = answer(u"Save as a new job"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 2);
+    EXPECT_EQ(jobs().at(0).engineNumber, u"B 2"_s);
+    type("cylinders", u"6"_s);
+    asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"another engine"_s)) << qPrintable(*asked);
+    type("cylinders", u"8"_s);
+    type("engine_number", u"B 3"_s);
+    asked = answer(u"Change that job"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+}
+
+TEST_F(JobPageTest, AJobFromAFileIsNotSavedTwiceWithoutAWord) {
+    typeShopCard();
+    type("engine_number", u"E-1"_s);
+    save();
+    const auto reload = [this] { model->loadInput(model->inputJson(), {}); };
+    reload();
+    save();
+    EXPECT_EQ(jobs().size(), 1) << "as the journal has it: nothing to ask";
+    reload();
+    type("piston", u"600"_s);
+    auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->startsWith(u"The journal has a job of E-1 and this day already, saved on"_s))
+        << qPrintable(*asked);
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_NEAR(*jobs().at(0).bobWeight, 1505.2, 1e-9) << "nothing is lost without a word";
+    asked = answer(u"Replace it"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_GT(*jobs().at(0).bobWeight, 1506.0);
+    // From here it is the sheet's job.
+    type("piston", u"610"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 1);
+    reload();
+    type("piston", u"620"_s);
+    asked = answer(u"Save as another"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+    // A crankshaft number that came later is of the same job; another day or number is not.
+    reload();
+    type("crankshaft_number", u"C-1"_s);
+    asked = answer(u"Replace it"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+    reload();
+    type("date", u"2020-01-02"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 3);
+    reload();
+    type("engine_number", u"E-2"_s);
+    type("crankshaft_number", u"C-2"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 4);
+    // Without numbers it may be anybody's.
+    reload();
+    type("engine_number", {});
+    type("crankshaft_number", {});
+    type("customer", u"Somebody"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 5);
+}
+
+TEST_F(JobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Gram);
+    const WorkshopPage again(QString(), nullptr);
+    const QString mass = test::named<NumberField>(again, "rotor_mass_kg")->unit();
+    typeShopCard();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.grade = 6.3 * units::mm_per_s;
+        it.rotor_mass = 32.0;
+        it.service_speed = 6000 * units::rpm;
+    });
+    model->edit(u"split"_s, [](Job& input) {
+        input.engine.cylinders = 6;
+        input.engine.pin_split = 30.0 * degree;
+    });
+    const QString printed = card();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_EQ(mass, u"kg"_s);
+    EXPECT_TRUE(printed.contains(u", 32 kg at"_s)) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(u"On each of the 6 crankpins"_s)) << qPrintable(printed);
+}
+
+TEST_F(JobPageTest, DensityIsNeededWithSlugsAlone) {
+    EXPECT_EQ(find<NumberField>("slug_density_kg_m3")->placeholderText(), u"–"_s);
+    type("slug_diameter_mm", u"20"_s);
+    EXPECT_EQ(find<NumberField>("slug_density_kg_m3")->placeholderText(), u"needed"_s);
+}
+
+TEST_F(JobPageTest, UnbalancesFollowTheirUnit) {
+    typeShopCard();
+    typeReadings();
+    Preferences::instance().setUnits(Preferences::Unbalance, Preferences::Units::GramInch);
+    const QString row = model->planeResults().rows.at(0).at(1);
+    const QString printed = card();
+    model->editTolerance(u"limit"_s, [](Tolerance& tolerance) { tolerance.by_grade = false; });
+    type("g_mm", u"2 oz-in"_s);
+    EXPECT_NEAR(*model->input().tolerance->plane / units::gram_mm, 1440, 1);
+    const WorkshopPage again(QString(), nullptr);
+    const QString limit = test::named<NumberField>(again, "g_mm")->accessibleName();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(row.contains(u"102.36"_s) && row.contains(u"g·in"_s)) << qPrintable(row);
+    EXPECT_TRUE(printed.contains(u"Front plane, g·in"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"g·mm"_s)) << qPrintable(printed);
+    EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
+}
+
+TEST_F(JobPageTest, WhatWasReallyDrilledIsEntered) {
+    typeShopCard();
+    typeReadings();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 300 * units::gram_mm;
+    });
+    for (const auto& [key, value] : {std::pair("run_1_unbalance_1", "900"),
+                                     {"run_1_angle_1", "73"},
+                                     {"run_1_unbalance_2", "100"},
+                                     {"run_1_angle_2", "210"}}) {
+        type(key, QString::fromLatin1(value));
+    }
+    auto* depth = find<NumberField>("drilled_depth_1");
+    auto* state = find<QComboBox>("drilled_state_1");
+    ASSERT_TRUE(depth->isVisibleTo(page.sheets()->widget(5)));
+    EXPECT_EQ(state->currentIndex(), static_cast<int>(HoleState::as_planned));
+    const auto hole = [&] { return model->input().correction->earlier_runs[0].drilled->at(0); };
+    const double planned = hole().depth;
+    // A refused depth stands where any refused entry does.
+    type(depth, u"5x"_s);
+    EXPECT_FALSE(label("refused").isEmpty());
+    EXPECT_EQ(hole().depth, planned);
+    type(depth, u"5"_s);
+    EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_NEAR(hole().depth, 5e-3, 1e-12);
+    EXPECT_EQ(hole().state, HoleState::measured);
+    EXPECT_EQ(state->currentIndex(), static_cast<int>(HoleState::measured));
+    const double angle = hole().angle;
+    const auto shown = [&] { return drilled().rows.at(0).texts(); };
+    const QStringList measured = shown();
+    EXPECT_TRUE(measured.contains(u"5.0"_s)) << qPrintable(measured.join(u' '));
+    const auto choose = [&](HoleState wanted) {
+        page.sheets()->setCurrentIndex(5);
+        state->setFocus();
+        QTest::keyClick(state, Qt::Key_Home);
+        for (int i = 0; i < static_cast<int>(wanted); ++i) {
+            QTest::keyClick(state, Qt::Key_Down);
+        }
+        EXPECT_EQ(hole().state, wanted);
+    };
+    choose(HoleState::wrong_side);
+    EXPECT_NE(shown(), measured);
+    EXPECT_EQ(hole().angle, angle) << "as it was to be";
+    choose(HoleState::not_drilled);
+    EXPECT_NE(shown(), measured);
+    const auto undoAll = model->history()->index();
+    choose(HoleState::measured);
+    EXPECT_EQ(shown(), measured);
+    while (model->history()->index() > undoAll) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(hole().state, HoleState::not_drilled);
+    // A hole that was there before any of it.
+    page.sheets()->setCurrentIndex(5);
+    test::whenModal<QDialog>(qApp, [](QDialog* dialog) {
+        for (const auto& [key, value] : {std::pair("hole_diameter_mm", "10"),
+                                         {"hole_depth_mm", "12"},
+                                         {"hole_angle_deg", "30"}}) {
+            auto* field = test::named<NumberField>(*dialog, key);
+            field->setFocus();
+            QTest::keyClicks(field, QString::fromLatin1(value));
+        }
+        QPushButton* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        EXPECT_TRUE(ok->isEnabled());
+        QTest::mouseClick(ok, Qt::LeftButton);
+    });
+    QTest::mouseClick(find<QPushButton>("add_hole"), Qt::LeftButton);
+    ASSERT_EQ(model->input().correction->earlier_runs.size(), 2u);
+    EXPECT_EQ(model->newestRun(), 1u) << "it is of no run";
+    EXPECT_EQ(find<NumberField>("run_1_unbalance_1")->value(), 900.0);
+    EXPECT_EQ(drilled().rows.at(0).at(0).text, u"There before"_s);
+    EXPECT_EQ(find<NumberField>("drilled_depth_1")->value(), 12.0);
+    const Json kept = model->inputJson();
+    model->loadInput(kept, {});
+    EXPECT_EQ(model->inputJson(), kept);
+    EXPECT_EQ(model->newestRun(), 1u);
+}
+
+TEST_F(JobPageTest, TheMachineIsSetUpAsItCountsAndShows) {
+    typeShopCard();
+    typeReadings();
+    const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
+    auto* shows = find<QComboBox>("shows");
+    page.sheets()->setCurrentIndex(4);
+    shows->setFocus();
+    QTest::keyClick(shows, Qt::Key_Down);
+    EXPECT_EQ(model->input().machine.shows, workshop::Machine::Shows::light);
+    EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, heavy + pi, 1e-9);
+    EXPECT_EQ(find<NumberField>("angle_1")->value(), 75.0) << "as the machine shows it";
+    type("zero", u"keyway"_s);
+    type("planes", u"left, right"_s);
+    EXPECT_TRUE(model->holeResults().rows.at(0).at(0).text.startsWith(u"Left: "_s))
+        << qPrintable(model->holeResults().rows.at(0).at(0).text);
+    const QString printed = card().replace(u'\n', u' ');
+    for (const QString& text : {u"Left"_s, u"0°: keyway."_s, u"shows the light spot"_s}) {
+        EXPECT_TRUE(printed.contains(text)) << qPrintable(text) << qPrintable(printed);
+    }
+    EXPECT_FALSE(printed.contains(u"Front plane"_s)) << qPrintable(printed);
+    const Json kept = model->inputJson();
+    model->newJob();
+    EXPECT_EQ(model->inputJson().at("machine"), kept.at("machine")) << "the next job's, too";
+}
+
+TEST_F(JobPageTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
+    typeShopCard();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 100 * units::gram_mm;
+    });
+    type("unbalance_1", u"80"_s);
+    EXPECT_NE(verdict(), u"Passes"_s) << "one plane is not read yet";
+    type("unbalance_2", u"90"_s);
+    EXPECT_EQ(verdict(), u"Passes"_s) << qPrintable(label("verdict"));
+    EXPECT_TRUE(model->holeResults().rows.isEmpty());
+    type("engine_number", u"7"_s);
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    type("unbalance_2", u"120"_s);
+    EXPECT_EQ(verdict(), u"Fails"_s);
+    EXPECT_TRUE(card().contains(u"FAIL"_s)) << qPrintable(card());
+}
+
+TEST_F(JobPageTest, AFinishedPassIsNotLostToAStopWithoutAWord) {
+    typeShopCard();
+    typeReadings();
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 3000 * units::gram_mm;
+    });
+    type("engine_number", u"53-1"_s);
+    save();
+    ASSERT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("reciprocating_percent", u"0.5"_s);
+    const auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"its verdict: PASS"_s)) << qPrintable(*asked);
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    EXPECT_EQ(jobs().size(), 1);
+}
+
+TEST_F(JobPageTest, PlugsComeAndGoWithWhatTheirFormHad) {
+    typeShopCard();
+    auto* plugs = find<QCheckBox>("has_plugs");
+    const auto click = [&] {
+        page.sheets()->setCurrentIndex(0);
+        plugs->setFocus();
+        QTest::keyClick(plugs, Qt::Key_Space);
+    };
+    const Json before = model->inputJson();
+    EXPECT_FALSE(page.sheets()->isTabVisible(3));
+    click();
+    ASSERT_TRUE(model->hasPlugs());
+    EXPECT_TRUE(page.sheets()->isTabVisible(3));
+    EXPECT_FALSE(find<NumberField>("piston")->isVisibleTo(page.sheets()->widget(1)));
+    EXPECT_TRUE(find<NumberField>("reciprocating_mass_g")->isVisibleTo(page.sheets()->widget(1)));
+    // Other engines have none.
+    type("bank_angle_deg", u"60"_s);
+    EXPECT_TRUE(find<NumberField>("bank_angle_deg")->trouble().contains(u"Untick"_s))
+        << qPrintable(find<NumberField>("bank_angle_deg")->trouble());
+    EXPECT_NEAR(*model->input().engine.bank_angle, 90 * degree, 1e-12);
+    QTest::keyClick(find<NumberField>("bank_angle_deg"), Qt::Key_Escape);
+    click();
+    EXPECT_EQ(model->inputJson(), before) << "what stood there comes back";
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    model->history()->undo();
+    EXPECT_TRUE(model->hasPlugs());
+    EXPECT_TRUE(plugs->isChecked());
+    model->history()->undo();
+    EXPECT_EQ(model->inputJson(), before);
+    type("bank_angle_deg", u"60"_s);
+    EXPECT_FALSE(plugs->isEnabled());
+}
+
+TEST(AlreadyDrilled, HasAsManyAnglesInARowAsItHasRoomFor) {
+    Result result;
+    result.runs.resize(1);
+    result.runs[0].drilled[0].holes.assign(10, Hole{});
+    EXPECT_EQ(bob_text::drilled(Words(), {}, result).size(), 3);
+}
+
+TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
+    EXPECT_FALSE(partPlot(page, "force")->isVisible());
+    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    model->loadInput(example.at("input"), {});
+    PartPlot* plot = partPlot(page, "force");
+    EXPECT_TRUE(plot->isVisible());
+    plot->grab();  // its axes follow where it is painted
+    const auto& solution = model->solution();
+    const auto bare = bob_weights::force_path(*solution.first_order_bare);
+    const auto left = bob_weights::force_path(*solution.first_order);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{31}, std::size_t{90}}) {
+        EXPECT_NEAR(plot->data().curve(0).x[i], bare.across[i] / units::gram, 1e-9);
+        EXPECT_NEAR(plot->data().curve(0).y[i], bare.upright[i] / units::gram, 1e-9);
+        EXPECT_NEAR(plot->data().curve(1).y[i], left.upright[i] / units::gram, 1e-9);
+    }
+    const double reach = solution.first_order_bare->greatest() / units::gram;
+    EXPECT_GT(plot->yInterval(PlotView::Side::Left).second, reach);
+    EXPECT_GT(plot->xInterval().second, reach);
+}
+
+}  // namespace
+}  // namespace ravnoves

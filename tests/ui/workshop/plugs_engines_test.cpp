@@ -1,0 +1,127 @@
+// The engines to choose from and those of the shop's own.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QPushButton>
+
+#include "plugs_page_test.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+TEST_F(PlugsPageTest, OwnEnginesByKeyboard) {
+    show(Plugs);
+    auto* keep = find<QPushButton>("save_engine");
+    auto* rename = find<QPushButton>("rename_engine");
+    auto* remove = find<QPushButton>("remove_engine");
+    EXPECT_FALSE(rename->isEnabled());
+    EXPECT_FALSE(remove->isEnabled());
+    const auto giveName = [&](QPushButton* button, const QString& name) {
+        whenModal<QInputDialog>([name](QInputDialog* dialog) {
+            dialog->setTextValue(name);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Space);
+    };
+    type("steel_plug_mass_g", u"25"_s);
+    giveName(keep, u"ZMZ-53"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-53"_s);
+    EXPECT_TRUE(rename->isEnabled());
+    giveName(rename, u"ZMZ-66"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-66"_s);
+    EXPECT_EQ(model->input().plugs->engine.name, "ZMZ-66");
+    // The same name again, in other capitals: asked first.
+    type("steel_plug_mass_g", u"26"_s);
+    EXPECT_TRUE(model->ownEngineChanged());
+    EXPECT_FALSE(model->engineNote().isEmpty());
+    const auto keepAnd = [&](QMessageBox::StandardButton button) {
+        whenModal<QInputDialog>([button](QInputDialog* dialog) {
+            answer(button);
+            dialog->setTextValue(u"zmz-66"_s);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        QTest::mouseClick(keep, Qt::LeftButton);
+    };
+    keepAnd(QMessageBox::No);
+    EXPECT_TRUE(model->ownEngineChanged());
+    keepAnd(QMessageBox::Yes);
+    EXPECT_FALSE(model->ownEngineChanged());
+    EXPECT_EQ(model->engineNames().size(), 8);
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->engineNames().size(), 7);
+    EXPECT_FALSE(remove->isEnabled());
+}
+
+TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
+    type("customer", u"Smith"_s);
+    type("height_mm", u"9.5"_s);
+    type("bore_diameter_mm", u"12"_s);
+    type("bore_depth_mm", u"5"_s);
+    type("cutter_diameter_mm", u"14"_s);
+    type("nominal_piston", u"600"_s);
+    type("spread_piston", u"2"_s);
+    type("mass_piston_1", u"601"_s);
+    // Kept with the engine.
+    const PlugSheet plug = model->input().plugs->plug.value();
+    whenModal<QInputDialog>([](QInputDialog* dialog) {
+        dialog->setTextValue(u"Kept"_s);
+        dialog->accept();
+    });
+    QTest::mouseClick(find<QPushButton>("save_engine"), Qt::LeftButton);
+    auto* engine = find<QComboBox>("engine");
+    show(Job);
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Home);
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().plugs->preset, "6 l");
+    EXPECT_EQ(field("height_mm")->value(), 11.0) << "another engine's plug stays";
+    EXPECT_FALSE(field("bore_diameter_mm")->value());
+    EXPECT_EQ(field("cutter_diameter_mm")->value(), 14.0) << "the cutter is the shop's";
+    EXPECT_FALSE(field("nominal_piston")->value());
+    EXPECT_EQ(field("mass_piston_1")->value(), 601.0) << "what the scale said stays";
+    QTest::keyClick(engine, Qt::Key_End);
+    EXPECT_EQ(model->input().plugs->engine.name, "Kept");
+    EXPECT_EQ(model->input().plugs->plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_EQ(field("spread_piston")->value(), 2.0);
+    // The next job keeps what is the engine's.
+    type("grade_mm_s", u"16"_s);
+    type("rotor_mass_kg", u"30"_s);
+    type("service_speed_rpm", u"3200"_s);
+    type("unbalance_1", u"100"_s);
+    press(Qt::Key_F2);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().plugs->plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_FALSE(field("mass_piston_1")->value());
+    EXPECT_EQ(field("grade_mm_s")->value(), 16.0);
+    EXPECT_FALSE(field("unbalance_1")->value());
+}
+
+TEST_F(PlugsPageTest, EngineChoiceAndFlags) {
+    type("rod_big_end", u"0"_s);
+    auto* engine = find<QComboBox>("engine");
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().plugs->preset, "6 l");
+    EXPECT_EQ(field("crank_radius_mm")->value(), 47.5);
+    auto* flag = find<QCheckBox>("has_new_plug");
+    show(Plugs);
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_FALSE(model->input().plugs->engine.has_new_plug);
+    EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
+    EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
+    EXPECT_TRUE(model->plugs()->advice);
+    EXPECT_FALSE(model->plugs()->option(OptionId::new_steel_to_steel));
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_EQ(field("new_plug_radius_mm")->value(), 63.2);
+}
+
+}  // namespace
+}  // namespace ravnoves

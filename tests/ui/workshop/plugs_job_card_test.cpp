@@ -1,0 +1,371 @@
+// The job card as a reader of the PDF finds it: its text is extracted and its numbers compared
+// with what the command line computes from the same case.
+
+#include <QPainter>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSettings>
+#include <cmath>
+#include <random>
+
+#include "case-file/text_file.h"
+#include "painted.h"
+#include "plugs_page_test.h"
+#include "scenes/scenes.h"
+#include "text/preferences.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/plugs/model/v8_text.h"
+#include "workshop/workshop_card.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+Json eight(double first, double step) {
+    Json masses = Json::array();
+    for (int i = 0; i < 8; ++i) {
+        masses.push_back(first + i * step);
+    }
+    return masses;
+}
+
+/// Plugs that weigh what their sizes say, with a bore that is to be made deeper.
+void bore(Json& input) {
+    input["plugs"]["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14,
+        "bore_diameter_mm": 14, "bore_depth_mm": 8, "cutter_diameter_mm": 14,
+        "minimum_wall_mm": 1.5, "minimum_bottom_mm": 2})");
+    input["plugs"]["engine"].update(parse_json(R"({"steel_plug_mass_g": 28.5,
+        "aluminium_plug_mass_g": 9.8, "new_steel_plug_mass_g": 30,
+        "new_aluminium_plug_mass_g": 10.3, "max_steel_reduction_g": 6,
+        "max_aluminium_reduction_g": 2})"));
+    input["plugs"]["tolerance_g_mm"] = 30;
+}
+
+class JobCardTest : public ::testing::Test {
+  protected:
+    QString path(const QString& name) const { return QDir(folder_.path()).filePath(name); }
+
+    /// What the command line says of the case.
+    Json commandLine(const Json& input) {
+        write_text_file(path(u"card.case.json"_s).toStdString(),
+                        write_case({"workshop", "card", input}).dump());
+        QProcess process;
+        process.start(QStringLiteral(RAVNOVES_CLI), {u"solve"_s, path(u"card.case.json"_s)});
+        EXPECT_TRUE(process.waitForFinished(60000));
+        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().data();
+        return parse_json(process.readAllStandardOutput().toStdString()).at("result");
+    }
+
+    /// The card of a case, as the page makes it.
+    static WorkshopCard card(const Json& input, const QString& language) {
+        WorkshopModel model({});
+        model.loadInput(input, {});
+        return {model, Words(language)};
+    }
+    /// The text of the card's PDF, in rows as they are printed.
+    QStringList cardRows(const Json& input, const QString& language) {
+        const QString pdf = path(u"card.pdf"_s);
+        EXPECT_EQ(card(input, language).writePdf(pdf), QString());
+        return textOfPdf(pdf).split(u'\n');
+    }
+    QString cardText(const Json& input, const QString& language) {
+        return cardRows(input, language).join(u' ').simplified();
+    }
+
+    /// The numbers of the row that begins with the text, after it.
+    static std::vector<double> numbers(const QStringList& rows, const QString& start) {
+        for (const QString& row : rows) {
+            const qsizetype at = row.indexOf(start);
+            // A title begins its row; a name in a sentence does not.
+            if (at < 0 || !row.left(at).trimmed().isEmpty()) {
+                continue;
+            }
+            std::vector<double> found;
+            static const QRegularExpression number(u"(?<![\\w.,])[−-]?\\d+([.,]\\d+)?"_s);
+            auto match = number.globalMatch(row.mid(at + start.size()));
+            while (match.hasNext()) {
+                QString text = match.next().captured();
+                text.replace(u'−', u'-').replace(u',', u'.');
+                found.push_back(text.toDouble());
+            }
+            return found;
+        }
+        ADD_FAILURE() << "no row begins with " << qPrintable(start) << " in\n"
+                      << qPrintable(rows.join(u'\n'));
+        return {};
+    }
+
+    /// Every number that both say.
+    void compare(const Json& input, const QString& language) {
+        const Json result = commandLine(input);
+        const QStringList rows = cardRows(input, language);
+        const Words words(language);
+        for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+            const Word& word = v8_plugs::option_word(id);
+            const Json& option = result.at("plugs").at("options").at(std::string(word.word));
+            if (option.at("constant_g").is_null()) {
+                continue;
+            }
+            const auto row = numbers(rows, words.text(word.label));
+            ASSERT_EQ(row.size(), 3U) << word.word;
+            EXPECT_NEAR(row[0], option.at("required_reduction_g").get<double>(), 0.5001e-3);
+            EXPECT_NEAR(row[2], option.at("residual_unbalance_g_mm").get<double>(), 0.0501);
+        }
+        // The bob weight in large type, and its lines, which add up to it as printed.
+        const double weight = result.at("bobweight_g");
+        const QString large = words.number(weight * units::gram, units::gram, 1).simplified();
+        EXPECT_TRUE(rows.join(u' ').simplified().contains(large)) << qPrintable(large);
+        double sum = 0.0;
+        WorkshopModel model({});
+        model.loadInput(input, {});
+        const ResultRows lines = bob_text::lines(words, model.solution());
+        ASSERT_EQ(lines.size(), static_cast<qsizetype>(result.at("lines").size()) + 1);
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            // Beside the last of them there may be a drawing of the plug.
+            const auto row = numbers(rows, lines.at(i).at(0).text);
+            const bool isSum = i + 1 == lines.size();
+            ASSERT_GE(row.size(), isSum ? 1U : 3U);
+            if (isSum) {
+                EXPECT_NEAR(row[0], weight, 0.0501);
+                EXPECT_NEAR(row[0], sum, 1e-9 * sum);
+            } else {
+                sum += row[2];
+            }
+        }
+        if (result.contains("permissible_g_mm")) {
+            const QString limit = bob_text::limits(words, model.input(), model.solution());
+            EXPECT_TRUE(rows.join(u' ').simplified().contains(limit.simplified()))
+                << qPrintable(limit);
+        }
+    }
+
+    static Json shopsJob() {
+        Json input = repairJob();
+        input["tolerance"] = {
+            {"grade_mm_s", 16}, {"rotor_mass_kg", 33.5}, {"service_speed_rpm", 3200}};
+        input["correction"]["readings"] = {{{"unbalance_g_mm", 410}}, {{"unbalance_g_mm", 900.5}}};
+        input["job"] = {{"engine_number", "53-11 № 0042817"},
+                        {"crankshaft_number", "66-1005015"},
+                        {"customer", "Автобаза № 3"},
+                        {"technician", "Иванов А. П."},
+                        {"date", "2024-05-31"},
+                        {"notes", "Oversize pistons, second repair shells"}};
+        return input;
+    }
+    static void weigh(Json& input, double first, double step) {
+        for (const char* part :
+             {"piston", "pin", "rings", "rod_big_end", "rod_small_end", "shells"}) {
+            input["weigh_in"][part] = {
+                {"nominal_g", first}, {"permitted_spread_g", 1}, {"mass_g", eight(first, step)}};
+        }
+        // Rods whose ends weigh alike are no doubt.
+        input["weigh_in"]["rod_small_end"]["nominal_g"] = first / 2;
+        input["weigh_in"]["rod_small_end"]["mass_g"] = eight(first / 2, step);
+        input["plugs"]["mass_changes_from"] = "typed";
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(JobCardTest, EveryNumberIsTheCommandLines) {
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        compare(repairJob(), language);
+        compare(plugsJob("v8-6-manufacture.case.json"), language);
+        compare(shopsJob(), language);
+    }
+    std::mt19937 generator(11);
+    const auto between = [&](double low, double high) {
+        return std::round(std::uniform_real_distribution<double>(low, high)(generator) * 1e3) / 1e3;
+    };
+    for (int round = 0; round < 8; ++round) {
+        Json input = shopsJob();
+        Json& engine = input["plugs"]["engine"];
+        engine["crank_radius_mm"] = between(35, 75);
+        engine["plug_radius_mm"] = between(40, 80);
+        engine["new_plug_radius_mm"] = between(45, 90);
+        engine["steel_plug_mass_g"] = between(2, 40);
+        engine["max_steel_reduction_g"] = engine["steel_plug_mass_g"].get<double>() / 2;
+        engine["new_steel_plug_mass_g"] = between(3, 50);
+        engine["rod_coefficient"] = between(0, 1);
+        for (const char* key :
+             {"piston", "rod_big_end", "repair_piston_and_rings", "repair_bearing"}) {
+            input["plugs"]["mass_changes_g"][key] = between(-3, 12);
+        }
+        input["plugs"]["process"] = round % 3 == 0 ? "manufacture" : "repair";
+        if (round % 4 == 1) {
+            input["plugs"]["crankshaft"] = "new-plugs";
+        }
+        compare(input, round % 2 == 0 ? u"en"_s : u"ru"_s);
+    }
+}
+
+TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
+    const QString english = cardText(shopsJob(), u"en"_s);
+    for (const QString& text :
+         {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
+          u"2024-05-31"_s, u"Machine all 8 steel plugs by 1.83 g each."_s,
+          u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s, u"FAIL"_s,
+          u"410.0"_s, u"900.5"_s, u"The plugs are out of the shaft then"_s}) {
+        EXPECT_TRUE(english.contains(text)) << qPrintable(text) << qPrintable(english);
+    }
+    const QString russian = cardText(shopsJob(), u"ru"_s);
+    for (const QString& text : {u"Снять с каждой из 8 стальных заглушек 1,83 г."_s, u"31.05.2024"_s,
+                                u"Исполнитель, подпись"_s, u"1000,0"_s}) {
+        EXPECT_TRUE(russian.contains(text)) << qPrintable(text) << qPrintable(russian);
+    }
+    // No text of the card stays in English.
+    static const QRegularExpression english4(u"[a-z]{4,}"_s);
+    auto match = english4.globalMatch(russian);
+    while (match.hasNext()) {
+        const QString word = match.next().captured();
+        EXPECT_TRUE(u"Oversize pistons, second repair shells Ravnoves"_s.contains(word))
+            << qPrintable(word);
+    }
+}
+
+TEST_F(JobCardTest, NoTextIsDroppedHoweverMuchThereIsToSay) {
+    Json input = shopsJob();
+    bore(input);
+    weigh(input, 600, 1.11);
+    input["job"]["engine_number"] = std::string(60, '8') + "-end1";
+    input["job"]["crankshaft_number"] = std::string(60, '0') + "-end2";
+    input["job"]["customer"] = std::string(300, 'c') + " end3";
+    input["job"]["technician"] =
+        "Ivanov-Petrov-Sidorov Alexander Konstantinovich, second shift end4";
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        for (const int count : {1, 100, 2000}) {
+            QStringList said;
+            for (int i = 0; i < count; ++i) {
+                said << u"note%1"_s.arg(i);
+            }
+            input["job"]["notes"] = said.join(u' ').toStdString();
+            const QString text = cardText(input, language);
+            WorkshopModel model({});
+            model.loadInput(input, {});
+            const Words words(language);
+            said << v8_text::shiftText(words, *model.plugsInput(), *model.plugs())
+                 << v8_text::plugsWhileHung(words, *model.plugs())
+                 << (language == u"ru"_s ? u"Примечания"_s : u"Notes"_s)
+                 << (language == u"ru"_s ? u"607,77"_s : u"607.77"_s) << u"end1"_s << u"end2"_s
+                 << u"end3"_s << u"end4"_s;
+            for (const QString& each : said) {
+                EXPECT_TRUE(text.contains(each.simplified())) << qPrintable(each);
+            }
+            // What to take off, of each of the six.
+            EXPECT_TRUE(text.contains(language == u"ru"_s ? u"снять"_s : u"take off"_s));
+            EXPECT_GE(text.count(language == u"ru"_s ? u"7,77"_s : u"7.77"_s), 6);
+            static const QRegularExpression cut(u"\\w…"_s);
+            EXPECT_FALSE(cut.match(text).hasMatch());
+        }
+    }
+}
+
+TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
+    const struct {
+        const char* plug;
+        QString said;
+        bool isDoubt;
+    } plugs[] = {
+        {R"({"thread": "M22x1.5", "height_mm": 14})",
+         u"but a solid plug of these dimensions weighs"_s, true},
+        {R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14, "bore_depth_mm": 14.5})",
+         u"there is no bottom"_s, false}};
+    for (const auto& plug : plugs) {
+        Json input = shopsJob();
+        weigh(input, 600, 1.11);
+        input["job"]["notes"] = std::string(400, 'n');
+        input["plugs"]["plug"] = parse_json(plug.plug);
+        const QString text = cardText(input, u"en"_s);
+        EXPECT_TRUE(text.contains(plug.said)) << qPrintable(text);
+        if (!plug.isDoubt) {
+            EXPECT_TRUE(text.contains(u"cannot be made so"_s)) << qPrintable(text);
+        }
+    }
+}
+
+TEST_F(JobCardTest, IsInTheUnitsChosen) {
+    Json input = shopsJob();
+    bore(input);
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    Preferences::instance().setUnits(Preferences::Length, Preferences::Units::Imperial);
+    const QString text = cardText(input, u"en"_s);
+    WorkshopModel model({});
+    model.loadInput(input, {});
+    const Words english(u"en"_s);
+    const auto& planned =
+        *model.plugs()->boring[v8_plugs::index(model.plugs()->advice->option->id)];
+    const QString depth = english.plainWithUnit(planned.depth, units::mm, 2).simplified();
+    const QString boring = model.boringText().simplified();
+    test::Painted painted;
+    test::Recorder recorder({2100, 2970}, painted);
+    QPainter painter(&recorder);
+    card(input, u"en"_s).paint(painter, {0, 0, 2100, 2970}, [] { return true; });
+    painter.end();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(text.contains(u"V-8 engine: other"_s)) << "as on the page";
+    EXPECT_FALSE(text.contains(u"grams"_s));
+    EXPECT_FALSE(text.contains(u"millimetres"_s));
+    EXPECT_TRUE(text.contains(boring)) << qPrintable(text);
+    EXPECT_EQ(text.count(depth), 2) << "the same on the drawing";
+    // The sizes of the drawing stand within the margin, and apart from each other.
+    QVector<QRectF> sizes;
+    for (const test::PaintedText& each : painted.texts) {
+        const QString size = QString(each.text).replace(QChar(0x00A0), u' ');
+        static const QRegularExpression inches(u"^⌀?0\\.\\d+ in$"_s);
+        if (inches.match(size).hasMatch()) {
+            EXPECT_LE(each.ink.right(), 1980.0) << qPrintable(size);
+            for (const QRectF& other : sizes) {
+                EXPECT_FALSE(other.intersects(each.ink)) << qPrintable(size);
+            }
+            sizes << each.ink;
+        }
+    }
+    EXPECT_GE(sizes.size(), 5) << "height, bore, its depth, the new depth, the bottom";
+}
+
+TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
+    Json input = repairJob();
+    input["plugs"]["engine"]["steel_plug_mass_g"] = 30;  // its shift is worth 49 g·mm
+    input["plugs"]["engine"]["max_steel_reduction_g"] = 12;
+    input["plugs"]["mass_changes_g"]["repair_piston_and_rings"] = 20;
+    for (const bool isBored : {false, true}) {
+        if (isBored) {
+            input["plugs"]["plug"] =
+                parse_json(R"({"thread": "M30x1.5", "height_mm": 14, "cutter_diameter_mm": 20})");
+        }
+        ASSERT_EQ(commandLine(input).at("plugs").at("state"), "warning");
+        const QString text = cardText(input, u"en"_s);
+        // What can be done is the headline, what the method would have the small print.
+        EXPECT_EQ(text.count(isBored ? u"Machine all 8 steel plugs by 8.51 g each."_s
+                                     : u"Machine all 8 steel plugs by 8.92…9.10 g each."_s),
+                  1)
+            << qPrintable(text);
+        EXPECT_TRUE(text.contains(u"The method neglects"_s)) << qPrintable(text);
+        EXPECT_FALSE(text.contains(u"9.46 g each"_s));
+        EXPECT_FALSE(text.contains(u"balanced:"_s));
+        if (isBored) {  // to 3.84 mm by the method alone: who bores is told the depth that is right
+            EXPECT_EQ(text.count(u"3.84"_s), 0) << qPrintable(text);
+            EXPECT_TRUE(text.contains(u"cutter of 20 mm to 3.45 mm from the face."_s))
+                << qPrintable(text);
+        }
+        compare(input, u"en"_s);
+    }
+}
+
+TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
+    const Json input = parse_json(R"({"engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90},
+        "plugs": {"engine": "8.32 l", "process": "repair"}})");
+    const QString text = cardText(input, u"en"_s);
+    EXPECT_TRUE(text.contains(u"The bob weight still needs:"_s)) << qPrintable(text);
+    EXPECT_FALSE(text.contains(u"nan"_s));
+}
+
+TEST_F(JobCardTest, AFileThatCannotBeWrittenIsSaid) {
+    const QString trouble = card(shopsJob(), u"en"_s).writePdf(path(u"nowhere/card.pdf"_s));
+    EXPECT_TRUE(trouble.contains(u"nowhere/card.pdf"_s));
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,436 @@
+// Jobs between the page and its journal.
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QTableWidget>
+
+#include "pictures/file_dialogs.h"
+#include "plugs_page_test.h"
+#include "shop/checked_field.h"
+#include "shop/journal_dialog.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+TEST_F(PlugsPageTest, TheWindowAsksForTheJournal) {
+    type("engine_number", u"7"_s);
+    QString asked;
+    whenModal<QMessageBox>([&](QMessageBox* box) {
+        asked = box->text();
+        box->button(QMessageBox::Save)->click();
+    });
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(asked, u"Save the job “7” in the journal?"_s);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Cancel);
+    EXPECT_EQ(page.askToSave(), false);
+}
+
+TEST_F(PlugsPageTest, EscapeReturnsToWhatIsSaved) {
+    auto* number = find<QLineEdit>("engine_number");
+    number->setFocus();
+    QTest::keyClicks(number, u"77"_s);
+    press(Qt::Key_F2);
+    QTest::keyClicks(number, u"8"_s);
+    EXPECT_EQ(model->input().job.engine_number, "778");
+    for (int i = 0; i < 2; ++i) {
+        QTest::keyClick(number, Qt::Key_Escape);
+        EXPECT_EQ(number->text(), u"77"_s);
+        EXPECT_EQ(model->input().job.engine_number, "77");
+        EXPECT_FALSE(model->hasChanges());
+    }
+    auto* plug = find<QLineEdit>("rod_big_end");
+    show(Parts);
+    plug->setFocus();
+    QTest::keyClicks(plug, u"5"_s);
+    press(Qt::Key_F2);
+    QTest::keyClick(plug, Qt::Key_Backspace);
+    EXPECT_EQ(model->input().plugs->typed_changes.rod_big_end, 0.0)
+        << "what stood before the saving";
+    QTest::keyClick(plug, Qt::Key_Escape);
+    EXPECT_NEAR(model->input().plugs->typed_changes.rod_big_end, 5.0 * gram, 1e-12);
+}
+
+TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
+    type("engine_number", u"53-11"_s);
+    type("crankshaft_number", u"KV-77"_s);
+    type("rod_big_end", u"1"_s);
+    type("unbalance_1", u"3.14159"_s);
+    type("unbalance_2", u"6"_s);
+    model->editTolerance(u"own"_s, [](bob_weights::Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 5.0 * units::gram_mm;
+    });
+    press(Qt::Key_F2);
+    QStringList cells;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(u"journal_search"_s), u"kv-77"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            cells << table->item(0, i)->text();
+        }
+        dialog->reject();
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(cells.contains(u"KV-77"_s));
+    EXPECT_TRUE(cells.contains(u"FAIL: 3.1 / 6.0"_s)) << qPrintable(cells.join(u'|'));
+}
+
+TEST_F(PlugsPageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    press(Qt::Key_F2);
+    ASSERT_EQ(model->saveEngineAs(u"Ours"_s), QString());
+    EXPECT_EQ(model->desk()->otherEngine(), QString());
+    press(Qt::Key_F2);
+    const auto jobs = model->desk()->journal()->search({});
+    ASSERT_EQ(jobs.size(), 1);
+    EXPECT_EQ(jobs.at(0).engine, u"Ours"_s);
+    // Its values make it another.
+    model->editPlugs(u"oil"_s, [](auto& input) { input.engine.oil_mass = 0.123; });
+    model->editPlugs(u"name"_s, [](auto& input) { input.engine.name = "Theirs"; });
+    EXPECT_EQ(model->desk()->otherEngine(), u"53-11"_s);
+}
+
+TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
+    type("engine_number", u"53-11"_s);
+    press(Qt::Key_F2);
+    ASSERT_FALSE(model->hasChanges());
+    model->desk()->missJob(model->desk()->jobId() + 1);  // another
+    EXPECT_FALSE(model->hasChanges());
+    const qint64 id = model->desk()->jobId();
+    answer(QMessageBox::Yes);
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        test::named<QPushButton>(*dialog, "journal_remove")->click();
+        dialog->reject();
+    });
+    press(Qt::Key_F3);
+    EXPECT_FALSE(model->desk()->journal()->job(id).has_value());
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_TRUE(model->hasChanges());
+    answer(QMessageBox::Cancel);  // whether to save it, before the sheet is emptied
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.engine_number, "53-11");
+}
+
+TEST_F(PlugsPageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
+    type("engine_number", u"53-11"_s);
+    type("technician", u"O. Bauer"_s);
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    QTest::keyClick(&page, Qt::Key_F2, Qt::ShiftModifier);
+    ASSERT_GT(model->desk()->jobId(), 0);
+    EXPECT_FALSE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.technician, "O. Bauer");
+    PlugsModel tomorrow(model->desk()->journal()->path());
+    EXPECT_EQ(tomorrow.input().job.technician, "O. Bauer");
+    type("engine_number", u"done"_s);
+    typeGear();
+    type("rod_big_end", u"0"_s);
+    press(Qt::Key_F2);
+    QStringList found;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        EXPECT_EQ(table->rowCount(), 2);
+        auto* box = dialog->findChild<QCheckBox*>(u"journal_unfinished"_s);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            found << table->item(0, i)->text();
+        }
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Return);
+        if (dialog->isVisible()) {
+            QTest::mouseClick(dialog->findChild<QPushButton*>(u"journal_open"_s), Qt::LeftButton);
+        }
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(found.contains(u"53-11"_s) && found.contains(u"unfinished"_s))
+        << qPrintable(found.join(u'|'));
+    // Gone on with and finished: it is the same job.
+    EXPECT_EQ(model->input().job.engine_number, "53-11");
+    typeGear();
+    type("rod_big_end", u"1"_s);
+    press(Qt::Key_F2);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_TRUE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    QSettings().remove(u"workshop/technician"_s);
+}
+
+TEST_F(PlugsPageTest, JournalIsBackedUpAndRestoredByTheMenu) {
+    const QString backup = QDir(folder.path()).filePath(u"backup.sqlite"_s);
+    const auto before = fileChoosers();
+    fileChoosers().save = [&](auto...) { return backup; };
+    fileChoosers().open = [&](auto...) { return backup; };
+    QString said;
+    const auto command = [&](const QString& name) {
+        whenModal<QMessageBox>([&said](QMessageBox* box) {
+            said = box->text();
+            QTest::keyClick(box, Qt::Key_Return);
+        });
+        act(name);
+    };
+    type("engine_number", u"first"_s);
+    press(Qt::Key_F2);
+    command(u"back_up"_s);
+    EXPECT_TRUE(said.contains(backup)) << qPrintable(said);
+    ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
+    press(Qt::Key_F4);
+    type("engine_number", u"second"_s);
+    press(Qt::Key_F2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 1; already in the journal: 0."_s);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 0; already in the journal: 1."_s);
+    QFile torn(backup);
+    ASSERT_TRUE(torn.open(QIODevice::WriteOnly));
+    torn.write("a letter");
+    torn.close();
+    command(u"restore"_s);
+    EXPECT_TRUE(said.contains(u"no backup"_s)) << qPrintable(said);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    fileChoosers() = before;
+}
+
+TEST_F(PlugsPageTest, AJobThatAnotherProgramKeepsFromTheJournalIsSaid) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(model->desk()->journal()->path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
+        QString said;
+        whenModal<QMessageBox>([&said](QMessageBox* box) {
+            said = box->text();
+            QTest::keyClick(box, Qt::Key_Return);
+        });
+        press(Qt::Key_F2);
+        EXPECT_TRUE(said.contains(u"another program is writing"_s)) << qPrintable(said);
+        EXPECT_EQ(model->desk()->jobId(), 0);
+        EXPECT_FALSE(model->desk()->isJournaled());
+        ASSERT_TRUE(query.exec(u"ROLLBACK"_s));
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+    press(Qt::Key_F2);
+    EXPECT_GT(model->desk()->jobId(), 0);
+}
+
+TEST_F(PlugsPageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
+    type("engine_number", u"53-11"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(
+        u"put aside in the journal, unfinished. Still needed"_s));
+    const auto job = model->desk()->journal()->job(model->desk()->jobId());
+    ASSERT_TRUE(job);
+    EXPECT_FALSE(job->unbalancedMass);
+    EXPECT_FALSE(job->isFinished);
+    EXPECT_TRUE(job->recommended.isEmpty());
+}
+
+TEST_F(PlugsPageTest, JobGoesToTheJournalByKeyAndComesBack) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"53-11"_s));
+    const qint64 id = model->desk()->jobId();
+    EXPECT_GT(id, 0);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_TRUE(status.last().at(0).toString().contains(WorkshopModel::carriedOver()));
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("engine_number"));
+    // F3: search, Enter opens.
+    bool seen = false;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* search = dialog->findChild<QLineEdit*>(u"journal_search"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        QTest::keyClicks(search, u"nothing like it"_s);
+        EXPECT_EQ(table->rowCount(), 0);
+        search->clear();
+        QTest::keyClicks(search, u"53"_s);
+        EXPECT_EQ(table->rowCount(), 1);
+        QTest::keyClick(search, Qt::Key_Return);
+        seen = true;
+        EXPECT_FALSE(dialog->isVisible());
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(seen);
+    EXPECT_EQ(model->desk()->jobId(), id);
+    EXPECT_NEAR(model->input().plugs->typed_changes.rod_big_end, 1 * gram, 1e-12);
+}
+
+TEST_F(PlugsPageTest, UnsavedJobIsAskedAbout) {
+    type("engine_number", u"7"_s);
+    answer(QMessageBox::Cancel);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.engine_number, "7");
+    answer(QMessageBox::Save);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(model->input().job.engine_number.empty());
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Discard);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+}
+
+TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
+    JournalJob job;
+    job.scene = u"workshop"_s;
+    job.date = QDate(2024, 5, 31);
+    QSqlDatabase database = QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst());
+    database.transaction();  // one sync for all
+    for (int i = 0; i < 1005; ++i) {
+        job.id = 0;
+        job.engineNumber = u"many %1"_s.arg(i);
+        ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
+    }
+    database.commit();
+    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob& job) {
+        return ListedJob{job.engine, job.recommended};
+    });
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1000);
+    bool said = false;
+    for (const QLabel* each : dialog.findChildren<QLabel*>()) {
+        said = said || each->text().contains(u"1000"_s);
+    }
+    EXPECT_TRUE(said);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile list(file);
+    ASSERT_TRUE(list.open(QIODevice::ReadOnly));
+    EXPECT_EQ(list.readAll().count('\n'), 1006);  // and the headings
+}
+
+TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
+    JournalJob job;
+    job.scene = u"workshop"_s;
+    job.date = QDate(2024, 5, 31);
+    job.isFinished = true;
+    ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
+    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob&) {
+        return ListedJob{{}, u"aluminium plugs in the place of all, 3.14 g"_s};
+    });
+    const auto* table = dialog.findChild<QTableWidget*>(u"journal_table"_s);
+    const auto needed = [&] {
+        return table->sizeHintForIndex(table->model()->index(0, 6)).width();
+    };
+    test::showAt(dialog, {1300, 500});
+    EXPECT_GE(table->columnWidth(6), needed());
+    // And the machine's column is as wide as what it shows.
+    EXPECT_GE(table->columnWidth(8), table->sizeHintForIndex(table->model()->index(0, 8)).width());
+    EXPECT_FALSE(table->horizontalScrollBar()->isVisible());
+}
+
+TEST_F(PlugsPageTest, TheListIsWorkedFromTheSearch) {
+    for (const char* number : {"A-1", "B-2", "C-3"}) {
+        type("engine_number", QString::fromLatin1(number));
+        press(Qt::Key_F2);
+        press(Qt::Key_F4);
+    }
+    qint64 second = 0;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* search = dialog->findChild<QLineEdit*>(u"journal_search"_s);
+        EXPECT_EQ(dialog->findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 3);
+        QTest::keyClick(search, Qt::Key_Down);
+        QTest::keyClick(search, Qt::Key_Return);
+        EXPECT_FALSE(dialog->isVisible());
+        second = dialog->chosenId();
+    });
+    press(Qt::Key_F3);
+    EXPECT_EQ(model->desk()->jobId(), second);
+    EXPECT_EQ(model->input().job.engine_number, "B-2");
+}
+
+TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
+    for (const QString& number : {u"A-1"_s, u"B-2"_s}) {
+        model->newJob();
+        type("engine_number", number);
+        press(Qt::Key_F2);
+    }
+    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob& job) {
+        return ListedJob{job.engine, job.recommended};
+    });
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile csv(file);
+    ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+    const QByteArray text = csv.readAll();
+    EXPECT_TRUE(text.contains("B-2"));
+    EXPECT_FALSE(text.contains("A-1"));
+    EXPECT_FALSE(dialog.exportTo(QDir(folder.path()).filePath(u"no/list.csv"_s)).isEmpty());
+    // Remove asks first, and Enter is no yes.
+    auto* remove = dialog.findChild<QPushButton*>(u"journal_remove"_s);
+    whenModal<QMessageBox>([](QMessageBox* box) {
+        EXPECT_TRUE(box->text().contains(u"B-2"_s)) << qPrintable(box->text());
+        EXPECT_TRUE(box->text().contains(QDate::currentDate().toString(Qt::ISODate)));
+        QTest::keyClick(box, Qt::Key_Return);
+    });
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    // Days.
+    auto* from = dialog.findChild<CheckedField*>(u"journal_from"_s);
+    const auto says = [&](const QString& text) {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* each) { return each->text().contains(text); });
+    };
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->clear();
+    QTest::keyClicks(from, u"31.02.2024"_s);
+    EXPECT_TRUE(says(u"is no date"_s));
+    from->selectAll();
+    QTest::keyClick(from, Qt::Key_Delete);
+    EXPECT_FALSE(says(u"is no date"_s));
+    EXPECT_TRUE(says(u"Jobs found: 1"_s)) << "the list is said again";
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1);
+    // Reversed, no day lies between them.
+    auto* to = dialog.findChild<CheckedField*>(u"journal_to"_s);
+    QTest::keyClicks(from, u"31.12.2199"_s);
+    QTest::keyClicks(to, u"2024-01-01"_s);
+    EXPECT_TRUE(says(u"no day lies between"_s));
+    EXPECT_TRUE(from->isDoubtful() && to->isDoubtful());
+    for (CheckedField* day : {from, to}) {
+        day->selectAll();
+        QTest::keyClick(day, Qt::Key_Delete);
+    }
+    EXPECT_FALSE(says(u"no day lies between"_s));
+    EXPECT_FALSE(from->isDoubtful());
+    // Enter opens the one that is found.
+    QTest::keyClick(dialog.findChild<QLineEdit*>(u"journal_search"_s), Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_GT(dialog.chosenId(), 0);
+    EXPECT_EQ(readDay(u"2024-05-31"_s), QDate(2024, 5, 31));
+    EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));
+    EXPECT_EQ(readDay(u"31.05.2024"_s), QDate(2024, 5, 31));
+    EXPECT_FALSE(readDay(u"32.05.2024"_s).isValid());
+    for (const char* language : {"en", "ru"}) {  // what is shown is read
+        const QString shown = Words(QString::fromLatin1(language)).day(u"2024-05-31"_s);
+        EXPECT_EQ(readDay(shown), QDate(2024, 5, 31)) << qPrintable(shown);
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

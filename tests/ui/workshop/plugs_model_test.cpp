@@ -1,0 +1,481 @@
+// The plugs of a job without a page: what is computed, said, kept and listed.
+
+#include <QDate>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "case-file/input_error.h"
+#include "plugs_page_test.h"
+#include "workshop/doubts.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+class PlugsModelTest : public ::testing::Test {
+  protected:
+    QString path() const { return QDir(folder_.path()).filePath(u"journal.sqlite"_s); }
+    static void number(WorkshopModel& model, const char* text) {
+        model.edit(u"number"_s, [&](auto& input) { input.job.engine_number = text; });
+    }
+    /// Whether something is said beside the verdict or in it.
+    static bool says(const WorkshopModel& model, const QString& text) {
+        return (model.troubles() << Words().message(model.verdictShown()->text))
+                   .filter(text)
+                   .size() == 1;
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(PlugsModelTest, ResultIsTheCommandLines) {
+    PlugsModel model;
+    for (const char* name : {"v8-4.25-repair.case.json", "v8-6-manufacture.case.json"}) {
+        const Json input = plugsJob(name);
+        model.loadInput(input, {});
+        EXPECT_EQ(model.resultJson(), workshop::solve_scene(input, {}));
+        EXPECT_EQ(model.inputJson(), input);
+    }
+    EXPECT_EQ(model.adviceText(),
+              u"Replace all 8 plugs by aluminium ones lightened by 0.56\u00A0g each."_s);
+}
+
+TEST_F(PlugsModelTest, NumbersAreOfTheLanguageChosenLater) {
+    PlugsModel model;
+    model.loadInput(plugsJob("v8-6-manufacture.case.json"), {});
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Russian));
+    EXPECT_TRUE(model.adviceText().contains(u"0,56"_s)) << model.adviceText().toStdString();
+    QLocale::setDefault(before);
+}
+
+TEST_F(PlugsModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});
+    const auto rows = model.optionResults().rows;
+    ASSERT_EQ(rows.size(), 5);
+    EXPECT_EQ(rows.at(0).texts(),
+              (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s, u"4.604"_s,
+                           u"1.832"_s, u"0.000"_s, u"0.0"_s}));
+    // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
+    EXPECT_EQ(rows.at(4).texts(),
+              (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
+                           u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
+    EXPECT_EQ(model.optionResults().columns.size(), rows.at(0).size());
+    EXPECT_TRUE(rows.at(4).tip.startsWith(u"For the other crankshaft."_s));
+    model.editPlugs(u"crankshaft"_s, [](auto& input) { input.crankshaft = Crankshaft::new_plugs; });
+    EXPECT_TRUE(model.optionResults().rows.at(2).constFirst().text.startsWith(u"✓ "_s));
+}
+
+TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
+    PlugsModel model;
+    // Nothing is known of the parts: no answer, and no option that would do.
+    EXPECT_FALSE(model.plugs()->advice);
+    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed for the plugs: changes of mass"_s))
+        << qPrintable(model.adviceText());
+    EXPECT_FALSE(model.plugs()->option(OptionId::steel_machined));
+    EXPECT_EQ(model.shiftText(), QString());
+    EXPECT_FALSE(model.inputJson().at("plugs").contains("mass_changes_g"));
+    EXPECT_FALSE(model.withheld().any()) << "a preset that nobody typed";
+    // All parts may be nominal; that is something else.
+    model.editPlugs(u"none"_s, [](auto& input) { input.changes_given = true; });
+    EXPECT_TRUE(model.inputJson().at("plugs").contains("mass_changes_g"));
+    // 4.25 l: the paper gives no nominal masses; options are known, bob weights are not.
+    EXPECT_TRUE(model.plugs()->advice);
+    EXPECT_FALSE(model.solution().bob_weight);
+    EXPECT_TRUE(model.lineResults().rows.isEmpty());
+    EXPECT_TRUE(model.headline().contains(u"reciprocating mass mⱼ"_s))
+        << qPrintable(model.headline());
+    EXPECT_TRUE(model.resultJson().contains("error"));
+    model.chooseEngine(3);  // 8.32 l: only the crank radius
+    EXPECT_FALSE(model.plugs()->advice);
+    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed for the plugs: plug radius rₚ"_s))
+        << qPrintable(model.adviceText());
+    EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
+    EXPECT_EQ(model.hangText(), QString());
+    EXPECT_EQ(model.optionResults().rows.size(), 5);
+    model.chooseEngine(0);
+    EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
+}
+
+TEST_F(PlugsModelTest, RulesBetweenFieldsAreNamedNotLost) {
+    PlugsModel model;
+    model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });
+    model.editPlugs(u"limit"_s, [](auto& input) { input.engine.max_steel_reduction = 3 * gram; });
+    EXPECT_EQ(model.troubles(),
+              QStringList{
+                  u"Most off steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
+    EXPECT_FALSE(model.plugs()->advice);
+    model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 25 * gram; });
+    EXPECT_TRUE(model.troubles().isEmpty());
+    model.editPlugs(u"plug"_s, [](auto& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{30e-3, 1.5e-3};
+        input.plug->height = 11e-3;
+        input.plug->bore_diameter = 29e-3;
+        input.plug->bore_depth = 8e-3;
+    });
+    ASSERT_EQ(model.troubles().size(), 1);
+    EXPECT_TRUE(model.troubles().constFirst().contains(u"no wall"_s));
+    model.editPlugs(u"plug"_s, [](auto& input) { input.plug->bore_diameter = 25e-3; });
+    // Steel fits now; the paper's aluminium plug does not.
+    EXPECT_TRUE(says(model, u"Aluminium plug: "_s));
+    EXPECT_TRUE(model.plugWeightText().contains(u" in steel"_s));
+}
+
+TEST_F(PlugsModelTest, PresetsBringThePrintedSizesAndLeaveTheCutter) {
+    PlugsModel model;
+    EXPECT_EQ(*model.input().plugs->plug, printed_plug("4.25 l"));
+    EXPECT_NEAR(model.input().plugs->plug->thread->diameter, 22e-3, 1e-12);
+    // The printed masses do not fit the printed sizes: no fault of who has typed nothing.
+    const auto isOfThePaper = [&] {
+        return model.doubts().size() == 1 &&
+               model.doubts().front().rule->kind == workshop::DoubtKind::paper_plug;
+    };
+    EXPECT_TRUE(isOfThePaper());
+    EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
+    const v8_plugs::Input printed = *model.input().plugs;
+    model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 27.9e-3; });
+    ASSERT_EQ(model.doubts().size(), 1U);
+    const QString doubt = Words().message(model.doubts().front().text);
+    EXPECT_TRUE(doubt.contains(u"27.9"_s)) << qPrintable(doubt);
+    model.editPlugs(u"printed"_s, [&](auto& input) { input = printed; });
+    EXPECT_TRUE(isOfThePaper());
+    model.editPlugs(u"cutter"_s, [](auto& input) { input.plug->cutter_diameter = 14e-3; });
+    model.chooseEngine(1);  // 6 l
+    EXPECT_NEAR(model.input().plugs->plug->thread->diameter, 30e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plugs->plug->height, 11e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plugs->plug->cutter_diameter, 14e-3, 1e-12);
+    model.chooseEngine(3);  // 8.32 l: none printed
+    EXPECT_FALSE(model.input().plugs->plug->thread);
+    model.editPlugs(u"height"_s, [](auto& input) { input.plug->height = 12.5e-3; });
+    model.chooseEngine(0);  // another engine, another plug
+    EXPECT_EQ(model.input().plugs->plug->thread, printed_plug("4.25 l").thread);
+    EXPECT_NEAR(*model.input().plugs->plug->height, 14e-3, 1e-12);
+}
+
+TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
+    PlugsModel model;
+    model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        sheet[Part::pin].nominal = 150 * gram;
+        sheet[Part::pin].mass[0] = 151 * gram;
+        sheet[Part::rings].mass.assign(8, 60 * gram);
+    });
+    model.editPlugs(u"typed"_s, [](auto& input) { input.changes_from_weigh_in = false; });
+    // Typed changes count, and that is said.
+    EXPECT_EQ(model.troubles(),
+              QStringList{u"The weights do not count: the typed mass changes are used."_s});
+    EXPECT_EQ(model.troubles(), model.notCounted());
+    EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
+    EXPECT_FALSE(model.columnNote(Part::pin).counts);
+    model.editPlugs(u"source"_s, [](auto& input) { input.changes_from_weigh_in = true; });
+    ASSERT_EQ(model.notCounted().size(), 2);
+    EXPECT_EQ(model.notCounted().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
+    EXPECT_TRUE(model.notCounted().at(1).startsWith(u"Rings: the weights do not count"_s));
+    EXPECT_EQ(model.troubles(), model.notCounted());
+    EXPECT_FALSE(model.plugs()->advice) << "no column counts yet";
+    model.editWeights(u"weigh"_s,
+                      [](shop::WeighIn& sheet) { sheet[Part::pin].mass.assign(8, 151 * gram); });
+    EXPECT_TRUE(model.columnNote(Part::pin).counts);
+    EXPECT_TRUE(model.plugs()->advice);
+    model.editPlugs(u"typed"_s, [](auto& input) { input.typed_changes.piston = 1 * gram; });
+    EXPECT_EQ(model.notCounted().at(0),
+              u"Improved piston Δmₚᵢ: the typed 1.00\u00A0g is replaced by the weights."_s);
+}
+
+TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});  // big end 0.5 g, shells 1.1 g
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        sheet[Part::piston].mass.assign(8, 619.875 * gram);
+    });
+    ASSERT_TRUE(model.input().plugs->changes_from_weigh_in);
+    EXPECT_FALSE(model.plugs()->advice);
+    EXPECT_TRUE(model.notCounted().at(0).startsWith(
+        u"Rod big end: the typed 0.50\u00A0g does not count yet."_s))
+        << qPrintable(model.notCounted().at(0));
+}
+
+TEST_F(PlugsModelTest, WeightsReplaceOnlyWhatIsWeighed) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});  // big end 0.5 g, shells 1.1 g
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        sheet[Part::piston].nominal = 600 * gram;
+        sheet[Part::piston].mass.assign(8, 619.875 * gram);
+        sheet[Part::rod_big_end].nominal = 700 * gram;
+        sheet[Part::rod_big_end].mass[0] = 705 * gram;
+    });
+    // 19.875 + (2 + 0.445) 0.5 + 1.1
+    EXPECT_NEAR(*model.plugs()->unbalanced_mass, 22.1975 * gram, 1e-12);
+    const QStringList said = model.notCounted();
+    const QStringList expected{
+        u"Rod big end: the typed 0.50\u00A0g counts beside the weights."_s,
+        u"Repair piston and rings Δmᵣₚ: the typed 2.00\u00A0g is replaced by the weights."_s,
+        u"Repair shells of one crankpin Δmₛₕ: the typed 1.10\u00A0g counts beside the weights."_s,
+        u"Rod, big end: 1 of 8 weighed; the typed change counts until all are."_s};
+    EXPECT_EQ(said, expected) << qPrintable(said.join(u'\n'));
+    EXPECT_EQ(model.crankpinResults().rows.at(0).at(1), u"22.20"_s);
+    EXPECT_TRUE(model.plugsInput()->takes_typed(&MassChanges::rod_big_end));
+    EXPECT_FALSE(model.plugsInput()->takes_typed(&MassChanges::repair_piston_and_rings));
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        sheet[Part::rod_big_end].mass.assign(8, 700.25 * gram);
+    });
+    EXPECT_NEAR(*model.plugs()->unbalanced_mass, (19.875 + 2.445 * 0.25 + 1.1) * gram, 1e-12);
+}
+
+TEST_F(PlugsModelTest, WeightsCountFromTheFirstToTheLast) {
+    PlugsModel model;
+    const auto weigh = [&](std::optional<double> mass) {
+        model.editWeights(u"weigh"_s,
+                          [&](shop::WeighIn& sheet) { sheet[Part::pin].mass[3] = mass; });
+    };
+    model.editWeights(u"nominal"_s,
+                      [](shop::WeighIn& sheet) { sheet[Part::pin].nominal = 150 * gram; });
+    EXPECT_FALSE(model.input().plugs->changes_from_weigh_in) << "nothing is weighed yet";
+    weigh(151 * gram);
+    EXPECT_TRUE(model.input().plugs->changes_from_weigh_in);
+    weigh(std::nullopt);
+    EXPECT_FALSE(model.input().plugs->changes_from_weigh_in);
+    weigh(151 * gram);
+    model.editPlugs(u"off"_s, [](auto& input) { input.changes_from_weigh_in = false; });
+    weigh(152 * gram);
+    EXPECT_FALSE(model.input().plugs->changes_from_weigh_in) << "the user said so";
+}
+
+TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});
+    EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
+    EXPECT_FALSE(model.shiftText().contains(u"Bored as planned"_s));
+    model.editPlugs(u"plug"_s, [](auto& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{22e-3, 1.5e-3};
+        input.plug->height = 14e-3;
+        input.plug->cutter_diameter = 14e-3;
+    });
+    const Boring& boring = *model.plugs()->boring[0];
+    EXPECT_GT(boring.shift, 0.0);
+    // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
+    EXPECT_TRUE(model.shiftText().contains(u"Bored as planned here it moves by 0.31\u00A0mm"_s))
+        << qPrintable(model.shiftText());
+    // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
+    EXPECT_TRUE(model.shiftText().contains(u"22.9"_s)) << qPrintable(model.shiftText());
+    EXPECT_TRUE(says(model, u"The method neglects"_s));
+    const auto& effect = *model.plugs()->shift_that_matters();
+    const auto two = [](double value, Unit unit) { return Words().number(value, unit, 2); };
+    EXPECT_EQ(model.adviceText(), u"Machine all 8 steel plugs by %1 each."_s.arg(
+                                      two(effect.least_reduction, units::gram)));
+    EXPECT_TRUE(
+        model.boringText().endsWith(u"to %1 from the face."_s.arg(two(*effect.depth, units::mm))))
+        << qPrintable(model.boringText());
+    EXPECT_EQ(model.plugs()->shift_that_matters()->planned, true);
+    model.editPlugs(u"tolerance"_s, [](auto& input) { input.tolerance = 30e-6; });
+    EXPECT_EQ(model.plugs()->shift_that_matters(), nullptr);
+}
+
+TEST_F(PlugsModelTest, SpreadAbovePermittedIsWarnedOf) {
+    PlugsModel model;
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        PartColumn& pistons = sheet[Part::piston];
+        pistons.nominal = 600 * gram;
+        pistons.permitted_spread = 2 * gram;
+        for (std::size_t i = 0; i < 8; ++i) {
+            pistons.mass[i] = (600.0 + static_cast<double>(i)) * gram;
+        }
+    });
+    EXPECT_TRUE(model.columnNote(Part::piston).tooWide);
+    EXPECT_TRUE(model.plugs()->advice);
+    EXPECT_TRUE(says(model, u"Piston: spread 7.00"_s));
+    EXPECT_NEAR(model.plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+    EXPECT_EQ(model.assignmentResults().rows.size(), 2);
+    EXPECT_TRUE(model.assignmentText().contains(u"after moving"_s));
+    EXPECT_EQ(model.crankpinResults().rows.at(1).constLast(), u"0.00"_s);
+}
+
+TEST_F(PlugsModelTest, JobsAreSavedOpenedChangedAndCopied) {
+    PlugsModel model(path());
+    ASSERT_TRUE(model.desk()->openJournal()) << qPrintable(model.desk()->journalTrouble());
+    model.loadInput(repairJob(), {});
+    model.edit(u"job"_s, [](auto& input) {
+        input.job.engine_number = "53-11";
+        input.job.customer = "Автобаза";
+        input.job.date = "2024-05-31";
+    });
+    model.editReading(u"reading"_s, 0, 0, false, 3e-6);
+    bool ok = false;
+    EXPECT_TRUE(model.desk()->saveJob(&ok).contains(u"53-11"_s));
+    ASSERT_TRUE(ok);
+    const qint64 id = model.desk()->jobId();
+    EXPECT_GT(id, 0);
+    EXPECT_TRUE(model.history()->isClean());
+    const auto row = model.desk()->journal()->job(id);
+    ASSERT_TRUE(row);
+    EXPECT_NEAR(*row->unbalancedMass, 4.3225, 1e-9);
+    EXPECT_EQ(row->recommended, u"steel-machined"_s);
+    EXPECT_NEAR(*row->bobWeight, 2326.5844, 1e-6);
+    const workshop::Input saved = model.input();
+
+    // Changed and saved again: the same job.
+    number(model, "53-12");
+    model.keepVariant();
+    model.editText(model.title(), u"Ждать поршней"_s);
+    model.desk()->saveJob(&ok);
+    EXPECT_TRUE(ok);
+    EXPECT_EQ(model.desk()->jobId(), id);
+    EXPECT_EQ(model.desk()->journal()->search({}).size(), 1);
+
+    model.newJob();
+    EXPECT_EQ(model.desk()->jobId(), 0);
+    EXPECT_TRUE(model.input().job.engine_number.empty());
+    EXPECT_EQ(model.input().plugs->engine, saved.plugs->engine);
+    EXPECT_FALSE(model.history()->canUndo());  // undo never mixes two jobs
+
+    EXPECT_EQ(model.desk()->openJob(id), QString());
+    EXPECT_EQ(model.desk()->jobId(), id);
+    EXPECT_EQ(model.input().job.engine_number, "53-12");
+    EXPECT_EQ(model.input().plugs->engine, saved.plugs->engine);
+    EXPECT_EQ(model.variants().size(), 1);
+    EXPECT_EQ(model.notes(), u"Ждать поршней"_s);
+
+    EXPECT_EQ(model.desk()->copyJob(id), QString());
+    EXPECT_TRUE(model.variants().isEmpty());
+    EXPECT_TRUE(model.notes().isEmpty());
+    EXPECT_EQ(model.desk()->jobId(), 0);
+    EXPECT_TRUE(model.input().job.engine_number.empty());
+    // Other parts: nothing that was weighed, and no other's customer.
+    EXPECT_EQ(model.input().job.customer, "");
+    EXPECT_EQ(model.input().plugs->engine, saved.plugs->engine);
+    EXPECT_EQ(model.input().plugs->tolerance, saved.plugs->tolerance);
+    EXPECT_FALSE(model.plugsInput()->changes_known());
+    EXPECT_FALSE(model.plugsInput()->has_typed_changes());
+    EXPECT_EQ(model.input().job.date, QDate::currentDate().toString(Qt::ISODate).toStdString());
+    EXPECT_FALSE(model.reading(0, 0, false));
+    number(model, "53-13");
+    model.desk()->saveJob(&ok);
+    EXPECT_NE(model.desk()->jobId(), id);
+    EXPECT_EQ(model.desk()->journal()->search({}).size(), 2);
+    EXPECT_FALSE(model.desk()->openJob(9999).isEmpty());
+}
+
+TEST_F(PlugsModelTest, WhatNoPlugCompensatesIsListedSo) {
+    PlugsModel model(path());
+    ASSERT_TRUE(model.desk()->openJournal()) << qPrintable(model.desk()->journalTrouble());
+    Json input = repairJob();
+    input["plugs"]["mass_changes_g"]["repair_piston_and_rings"] = 60.0;
+    input["job"]["engine_number"] = "53-13";
+    model.loadInput(input, {});
+    ASSERT_TRUE(model.resultJson().at("plugs").at("recommended").is_null());
+    bool ok = false;
+    model.desk()->saveJob(&ok);
+    ASSERT_TRUE(ok);
+    const auto row = model.desk()->journal()->job(model.desk()->jobId());
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->recommended, u"not-compensated"_s);
+    ASSERT_TRUE(row->bobWeight);
+    EXPECT_NEAR(*row->bobWeight, *model.solution().bob_weight / gram, 1e-6);
+}
+
+TEST_F(PlugsModelTest, OwnEnginesAreKept) {
+    {
+        PlugsModel model(path());
+        ASSERT_TRUE(model.desk()->openJournal());
+        model.chooseEngine(3);
+        model.editPlugs(u"mass"_s, [](auto& input) {
+            input.engine.steel_plug_mass = 22.75 * gram;
+            input.engine.has_new_plug = false;
+        });
+        EXPECT_FALSE(model.saveEngineAs(u"6 l"_s).isEmpty());
+        EXPECT_FALSE(model.saveEngineAs(u"  "_s).isEmpty());
+        EXPECT_FALSE(model.saveEngineAs(u"4.25 L"_s).isEmpty());
+        EXPECT_EQ(model.saveEngineAs(u"КамАЗ-740"_s), QString());
+        EXPECT_EQ(model.engineIndex(), 7);
+    }
+    PlugsModel later(path());
+    ASSERT_TRUE(later.desk()->openJournal());
+    ASSERT_EQ(later.engineNames().size(), 8);
+    later.chooseEngine(7);
+    EXPECT_EQ(later.input().plugs->engine.name, "КамАЗ-740");
+    EXPECT_DOUBLE_EQ(*later.input().plugs->engine.steel_plug_mass, 22.75 * gram);
+    EXPECT_FALSE(later.input().plugs->engine.has_new_plug);
+    EXPECT_FALSE(later.ownEngineChanged());
+    EXPECT_TRUE(later.hasOwnEngine(u" камаз-740 "_s));
+    // Renamed: the sheet follows; a name that is taken is refused.
+    EXPECT_FALSE(later.renameEngine(u"КамАЗ-740"_s, u"6 l"_s).isEmpty());
+    EXPECT_EQ(later.renameEngine(u"КамАЗ-740"_s, u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.input().plugs->engine.name, "КамАЗ-7403");
+    EXPECT_EQ(later.engineIndex(), 7);
+    EXPECT_EQ(later.saveEngineAs(u"Second"_s), QString());
+    EXPECT_FALSE(later.renameEngine(u"Second"_s, u"камаз-7403"_s).isEmpty());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    // A name in other capitals replaces, it does not stand beside.
+    EXPECT_EQ(later.saveEngineAs(u"SECOND"_s), QString());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    EXPECT_FALSE(later.renameEngine(u"not kept"_s, u"other"_s).isEmpty());
+    // Values that are damaged are said, and the sheet stays.
+    ASSERT_TRUE(later.desk()->journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
+    PlugsModel last(path());
+    ASSERT_TRUE(last.desk()->openJournal());
+    const workshop::Input before = last.input();
+    last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
+    EXPECT_EQ(last.input(), before);
+    EXPECT_TRUE(last.desk()->journalTrouble().contains(u"Broken"_s));
+    EXPECT_EQ(last.removeEngine(u"Broken"_s), QString());
+    // What another program kept is there once the page is looked at again.
+    EXPECT_EQ(last.saveEngineAs(u"Elsewhere"_s), QString());
+    EXPECT_FALSE(later.hasOwnEngine(u"Elsewhere"_s));
+    later.reloadEngines();
+    EXPECT_TRUE(later.hasOwnEngine(u"Elsewhere"_s));
+    EXPECT_EQ(later.removeEngine(u"Elsewhere"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"SECOND"_s), QString());
+    EXPECT_EQ(later.engineNames().size(), 7);
+    EXPECT_EQ(later.engineIndex(), -1);
+}
+
+TEST_F(PlugsModelTest, DamagedJournalIsSaidOnThePage) {
+    QFile file(path());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("not a journal, but something that the user may want to keep");
+    file.close();
+    PlugsModel model(path());
+    EXPECT_TRUE(model.desk()->openJournal());
+    EXPECT_TRUE(model.desk()->journalTrouble().contains(u"damaged"_s));
+    number(model, "1");
+    bool ok = false;
+    model.desk()->saveJob(&ok);
+    EXPECT_TRUE(ok);
+}
+
+TEST_F(PlugsModelTest, WithoutAJournalNothingIsWritten) {
+    PlugsModel model;
+    EXPECT_FALSE(model.desk()->openJournal());
+    number(model, "1");
+    bool ok = true;
+    EXPECT_FALSE(model.desk()->saveJob(&ok).isEmpty());
+    EXPECT_FALSE(ok);
+}
+
+TEST_F(PlugsModelTest, BadCasesLeaveTheSheetAsItWas) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});
+    const workshop::Input before = model.input();
+    Json bad = repairJob();
+    bad["plugs"]["engine"]["crank_radius_mm"] = -40;
+    EXPECT_THROW(model.loadInput(bad, {}), InputError);
+    bad = repairJob();
+    bad["colour"] = "red";
+    EXPECT_THROW(model.loadInput(bad, {}), InputError);
+    EXPECT_EQ(model.input(), before);
+    EXPECT_THROW(model.setByKey(u"plugs/engine/crank_radius_mm"_s, u"-1"_s), InputError);
+    model.setByKey(u"plugs/engine/crank_radius_mm"_s, u"42"_s);
+    EXPECT_DOUBLE_EQ(*model.input().plugs->engine.crank_radius, 0.042);
+    EXPECT_THROW(model.setByKey(u"sheet"_s, u"nowhere"_s), InputError);
+}
+
+}  // namespace
+}  // namespace ravnoves

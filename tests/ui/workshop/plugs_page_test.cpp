@@ -1,0 +1,369 @@
+// The answer of a job with plugs, its plots and the keys of the page.
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "page/part_views.h"
+#include "painted.h"
+#include "plugs_page_test.h"
+#include "shop/journal_dialog.h"
+#include "text/language.h"
+#include "theme/theme.h"
+#include "widgets/entry_field.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
+    type("repair_piston_and_rings", u"4.3"_s);
+    const QString method = label("advice");
+    model->editPlugs(u"plug"_s, [](auto& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{22e-3, 1.5e-3};
+        input.plug->height = 14e-3;
+        input.plug->cutter_diameter = 14e-3;
+    });
+    EXPECT_TRUE(model->plugs()->shift_that_matters());
+    EXPECT_NE(label("advice"), method);
+    EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs by"_s))
+        << qPrintable(label("advice"));
+    EXPECT_TRUE(label("boring").startsWith(u"Bore with a cutter of 14"_s))
+        << qPrintable(label("boring"));
+    EXPECT_TRUE(label("troubles").contains(u"The method neglects"_s))
+        << qPrintable(label("troubles"));
+    // Nothing below it says that all is well, and what is copied has the warning.
+    EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
+    EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
+    EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method alone"_s));
+    EXPECT_TRUE(page.resultsAsText().contains(u"The method neglects"_s));
+    EXPECT_TRUE(page.resultsAsText().contains(label("boring")));
+    model->editPlugs(u"excess"_s, [](auto& input) {
+        input.plug.reset();
+        input.typed_changes.repair_piston_and_rings = 0.1;
+    });
+    EXPECT_EQ(colour("advice"), Theme::instance().error());
+}
+
+TEST_F(PlugsPageTest, AnswerFollowsTyping) {
+    type("rod_big_end", u"0,5"_s);
+    type("repair_piston_and_rings", u"2"_s);
+    type("repair_bearing", u"1.1"_s);
+    EXPECT_EQ(label("advice"), u"Machine all 8 steel plugs by 1.83\u00A0g each."_s);
+    EXPECT_TRUE(label("headline").startsWith(u"Still needed for the bob weight: "_s));
+    typeGear();
+    EXPECT_EQ(label("headline"), u"Bob weight 2326.6\u00A0g"_s);
+    EXPECT_TRUE(label("hang").startsWith(u"On each of the 4 crankpins."_s));
+    // At every key, not only at Enter.
+    show(Parts);
+    NumberField* shells = field("repair_bearing");
+    shells->setFocus();
+    shells->selectAll();
+    QTest::keyClicks(shells, u"2"_s);
+    EXPECT_EQ(label("advice"),
+              u"Replace all 8 plugs by aluminium ones lightened by 0.38\u00A0g each."_s);
+    EXPECT_TRUE(page.resultsAsText().contains(u"5.223"_s)) << qPrintable(page.resultsAsText());
+}
+
+TEST_F(PlugsPageTest, AZeroThatWasTypedIsSomethingThatIsKnown) {
+    EXPECT_TRUE(label("advice").startsWith(u"Still needed for the plugs: changes of mass"_s))
+        << qPrintable(label("advice"));
+    EXPECT_EQ(colour("advice"), Theme::instance().mutedText());
+    EXPECT_EQ(label("hang"), QString());
+    EXPECT_EQ(field("rod_big_end")->value(), std::nullopt);
+    type("rod_big_end", u"0"_s);
+    EXPECT_TRUE(label("advice").startsWith(u"Leave the plugs as they are"_s));
+    EXPECT_EQ(colour("advice"), Theme::instance().text());
+    EXPECT_EQ(field("repair_bearing")->value(), 0.0);
+    type("customer", u"Smith"_s);
+    press(Qt::Key_F2);
+    EXPECT_GT(model->desk()->jobId(), 0);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(label("advice").startsWith(u"Still needed for the plugs: changes of mass"_s));
+}
+
+TEST_F(PlugsPageTest, WhatWasRefusedGoesWithItsJob) {
+    type("customer", u"Smith"_s);
+    const auto answer = [](QMessageBox::StandardButton button, QString& said) {
+        whenModal<QMessageBox>([button, &said](QMessageBox* box) {
+            said = box->text();
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+        });
+    };
+    type("rod_big_end", u"0,5"_s);
+    press(Qt::Key_F2);
+    const qint64 first = model->desk()->jobId();
+    ASSERT_GT(first, 0);
+    press(Qt::Key_F4);
+    type("reciprocating_mass_g", u"abc"_s);
+    ASSERT_FALSE(field("reciprocating_mass_g")->trouble().isEmpty());
+    // Nothing has changed on the sheet, but something was typed.
+    QString said;
+    answer(QMessageBox::Cancel, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(said.contains(u"abc"_s)) << qPrintable(said);
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), u"abc"_s);
+    answer(QMessageBox::Ignore, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
+    // The group of masses is filled and emptied again while the next one is typed.
+    type("repair_piston_and_rings", u"abc"_s);
+    type("rod_big_end", u"12,5 k"_s);
+    EXPECT_EQ(field("repair_piston_and_rings")->text(), u"abc"_s);
+    EXPECT_FALSE(field("repair_piston_and_rings")->trouble().isEmpty());
+    EXPECT_EQ(field("rod_big_end")->text(), u"12,5 k"_s);
+    // What is saved is said to be without them.
+    type("engine_number", u"53"_s);
+    answer(QMessageBox::Cancel, said);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(said.contains(u"abc"_s) && said.contains(u"12,5 k"_s)) << qPrintable(said);
+    // The value below it is that of the job which is opened.
+    type("reciprocating_mass_g", u"abc"_s);
+    EXPECT_EQ(model->desk()->openJob(first), QString());
+    EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
+    EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
+    EXPECT_FALSE(model->hasRefused());
+}
+
+TEST_F(PlugsPageTest, APlugThatCannotBeMadeIsNoAnswer) {
+    Json input = repairJob();
+    input["plugs"]["plug"] =
+        parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 14.5})");
+    model->loadInput(input, {});
+    EXPECT_TRUE(label("advice").contains(u"there is no bottom"_s)) << qPrintable(label("advice"));
+    EXPECT_EQ(colour("advice"), Theme::instance().error());
+    EXPECT_TRUE(label("boring").isEmpty());
+    type("bore_depth_mm", u"6"_s);
+    EXPECT_FALSE(label("advice").contains(u"cannot"_s)) << qPrintable(label("advice"));
+}
+
+TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
+    for (const char* name : {"reciprocating_mass_g", "rotating_mass_g", "oil_mass_g"}) {
+        type(name, u"700"_s);
+    }
+    type("oil_coefficient", u"1"_s);
+    type("steel_plug_mass_g", u"25"_s);
+    type("rod_big_end", u"0.5"_s);
+    ASSERT_TRUE(model->plugs()->before) << qPrintable(label("headline"));
+    const BobWeight& after =
+        model->plugs()->bob_weights[index(model->plugs()->advice->option->id)]->after;
+    // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
+    EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
+    EXPECT_TRUE(label("hang").contains(
+        u"The plugs are out of the shaft then; while they are in it hang "_s +
+        QString::number(after.with_plugs_in() / gram, 'f', 1)))
+        << qPrintable(label("hang"));
+    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods as usual"_s))
+        << qPrintable(label("check"));
+    EXPECT_TRUE(label("check").contains(u"worth 0.22\u00A0g here"_s)) << qPrintable(label("check"));
+}
+
+TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
+    find<QToolButton>("details")->click();
+    QApplication::processEvents();
+    type("rod_big_end", u"1"_s);
+    PartPlot* plot = partPlot(page, "compensation");
+    plot->make();  // it may stand behind another
+    for (const OptionId id : all_options) {
+        const auto& option = model->plugs()->option(id);
+        const int curve = static_cast<int>(id);
+        EXPECT_NEAR(*plot->valueAt(curve, 0.0), option->constant / gram, 1e-9);
+        EXPECT_NEAR(*plot->valueAt(curve, option->max_reduction / gram), option->maximum / gram,
+                    1e-9);
+        EXPECT_FALSE(plot->valueAt(curve, option->max_reduction / gram + 0.01));
+    }
+    // Today's excess as a line, the option chosen as a ring on it.
+    const Option& chosen = *model->plugs()->advice->option;
+    const QImage picture = plot->grab().toImage();
+    const auto apart = [](const QColor& a, const QColor& b) {
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+               std::abs(a.blue() - b.blue());
+    };
+    const auto near = [&](const QColor& a, const QColor& b) { return apart(a, b) < 60; };
+    const double excess = *model->plugs()->unbalanced_mass / gram;
+    const int row = qRound(plot->toPixel(0.0, excess).y());
+    int today = 0;
+    for (int x = qRound(plot->plotArea().left()); x < plot->plotArea().right(); ++x) {
+        for (int y = row - 1; y <= row + 1; ++y) {
+            // The line may lie between two rows of pixels and be paler in each.
+            const QColor pixel = picture.pixelColor(x, y);
+            today +=
+                apart(pixel, Theme::instance().curve(6)) < apart(pixel, Theme::instance().panel())
+                    ? 1
+                    : 0;
+        }
+    }
+    EXPECT_GT(today, 12);
+    const QPoint ring = plot->toPixel(chosen.reduction / gram, excess).toPoint();
+    int around = 0;
+    for (int dx = -9; dx <= 9; ++dx) {
+        for (int dy = -9; dy <= 9; ++dy) {
+            const bool onRing = dx * dx + dy * dy >= 16;
+            around += onRing && near(picture.pixelColor(ring.x() + dx, ring.y() + dy),
+                                     Theme::instance().curve(static_cast<int>(chosen.id)))
+                          ? 1
+                          : 0;
+        }
+    }
+    EXPECT_GT(around, 20);
+    // Fig. 2: Δk = Δr / r.
+    for (std::size_t i = 0; i < shift_curves.size(); ++i) {
+        EXPECT_NEAR(*partPlot(page, "shift")->valueAt(static_cast<int>(i), 1.2),
+                    1.2e-3 / shift_curves[i].crank_radius, 1e-9);
+    }
+}
+
+TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
+    installLanguage(u"ru"_s);
+    Theme::instance().setTextScale(1.5);
+    {
+        const QTemporaryDir folder;
+        WorkshopPage page(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr);
+        page.viewModel()->loadInput(repairJob(), {});
+        test::showAt(page, {846, 590});  // beside the scenes in a window of 1024 × 700
+        page.sheets()->setCurrentIndex(page.sheets()->count() - 1);
+        int tables = 0;
+        for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+            if (table->isVisible()) {
+                ++tables;
+                const QScrollBar* bar = table->horizontalScrollBar();
+                EXPECT_TRUE(QTest::qWaitFor([&] { return bar->maximum() == 0; }, 1000))
+                    << table->accessibleName().toStdString() << bar->maximum();
+            }
+        }
+        EXPECT_GE(tables, 2) << "the options and the lines of the bob weight";
+    }
+    Theme::instance().setTextScale(1.0);
+    installLanguage(u"en"_s);
+}
+
+TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
+    int shown = 0;
+    for (int height = 100; height <= 400; height += 20) {
+        PlugsModel model;
+        model.editPlugs(u"radius"_s, [](auto& input) { input.engine.crank_radius = 0.040; });
+        PartPlot plot(&model, "shift");
+        test::showAt(plot, {420, height});
+        for (const test::PaintedText& each : test::painted(plot).texts) {
+            if (each.text != u"neglected"_s) {
+                continue;
+            }
+            ++shown;
+            int crossed = 0;
+            for (int curve = 0; curve < static_cast<int>(shift_curves.size()); ++curve) {
+                bool crosses = false;
+                for (double x = 0.8; x <= 1.2; x += 0.01) {
+                    crosses =
+                        crosses || each.ink.contains(plot.toPixel(x, *plot.valueAt(curve, x)));
+                }
+                crossed += crosses ? 1 : 0;
+            }
+            EXPECT_LE(crossed, 1) << height;
+            for (const double shift : {0.8, 1.2}) {
+                EXPECT_FALSE(each.ink.contains(plot.toPixel(shift, shift / 40.0))) << height;
+            }
+        }
+    }
+    EXPECT_GT(shown, 5) << "where there is room";
+}
+
+/// A button that hides when it is pressed gives the focus to whatever comes next.
+TEST_F(PlugsPageTest, ItsKeysWorkWhereverTheFocusIs) {
+    QWidget window;
+    QVBoxLayout column(&window);
+    QPushButton other(u"Other"_s, &window);
+    column.addWidget(&other);
+    column.addWidget(&page);
+    test::showAt(window, {1187, 760});
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    type("engine_number", u"53-11"_s);
+    other.setFocus();
+    ASSERT_TRUE(other.hasFocus());
+    QTest::keyClick(&other, Qt::Key_F2);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return model->desk()->jobId() != 0; }, 20'000));
+    page.setParent(nullptr);
+}
+
+TEST_F(PlugsPageTest, SheetsOfTheNextJobBeginAtTheirFirstEmptyField) {
+    QTabWidget* sheets = page.sheets();
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
+        page.fieldsOf(sheet).constLast()->setFocus();
+    }
+    press(Qt::Key_F4);
+    for (int sheet = 1; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
+        const auto fields = page.fieldsOf(sheet);
+        const auto empty = std::find_if(fields.begin(), fields.end(), [](QWidget* field) {
+            const auto* entry = qobject_cast<EntryField*>(field);
+            return entry != nullptr && entry->isEnabled() && entry->isVisible() &&
+                   entry->text().isEmpty();
+        });
+        ASSERT_NE(empty, fields.end());
+        EXPECT_EQ(page.focusWidget(), *empty) << sheet;
+    }
+    // Where one was in this job, one goes on.
+    page.fieldsOf(1).constLast()->setFocus();
+    sheets->setCurrentIndex(2);
+    sheets->setCurrentIndex(1);
+    EXPECT_EQ(page.focusWidget(), page.fieldsOf(1).constLast());
+}
+
+TEST_F(PlugsPageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
+    WorkshopPage fresh(QDir(folder.path()).filePath(u"fresh.sqlite"_s), nullptr);
+    fresh.show();
+    fresh.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    QApplication::processEvents();
+    ASSERT_TRUE(fresh.isAncestorOf(QApplication::focusWidget()));
+    bool seen = false;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        seen = true;
+        dialog->reject();
+    });
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3);
+    EXPECT_TRUE(seen);
+    auto* process = fresh.findChild<QComboBox*>(u"process"_s);
+    fresh.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    const QImage without = process->grab().toImage();
+    process->setFocus(Qt::OtherFocusReason);
+    QApplication::processEvents();
+    EXPECT_NE(process->grab().toImage(), without);
+}
+
+TEST_F(PlugsPageTest, ASheetStaysWhereItIsWhileAnotherWindowIsUsed) {
+    page.resize(900, 500);
+    page.sheets()->setCurrentIndex(2);
+    auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->currentWidget());
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    page.fieldsOf(2).constFirst()->setFocus();
+    QScrollBar* bar = sheet->verticalScrollBar();
+    ASSERT_GT(bar->maximum(), 0);
+    bar->setValue(bar->maximum());
+    QWidget other;
+    test::showAt(other, {200, 100});
+    other.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    ASSERT_TRUE(page.fieldsOf(2).constFirst()->hasFocus());
+    EXPECT_EQ(bar->value(), bar->maximum());
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,393 @@
+// The sheets of the page: their fields, the way through them and what they refuse.
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDate>
+#include <QScrollArea>
+#include <QTabBar>
+#include <map>
+
+#include "model/case_document.h"
+#include "plugs_page_test.h"
+#include "shop/checked_field.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+using units::gram;
+
+class PlugsSheetsTest : public PlugsPageTest {
+  protected:
+    /// It is not of the other form, with plugs or without.
+    bool isThere(const QWidget* field) const {
+        for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+            if (page.sheets()->widget(sheet)->isAncestorOf(field)) {
+                return field->isVisibleTo(page.sheets()->widget(sheet));
+            }
+        }
+        return false;
+    }
+};
+
+TEST_F(PlugsSheetsTest, NothingTypedIntoTheHeadIsIgnoredInSilence) {
+    const std::pair<const char*, int> texts[] = {{"engine_number", 80},
+                                                 {"crankshaft_number", 80},
+                                                 {"customer", 80},
+                                                 {"technician", 80},
+                                                 {"notes", 1000}};
+    for (const auto& [name, longest] : texts) {
+        auto* field = find<EntryField>(name);
+        type(field, QString(longest, u'n'));
+        EXPECT_EQ(field->trouble(), QString()) << name;
+        field->selectAll();
+        QApplication::clipboard()->setText(QString(longest + 1, u'n'));
+        QTest::keyClick(field, Qt::Key_V, Qt::ControlModifier);
+        EXPECT_EQ(field->said(), u"Cut: at most %1 characters."_s.arg(longest)) << name;
+        EXPECT_EQ(field->text().size(), longest);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    EXPECT_EQ(model->input().job.notes, std::string(1000, 'n'));
+    // What a file brings is shown whole.
+    model->edit(u"notes"_s, [](auto& input) { input.job.notes = std::string(1500, 'f'); });
+    EXPECT_EQ(find<EntryField>("notes")->text().size(), 1500);
+}
+
+TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
+    page.sheets()->setCurrentIndex(0);
+    page.fieldsOf(0).constFirst()->setFocus();
+    QList<QWidget*> visited;
+    for (int step = 0;
+         step < 250 && (visited.isEmpty() || QApplication::focusWidget() != visited.constLast());
+         ++step) {
+        visited << QApplication::focusWidget();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    }
+    QList<QWidget*> expected;
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        bool isBegun = sheet == 0;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            // A sheet is entered at a field: a list or a tick would take the next key for a choice.
+            const bool isOpen = each->isEnabled() && isThere(each);
+            isBegun = isBegun || (isOpen && qobject_cast<EntryField*>(each) != nullptr);
+            if (isOpen && isBegun) {
+                expected << each;
+            }
+        }
+    }
+    EXPECT_EQ(visited, expected);
+    EXPECT_GT(visited.size(), 90);
+    // The last sheet is not left.
+    EXPECT_EQ(page.sheets()->currentIndex(), page.sheets()->count() - 1);
+    EXPECT_EQ(QApplication::focusWidget(), expected.constLast());
+}
+
+TEST_F(PlugsSheetsTest, TabGoesDownASheetAndAlongTheRowsOfItsGrid) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QList<QWidget*> expected;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            if (each->isEnabled() && isThere(each)) {
+                expected << each;
+            }
+        }
+        // The fields of its grids lie beside each other.
+        const auto cell = [](const QWidget* field) {
+            static const QRegularExpression grid(
+                u"^(mass_|nominal_|spread_|(position|radius|read_at|from|to)_\\d)"_s);
+            return grid.match(field->objectName()).hasMatch();
+        };
+        const auto first = std::find_if(expected.begin(), expected.end(), cell);
+        const auto last = std::find_if_not(first, expected.end(), cell);
+        std::stable_sort(first, last, [&](const QWidget* a, const QWidget* b) {
+            return a->mapTo(&page, QPoint()).y() < b->mapTo(&page, QPoint()).y();
+        });
+        expected.constFirst()->setFocus();
+        for (QWidget* each : expected) {
+            EXPECT_EQ(QApplication::focusWidget(), each)
+                << sheet << " " << qPrintable(each->objectName());
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+    }
+}
+
+TEST_F(PlugsSheetsTest, ArrowsGoFromCellToCell) {
+    show(WeighIn);
+    const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+    const auto at = [] { return QApplication::focusWidget()->objectName(); };
+    field("mass_piston_2")->setFocus(Qt::TabFocusReason);
+    press(Qt::Key_Right);
+    EXPECT_EQ(at(), u"mass_pin_2"_s);
+    press(Qt::Key_Down);
+    EXPECT_EQ(at(), u"mass_pin_3"_s);
+    QTest::keyClicks(QApplication::focusWidget(), u"12.5"_s);
+    press(Qt::Key_Left);
+    EXPECT_EQ(at(), u"mass_pin_3"_s) << "the cursor moves in what is typed";
+    press(Qt::Key_Home);
+    press(Qt::Key_Left);
+    EXPECT_EQ(at(), u"mass_piston_3"_s);
+    EXPECT_EQ(field("mass_pin_3")->value(), 12.5);
+    press(Qt::Key_Right);
+    EXPECT_EQ(field("mass_pin_3")->selectedText(), field("mass_pin_3")->text());
+    press(Qt::Key_Up);
+    EXPECT_EQ(at(), u"mass_pin_2"_s);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_EQ(at(), u"mass_piston_2"_s);
+    for (int step = 0; step < 6; ++step) {
+        press(Qt::Key_Up);
+    }
+    EXPECT_EQ(at(), u"nominal_piston"_s);
+}
+
+TEST_F(PlugsSheetsTest, PlugsThatComeBackHaveTheirValues) {
+    auto* there = find<QCheckBox>("has_aluminium_plug");
+    const auto toggle = [&] {
+        there->setFocus();
+        QTest::keyClick(there, Qt::Key_Space);
+    };
+    show(Plugs);
+    toggle();
+    EXPECT_FALSE(model->input().plugs->engine.has_aluminium_plug);
+    EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, std::nullopt);
+    toggle();
+    EXPECT_EQ(model->input().plugs->engine, engine_presets().front());
+    type("aluminium_plug_mass_g", u"1.2"_s);
+    toggle();
+    toggle();
+    EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, 1.2 * gram);
+    // Those of a case that has none are the paper's.
+    toggle();
+    model->loadCase(model->inputJson(), {}, {});
+    toggle();
+    EXPECT_EQ(model->input().plugs->engine, engine_presets().front());
+}
+
+TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
+    const Json plugs = parse_json(R"({
+        "engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90}, "plugs": {"engine": "6 l"}})");
+    model->editPlugs({}, [](auto& input) { input.tolerance = 7.0 * units::gram_mm; });
+    model->keepTolerance();  // the shop's
+    CaseDocument document(model, {});
+    document.begin({"workshop", "V-8 of 6 litres", plugs}, {});
+    EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm);
+    EXPECT_EQ(QString::fromStdString(model->input().job.date),
+              QDate::currentDate().toString(Qt::ISODate));
+    EXPECT_FALSE(document.needsSaving());
+    // A job that has its day keeps it, a case its limit, and what is opened is as it was.
+    Json dated = model->inputJson();
+    dated["job"]["date"] = "2020-02-02";
+    document.begin({"workshop", "V-8 of 6 litres", dated}, {});
+    EXPECT_EQ(model->input().job.date, "2020-02-02");
+    dated["job"]["date"] = "";
+    dated["plugs"]["tolerance_g_mm"] = 3;
+    document.begin({"workshop", "V-8 of 6 litres", dated}, {});
+    EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 3.0 * units::gram_mm);
+    document.open({"workshop", "V-8 of 6 litres", plugs}, folder.filePath(u"a.case.json"_s));
+    EXPECT_EQ(model->input().job.date, "");
+    QSettings().remove(u"workshop/tolerance_g_mm"_s);
+}
+
+TEST_F(PlugsSheetsTest, EveryFieldIsLargeAndNamesItsUnit) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const QString name = each->objectName();
+            EXPECT_FALSE(name.isEmpty());
+            EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
+                                             : sheet != Plugs && sheet != Job          ? 30
+                                                                                       : 34)
+                << qPrintable(name);
+        }
+    }
+    // Units stand in the accessible name of every quantity.
+    EXPECT_EQ(field("crank_radius_mm")->accessibleName(), u"Crank radius r, mm"_s);
+    EXPECT_EQ(field("mass_piston_3")->accessibleName(), u"Piston of cylinder 3, g"_s);
+}
+
+TEST_F(PlugsSheetsTest, MnemonicsOfASheetDiffer) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QMap<QChar, QString> used;
+        const auto note = [&](const QString& text) {
+            const qsizetype at = text.indexOf(u'&');
+            if (at < 0 || at + 1 >= text.size()) {
+                return;
+            }
+            const QChar key = text.at(at + 1).toLower();
+            EXPECT_FALSE(used.contains(key))
+                << qPrintable(text) << " and " << qPrintable(used.value(key));
+            used[key] = text;
+        };
+        for (QLabel* each : page.sheets()->currentWidget()->findChildren<QLabel*>()) {
+            if (each->buddy() != nullptr) {
+                note(each->text());
+            }
+        }
+        for (QAbstractButton* each :
+             page.sheets()->currentWidget()->findChildren<QAbstractButton*>()) {
+            note(each->text());
+        }
+    }
+}
+
+TEST_F(PlugsSheetsTest, ImpossibleEntriesAreRefusedInWords) {
+    const Json before = model->inputJson();
+    for (const char* name : {"crank_radius_mm", "steel_plug_mass_g", "oil_mass_g", "height_mm",
+                             "cutter_diameter_mm", "grade_mm_s", "rotor_mass_kg", "unbalance_1",
+                             "mass_piston_1", "nominal_rings", "tolerance_g_mm"}) {
+        for (const QString& text : {u"-5"_s, u"1e300"_s, u"abc"_s, u"1.2.3"_s, u"nan"_s}) {
+            type(name, text);
+            EXPECT_FALSE(field(name)->trouble().isEmpty()) << name << " " << qPrintable(text);
+            QTest::keyClick(field(name), Qt::Key_Escape);
+        }
+    }
+    for (const char* name : {"piston", "rod_big_end"}) {
+        type(name, u"1e9"_s);
+        EXPECT_FALSE(field(name)->trouble().isEmpty()) << name;
+        QTest::keyClick(field(name), Qt::Key_Escape);
+    }
+    auto* date = find<CheckedField>("date");
+    type(date, u"31.02.2024"_s);
+    EXPECT_TRUE(date->trouble().contains(u"no date"_s));
+    auto* thread = find<CheckedField>("thread");
+    type(thread, u"22"_s);
+    EXPECT_TRUE(thread->trouble().contains(u"M22×1.5"_s));
+    // What was valid on the way ("1" of "1e300") is undone.
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->inputJson(), before);
+    type(date, u"31.5.24"_s);
+    EXPECT_EQ(model->input().job.date, "2024-05-31");
+    type(thread, u"m30×1,5"_s);
+    EXPECT_NEAR(model->input().plugs->plug->thread->diameter, 0.03, 1e-12);
+}
+
+TEST_F(PlugsSheetsTest, EmptiedFieldTakesTheNextDigitsAlone) {
+    // What an empty field means (0, 5 g·mm, 7850 kg/m³) must not join what is typed next.
+    const struct {
+        const char* name;
+        const char* typed;
+        double usual;
+    } cases[] = {{"tolerance_g_mm", "3", 5.0},
+                 {"rod_big_end", "1.5", 0.0},
+                 {"steel_density_kg_m3", "7900", 7850.0},
+                 {"front_share", "0.4", 0.5}};
+    for (const auto& each : cases) {
+        NumberField* target = field(each.name);
+        type(target, QLatin1String(each.typed));
+        target->setFocus();
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        EXPECT_TRUE(target->text().isEmpty()) << each.name;
+        QTest::keyClicks(target, QLatin1String(each.typed));
+        EXPECT_EQ(target->text(), QLatin1String(each.typed)) << each.name;
+        EXPECT_NEAR(target->value().value(), QString::fromLatin1(each.typed).toDouble(), 1e-12);
+        // Left empty it shows what counts.
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        QTest::keyClick(target, Qt::Key_Return);
+        EXPECT_NEAR(target->value().value(), each.usual, 1e-12) << each.name;
+        EXPECT_FALSE(target->text().isEmpty()) << each.name;
+    }
+}
+
+TEST_F(PlugsSheetsTest, RefusedEntryStaysUntilItIsMended) {
+    NumberField* mass = field("steel_plug_mass_g");
+    type(mass, u"-5"_s);
+    EXPECT_EQ(QApplication::focusWidget(), mass);  // Enter does not pass it over
+    QTest::keyClick(mass, Qt::Key_Tab);
+    type("rod_coefficient", u"0.5"_s);
+    EXPECT_EQ(mass->text(), u"-5"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(model->input().plugs->engine.steel_plug_mass, find_preset("4.25 l")->steel_plug_mass);
+    // The tab says so, wherever one is.
+    show(Job);
+    EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(Plugs).isValid());
+    EXPECT_TRUE(label("refused").contains(u"Steel plug\u00A0mₚ"_s)) << qPrintable(label("refused"));
+    EXPECT_FALSE(find<QLabel>("advice")->font().bold());
+    type(mass, u"25"_s);
+    EXPECT_TRUE(mass->trouble().isEmpty());
+    EXPECT_EQ(label("refused"), QString());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(Plugs).isValid());
+    EXPECT_NEAR(*model->input().plugs->engine.steel_plug_mass, 25 * gram, 1e-12);
+}
+
+TEST_F(PlugsSheetsTest, RefusedWeightNeverBecomesAnother) {
+    show(WeighIn);
+    NumberField* mass = field("mass_piston_1");
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClicks(mass, u"5672.5.1"_s);
+    const auto weight = [&] {
+        return model->input().weigh_in ? (*model->input().weigh_in)[Part::piston].mass[0]
+                                       : std::nullopt;
+    };
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(field("mass_piston_2"), Qt::LeftButton);
+    QTest::keyClicks(field("mass_piston_2"), u"830"_s);
+    EXPECT_EQ(mass->text(), u"5672.5.1"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClick(mass, Qt::Key_Escape);
+    EXPECT_EQ(mass->text(), QString());
+    EXPECT_EQ(weight(), std::nullopt);
+}
+
+TEST_F(PlugsSheetsTest, SheetsNeedNoScrollingSideways) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QApplication::processEvents();
+        auto* scroll = qobject_cast<QScrollArea*>(page.sheets()->widget(sheet));
+        ASSERT_NE(scroll, nullptr);
+        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const int end = each->mapTo(scroll->widget(), QPoint(each->width(), 0)).x();
+            EXPECT_LE(end, scroll->viewport()->width()) << qPrintable(each->objectName());
+        }
+    }
+}
+
+TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
+    // Those above and itself; a line may come below them.
+    const auto places = [&](int sheet) {
+        QList<QPoint> points;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            points << each->mapTo(each->window(), QPoint());
+            if (each == QApplication::focusWidget()) {
+                break;
+            }
+        }
+        return points;
+    };
+    const std::map<const char*, const char*> typed{
+        {"tolerance_g_mm", "1440"}, {"repair_bearing", "3"}, {"steel_plug_mass_g", "22.5"},
+        {"mass_pin_4", "0.151"},    {"grade_mm_s", "16"},    {"unbalance_2", "9"}};
+    for (const auto& [name, text] : typed) {
+        int sheet = 0;
+        while (!page.fieldsOf(sheet).contains(find<QWidget>(name))) {
+            ++sheet;
+        }
+        page.sheets()->setCurrentIndex(sheet);
+        find<QWidget>(name)->setFocus();
+        QTest::keyClick(find<QWidget>(name), Qt::Key_A, Qt::ControlModifier);
+        QApplication::processEvents();
+        const auto before = places(sheet);
+        QTest::keyClicks(find<QWidget>(name), QString::fromLatin1(text));
+        QApplication::processEvents();
+        QApplication::processEvents();
+        EXPECT_EQ(places(sheet), before) << name;
+    }
+}
+
+TEST_F(PlugsSheetsTest, CellsShowHundredthsOfAGram) {
+    show(WeighIn);
+    type("mass_piston_8", u"1568.52"_s);
+    NumberField* cell = field("mass_piston_8");
+    // Frame and margins are three pixels at each side.
+    EXPECT_LE(cell->fontMetrics().horizontalAdvance(u"1568.52"_s) + 6, cell->width());
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,170 @@
+// What was really drilled: the rows of the sheet Correction change the plan.
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <numbers>
+
+#include "core/workshop/support.h"
+#include "plugs_page_test.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using bob_weights::HoleState;
+
+class DrilledTest : public PlugsPageTest {
+  protected:
+    /// A job whose plan of the first run was drilled.
+    DrilledTest() {
+        model->loadInput(workshop::test::card(), {});
+        type("run_1_unbalance_1", u"300"_s);
+        type("run_1_angle_1", u"40"_s);
+        type("run_1_unbalance_2", u"95"_s);
+        type("run_1_angle_2", u"70"_s);
+        show(Correction);
+    }
+    const bob_weights::DrilledHole& hole(std::size_t at) const {
+        return model->input().correction->earlier_runs.at(0).drilled->at(at);
+    }
+    /// What is in the front plane after the first run's drilling.
+    const bob_weights::Metal& drilled() const { return model->solution().runs.at(0).drilled[0]; }
+    void choose(const char* name, HoleState state) {
+        auto* box = find<QComboBox>(name);
+        show(Correction);
+        ASSERT_TRUE(box->isVisible());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        for (int step = 0; step < static_cast<int>(state); ++step) {
+            QTest::keyClick(box, Qt::Key_Down);
+        }
+    }
+    /// As the verdict's doubt tells whether the holes explain what the machine read.
+    QString plan() const {
+        QStringList rows;
+        for (const bob_weights::Metal& metal : model->solution().runs.at(0).drilled) {
+            for (const bob_weights::Hole& each : metal.holes) {
+                rows << u"%1 %2 %3"_s.arg(each.diameter).arg(each.depth).arg(each.angle);
+            }
+        }
+        for (const workshop::Doubt& doubt : model->doubts()) {
+            rows << Words().message(doubt.text);
+        }
+        return rows.join(u'\n');
+    }
+};
+
+TEST_F(DrilledTest, EveryStateOfAHoleCountsAndIsTakenBack) {
+    ASSERT_GE(model->input().correction->earlier_runs.at(0).drilled->size(), 2U);
+    const QString before = plan();
+    const std::size_t holes = drilled().holes.size();
+    const double angle = hole(0).angle;
+    choose("drilled_state_1", HoleState::not_drilled);
+    EXPECT_EQ(hole(0).state, HoleState::not_drilled);
+    EXPECT_EQ(drilled().holes.size(), holes - 1);
+    EXPECT_NE(plan(), before);
+    choose("drilled_state_1", HoleState::wrong_side);
+    EXPECT_EQ(hole(0).angle, angle) << "the plan stays as it was written";
+    const auto isOpposite = [&](const bob_weights::Hole& each) {
+        return std::cos(each.angle - angle - std::numbers::pi) > 1.0 - 1e-12;
+    };
+    EXPECT_TRUE(std::ranges::any_of(drilled().holes, isOpposite));
+    choose("drilled_state_1", HoleState::as_planned);
+    EXPECT_EQ(plan(), before);
+}
+
+TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
+    const QString before = plan();
+    type("drilled_angle_1", u"55"_s);
+    EXPECT_EQ(hole(0).state, HoleState::measured);
+    EXPECT_NEAR(hole(0).angle, 55.0 * degree, 1e-12);
+    EXPECT_EQ(find<QComboBox>("drilled_state_1")->currentIndex(),
+              static_cast<int>(HoleState::measured));
+    EXPECT_NE(plan(), before);
+    type("drilled_depth_1", u"4.5"_s);
+    EXPECT_NEAR(hole(0).depth, 4.5 * units::mm, 1e-12);
+    EXPECT_TRUE(std::ranges::any_of(drilled().holes, [](const bob_weights::Hole& each) {
+        return std::abs(each.depth - 4.5 * units::mm) < 1e-12 &&
+               std::abs(each.angle - 55.0 * degree) < 1e-12;
+    }));
+    // What it took off is that of the depth measured, not of the plan.
+    const double mass = drilled().holes.at(0).mass;
+    type("drilled_depth_1", u"9"_s);
+    EXPECT_GT(drilled().holes.at(0).mass, 1.5 * mass);
+    while (model->history()->canUndo() && plan() != before) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(plan(), before);
+}
+
+TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
+    model->loadInput(workshop::test::card(), {});
+    const auto holes = [&] { return (*model->solution().correction)[0].holes; };
+    ASSERT_FALSE(holes().empty());
+    const double angle = holes().front().angle;
+    show(Correction);
+    whenModal<QDialog>([&](QDialog* dialog) {
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        EXPECT_FALSE(ok->isEnabled());
+        const auto set = [&](const char* key, const QString& text) {
+            test::type(test::named<NumberField>(*dialog, key), text);
+        };
+        set("hole_diameter_mm", u"16"_s);
+        set("hole_depth_mm", u"5"_s);
+        set("hole_angle_deg", QString::number(angle / degree, 'f', 1));
+        EXPECT_TRUE(ok->isEnabled());
+        ok->click();
+    });
+    find<QPushButton>("add_hole")->click();
+    ASSERT_EQ(model->input().correction->earlier_runs.size(), 1U);
+    EXPECT_EQ(model->newestRun(), 0U) << "no run of the machine";
+    EXPECT_TRUE(find<QComboBox>("drilled_state_1")->isVisible());
+    for (const bob_weights::Hole& each : holes()) {
+        EXPECT_TRUE(each.deepens || std::abs(each.angle - angle) > 5.0 * degree);
+    }
+    EXPECT_EQ(model->reading(0, 0, false), 2500 * units::gram_mm);
+    model->history()->undo();
+    EXPECT_TRUE(model->input().correction->earlier_runs.empty());
+}
+
+TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
+    const workshop::Input before = model->input();
+    type("what_if_diameter", u"16"_s);
+    type("what_if_depth", u"0.5"_s);
+    EXPECT_EQ(label("what_if"), QString());
+    type("what_if_angle", u"300"_s);
+    const QString said = label("what_if");
+    EXPECT_TRUE(said.startsWith(u"Front plane: remains "_s)) << qPrintable(said);
+    type("what_if_depth", u"5"_s);
+    EXPECT_NE(label("what_if"), said);
+    EXPECT_EQ(model->input(), before);
+    // By a job that is stopped nothing is thought of either.
+    type("run_1_unbalance_1", u"4900"_s);
+    EXPECT_EQ(label("what_if"), QString());
+}
+
+TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {
+    // The machine reads what the holes do not explain.
+    type("run_1_unbalance_1", u"4900"_s);
+    ASSERT_TRUE(model->withheld().holes);
+    show(Job);
+    QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
+    EXPECT_EQ(page.sheets()->currentIndex(), Correction);
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_1"));
+    // They were drilled on the wrong side: that explains it, and there is a plan again.
+    for (int row = 1; model->withheld().holes && row <= 5; ++row) {
+        const std::string name = "drilled_state_" + std::to_string(row);
+        if (row <=
+                static_cast<int>(model->input().correction->earlier_runs.at(0).drilled->size()) &&
+            hole(static_cast<std::size_t>(row - 1)).plane == bob_weights::PlaneName::front) {
+            choose(name.c_str(), HoleState::wrong_side);
+        }
+    }
+    EXPECT_FALSE(model->withheld().holes);
+    EXPECT_FALSE(model->holeResults().rows.isEmpty());
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,215 @@
+#include "shop/job_card.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QImage>
+#include <QPageLayout>
+#include <QPagedPaintDevice>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "case-file/input_error.h"
+#include "case-file/text_file.h"
+#include "numerics/units.h"
+#include "shop/card_page.h"
+#include "text/file_path.h"
+#include "text/usual_paper.h"
+#include "text/write_file.h"
+
+namespace ravnoves {
+
+namespace {
+
+const QString shopName = QStringLiteral("workshop/shop-name");
+const QString shopLogo = QStringLiteral("workshop/shop-logo");
+const QString paperKey = QStringLiteral("workshop/paper");  ///< upright, in points
+
+/// The paper of the last card.
+QPageSize paper() {
+    const QPageSize kept(QSettings().value(paperKey).toSize());
+    return kept.isValid() ? kept : QPageSize(usualPaper());
+}
+
+QDir shopFolder() {
+    return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)};
+}
+
+/// Above the card's title, where the margin is.
+void drawShop(CardPage& page, const Shop& shop) {
+    constexpr double top = 4.0;
+    constexpr double height = 6.4;
+    double x = CardPage::left;
+    const QImage logo = Shop::read(shop.logo);
+    if (!logo.isNull()) {
+        const double width = std::min(60.0, height * logo.width() / logo.height());
+        const double scaled = width * logo.height() / logo.width();
+        page.painter().drawImage(page.rect(x, top + (height - scaled) / 2.0, width, scaled), logo);
+        x += width + 3.0;
+    }
+    page.text(x, top + 1.2, CardPage::right - x, shop.name, 9, Qt::AlignLeft, true);
+}
+
+}  // namespace
+
+QImage Shop::read(const QString& file) {
+    try {
+        return file.isEmpty()
+                   ? QImage()
+                   : QImage::fromData(QByteArray::fromStdString(read_text_file(fsPath(file))));
+    } catch (const InputError&) {
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
+}
+
+Shop Shop::kept() {
+    const QSettings settings;
+    return {settings.value(shopName).toString(), settings.value(shopLogo).toString()};
+}
+
+QString Shop::keep() const {
+    QSettings settings;
+    settings.setValue(shopName, name);
+    const QDir folder = shopFolder();
+    const QFileInfo chosen(logo);
+    QString own = logo;
+    QString trouble;
+    if (!logo.isEmpty() && chosen.absolutePath() != folder.absolutePath()) {
+        own = folder.filePath(QStringLiteral("shop-logo.") + chosen.suffix().toLower());
+        trouble = this->trouble();
+        if (trouble.isEmpty() && QDir().mkpath(folder.path())) {
+            trouble = writeFile(own, [&] { return read_text_file(fsPath(logo)); });
+        }
+        own = trouble.isEmpty() ? own : logo;
+    }
+    settings.setValue(shopLogo, own);
+    for (const QFileInfo& each :
+         folder.entryInfoList({QStringLiteral("shop-logo.*")}, QDir::Files)) {
+        if (each.filePath() != own) {
+            QFile::remove(each.filePath());
+        }
+    }
+    return trouble;
+}
+
+QString Shop::trouble() const {
+    return logo.isEmpty() || !read(logo).isNull()
+               ? QString()
+               : QCoreApplication::translate("ravnoves::JobCard",
+                                             "The shop’s logo cannot be read, and the card is "
+                                             "without it: %1")
+                     .arg(QDir::toNativeSeparators(logo));
+}
+
+QString JobCard::otherRefusedText() const {
+    QStringList others = refused_;
+    others.removeIf([this](const QString& each) { return refusedOfResult_.contains(each); });
+    return refusedNote(words_, others);
+}
+
+double JobCard::goOn(CardPage& page) const {
+    constexpr double points = 9.0;
+    const double end = CardPage::top + page.paragraph(CardPage::left, CardPage::top, CardPage::full,
+                                                      title(), points, true);
+    page.line(CardPage::left, end + 0.8, CardPage::right, end + 0.8, 0.5, CardPage::ink);
+    return end + 3.0;
+}
+
+void JobCard::paint(QPainter& painter, const QRectF& page,
+                    const std::function<bool()>& next) const {
+    painter.save();
+    CardPage counted(painter, page);
+    counted.setMeasuring(true);
+    counted.setNextSheet([&] { return goOn(counted); });
+    draw(counted);
+    CardPage sheet(painter, page);
+    const auto begin = [&] {
+        if (sheet.isMeasuring()) {
+            return;
+        }
+        painter.fillRect(page, Qt::white);
+        drawShop(sheet, shop_);
+        if (counted.number() > 1) {
+            constexpr double below = 292.5;  // the line of the method
+            sheet.text(CardPage::left, below, CardPage::full,
+                       words_.translate("JobCard", "Page %1 of %2")
+                           .arg(sheet.number())
+                           .arg(counted.number()),
+                       8, Qt::AlignRight, true);
+        }
+    };
+    sheet.setNextSheet([&] {
+        sheet.setMeasuring(!next || !next());
+        begin();
+        return goOn(sheet);
+    });
+    begin();
+    draw(sheet);
+    painter.restore();
+}
+
+void JobCard::setPage(QPagedPaintDevice& device) {
+    QPageLayout layout(paper(), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0),
+                       QPageLayout::Millimeter);
+    layout.setMode(QPageLayout::FullPageMode);
+    device.setPageLayout(layout);
+}
+
+void JobCard::keepPaper(const QPagedPaintDevice& device) {
+    const QPageSize chosen = device.pageLayout().pageSize();
+    if (chosen.isValid() && chosen != paper()) {  // the usual one may change with the country
+        QSettings().setValue(paperKey, chosen.sizePoints());
+    }
+}
+
+bool JobCard::print(QPagedPaintDevice& device) const {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    // The paper in device pixels. A printer that keeps margins of its own and was not set to the
+    // full page begins inside it.
+    const double perMillimetre = device.logicalDpiX() / (units::inch.to_si / units::mm);
+    const QPageLayout layout = device.pageLayout();
+    const QRectF paper = layout.fullRect(QPageLayout::Millimeter);
+    const QMarginsF margins = layout.mode() == QPageLayout::FullPageMode
+                                  ? QMarginsF()
+                                  : layout.margins(QPageLayout::Millimeter);
+    // Letter is shorter than A4, a sheet on its side much more: the card shrinks to it, in the
+    // middle. Its own margins are what a printer needs.
+    const double scale =
+        std::min({1.0, paper.width() / CardPage::width, paper.height() / CardPage::height});
+    const QRectF card((paper.width() - scale * CardPage::width) / 2.0 - margins.left(),
+                      -margins.top(), scale * CardPage::width, scale * CardPage::height);
+    bool isWhole = true;
+    paint(painter, {card.topLeft() * perMillimetre, card.size() * perMillimetre}, [&] {
+        isWhole = isWhole && device.newPage();
+        return isWhole;
+    });
+    return painter.end() && isWhole;
+}
+
+QString JobCard::writePdf(const QString& path) const {
+    QBuffer whole;  // a file is only begun with a card that is painted
+    whole.open(QIODevice::WriteOnly);
+    bool painted = false;
+    {
+        QPdfWriter writer(&whole);
+        writer.setResolution(1200);
+        writer.setCreator(QStringLiteral("Ravnoves " RAVNOVES_VERSION));
+        writer.setTitle(title());
+        setPage(writer);
+        painted = print(writer);
+    }
+    return painted ? writeFile(path, [&] { return whole.data().toStdString(); })
+                   : QCoreApplication::translate("ravnoves::PictureFile", "%1 cannot be written.")
+                         .arg(path);
+}
+
+}  // namespace ravnoves

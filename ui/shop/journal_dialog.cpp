@@ -1,0 +1,409 @@
+#include "shop/journal_dialog.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <numeric>
+
+#include "pictures/file_dialogs.h"
+#include "shop/checked_field.h"
+#include "shop/model/job_desk.h"
+#include "shop/model/verdict.h"
+#include "text/shown_units.h"
+#include "theme/theme.h"
+#include "widgets/dialog_size.h"
+#include "widgets/form_section.h"
+#include "widgets/layouts.h"
+#include "widgets/page_columns.h"
+#include "widgets/text_length.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int buttonHeight = 36;
+constexpr int resultColumn = 6;
+constexpr int lastWidth = 120;     // designed pixels
+constexpr int longestList = 1000;  // more is not looked through by eye
+
+struct JournalColumn {
+    QString title;
+    int width;  ///< designed pixels
+};
+
+/// What cellsOf() fills.
+QList<JournalColumn> journalColumns() {
+    return {{JournalDialog::tr("Date"), 84},
+            {JournalDialog::tr("Engine number"), 124},
+            {JournalDialog::tr("Crankshaft"), 84},
+            {JournalDialog::tr("Customer"), 116},
+            {JournalDialog::tr("Engine"), 62},
+            {JournalDialog::tr("Technician"), 96},
+            {JournalDialog::tr("Result"), 150},
+            {JournalDialog::tr("Bob weight, g"), 108},
+            {JournalDialog::tr("Machine, g·mm"), lastWidth}};
+}
+
+}  // namespace
+
+QDate readDay(const QString& text) {
+    for (const char* format : {"yyyy-MM-dd", "dd.MM.yyyy", "d.M.yyyy", "d.M.yy", "dd/MM/yyyy"}) {
+        QDate day = QDate::fromString(text.trimmed(), QLatin1String(format));
+        if (day.isValid()) {
+            if (day.year() < 2000 && qstrcmp(format, "d.M.yy") == 0) {
+                day = day.addYears(100);
+            }
+            return day;
+        }
+    }
+    return {};
+}
+
+QString dayTrouble(const QString& text) {
+    return readDay(text).isValid() ? QString()
+                                   : JournalDialog::tr("“%1” is no date; write it like %2.")
+                                         .arg(text, Words().day(QStringLiteral("2024-05-31")));
+}
+
+JournalDialog::JournalDialog(Journal* journal, Listed listed, QWidget* parent)
+    : QDialog(parent), journal_(journal), listed_(std::move(listed)) {
+    setWindowTitle(tr("Journal of jobs"));
+    resizeWithText(this, 1120, 560);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(Theme::space);
+
+    // At large text in a small window both rows fold.
+    const auto folding = [&] { return new FoldingRow(0, this); };
+    const auto partOf = [](FoldingRow* whole, int share) {
+        auto* part = new QWidget(whole);
+        QHBoxLayout* layout = rowIn(part);
+        whole->add(part, share);
+        return layout;
+    };
+    FoldingRow* fields = folding();
+    QHBoxLayout* row = partOf(fields, 1);
+    const auto add = [&](const QString& label, QWidget* field, int stretch) {
+        auto* name = new QLabel(label, this);
+        name->setBuddy(field);
+        QString spoken = label;
+        field->setAccessibleName(spoken.remove(QLatin1Char('&')));
+        field->setMinimumHeight(Theme::withText(buttonHeight - 4));
+        row->addWidget(name);
+        row->addWidget(field, stretch);
+    };
+    text_ = new QLineEdit(this);
+    text_->setObjectName(QStringLiteral("journal_search"));
+    text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
+    text_->setClearButtonEnabled(true);
+    limitLength(text_, 200);
+    add(tr("&Search"), text_, 1);
+    row = partOf(fields, 0);
+    from_ = new CheckedField(dayTrouble, this);
+    from_->setObjectName(QStringLiteral("journal_from"));
+    from_->setPlaceholderText(tr("any day"));
+    from_->setMaximumWidth(Theme::withText(110));
+    add(tr("&from"), from_, 0);
+    to_ = new CheckedField(dayTrouble, this);
+    to_->setObjectName(QStringLiteral("journal_to"));
+    to_->setPlaceholderText(tr("any day"));
+    to_->setMaximumWidth(Theme::withText(110));
+    add(tr("&to"), to_, 0);
+    unfinished_ = new QCheckBox(tr("&unfinished only"), this);
+    unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
+    row->addWidget(unfinished_);
+    column->addWidget(fields);
+    trouble_ = new TroubleLine(this);
+    trouble_->setObjectName(QStringLiteral("journal_trouble"));
+    trouble_->setAlignment(Qt::AlignRight);
+    column->addWidget(trouble_);
+
+    table_ = new QTableWidget(this);
+    table_->setObjectName(QStringLiteral("journal_table"));
+    table_->setAccessibleName(tr("Jobs found"));
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setTabKeyNavigation(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(Theme::withText(30));
+    const QList<JournalColumn> columns = journalColumns();
+    table_->setColumnCount(static_cast<int>(columns.size()));
+    QStringList titles;
+    for (const JournalColumn& each : columns) {
+        titles << shownTitle(each.title).text;
+    }
+    table_->setHorizontalHeaderLabels(titles);
+    const QFontMetrics headings(table_->horizontalHeader()->font());
+    for (int i = 0; i < titles.size(); ++i) {
+        table_->setColumnWidth(
+            i, std::max(Theme::withText(columns[i].width),
+                        headings.horizontalAdvance(titles[i]) + Theme::withText(2 * Theme::space)));
+    }
+    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->viewport()->installEventFilter(this);
+    column->addWidget(table_, 1);
+
+    message_ = new QLabel(this);
+    message_->setWordWrap(true);
+    column->addWidget(message_);
+    FoldingRow* allButtons = folding();
+    QHBoxLayout* buttons = partOf(allButtons, 1);
+    const auto button = [&](const QString& name, const QString& text) {
+        auto* made = new QPushButton(text, this);
+        made->setObjectName(name);
+        made->setMinimumHeight(Theme::withText(buttonHeight));
+        made->setAutoDefault(false);
+        buttons->addWidget(made);
+        return made;
+    };
+    open_ = button(QStringLiteral("journal_open"), tr("&Open"));
+    copy_ = button(QStringLiteral("journal_copy"), tr("&Copy as new job"));
+    remove_ = button(QStringLiteral("journal_remove"), tr("&Remove…"));
+    buttons->addStretch();
+    buttons = partOf(allButtons, 0);
+    export_ = button(QStringLiteral("journal_export"), tr("&Export list as CSV…"));
+    auto* close = button(QStringLiteral("journal_close"), tr("C&lose"));
+    column->addWidget(allButtons);
+
+    connect(text_, &QLineEdit::textChanged, this, &JournalDialog::search);
+    connect(unfinished_, &QCheckBox::toggled, this, &JournalDialog::search);
+    connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
+    connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
+    for (CheckedField* day : {from_, to_}) {
+        connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
+    }
+    connect(text_, &QLineEdit::returnPressed, this, [this] { choose(Choice::Open); });
+    text_->installEventFilter(this);
+    connect(table_, &QTableWidget::activated, this, [this] { choose(Choice::Open); });
+    connect(open_, &QPushButton::clicked, this, [this] { choose(Choice::Open); });
+    connect(copy_, &QPushButton::clicked, this, [this] { choose(Choice::Copy); });
+    connect(remove_, &QPushButton::clicked, this, &JournalDialog::removeSelected);
+    connect(export_, &QPushButton::clicked, this, &JournalDialog::exportWithDialog);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    search();
+    text_->setFocus();
+    // As wide as its words, within the window.
+    const QList<int> needed = neededWidths();
+    const int wanted = std::accumulate(needed.begin(), needed.end(), Theme::withText(60));
+    if (parent != nullptr && wanted > width()) {
+        resize(std::max(width(), std::min(wanted, parent->window()->width())), height());
+    }
+}
+
+JournalQuery JournalDialog::query() const {
+    JournalQuery wanted;
+    wanted.text = text_->text();
+    // A day that is refused bounds nothing: the one before it stands nowhere any more.
+    const auto dayIn = [](const CheckedField* field) {
+        return field->trouble().isEmpty() ? readDay(field->value()) : QDate();
+    };
+    wanted.from = dayIn(from_);
+    wanted.to = dayIn(to_);
+    wanted.unfinishedOnly = unfinished_->isChecked();
+    return wanted;
+}
+
+QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) const {
+    const auto number = [&](const std::optional<double>& value, const Unit& unit) {
+        return value ? words.digits(*value * unit, unit, 1) : QStringLiteral("–");
+    };
+    QString machine = verdictText(words, job.verdict);
+    if (job.frontReading || job.rearReading) {
+        machine += (machine.isEmpty() ? QString() : QStringLiteral(": ")) +
+                   number(job.frontReading, units::gram_mm) + QStringLiteral(" / ") +
+                   number(job.rearReading, units::gram_mm);
+    }
+    const ListedJob listed = listed_(words, job);
+    return {words.day(job.date.toString(Qt::ISODate)),
+            job.engineNumber,
+            job.crankshaftNumber,
+            job.customer,
+            listed.engine,
+            job.technician,
+            job.isFinished ? listed.result : tr("unfinished"),
+            number(job.bobWeight, units::gram),
+            machine};
+}
+
+void JournalDialog::showDayTrouble(const JournalQuery& wanted) {
+    const bool isReversed = wanted.from.isValid() && wanted.to.isValid() && wanted.from > wanted.to;
+    QStringList said{from_->trouble(), to_->trouble()};
+    if (isReversed) {
+        said << tr("“from” is later than “to”: no day lies between them.");
+    }
+    said.removeAll(QString());
+    from_->setDoubtful(isReversed);
+    to_->setDoubtful(isReversed);
+    trouble_->say(said.join(QLatin1Char('\n')));
+}
+
+void JournalDialog::search() {
+    JournalQuery wanted = query();
+    showDayTrouble(wanted);
+    wanted.limit = longestList + 1;
+    jobs_ = journal_->search(wanted);
+    truncated_ = jobs_.size() > longestList;
+    if (truncated_) {
+        jobs_.removeLast();
+    }
+    const Words words;
+    table_->setRowCount(static_cast<int>(jobs_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const JournalJob& job = jobs_.at(row);
+        const QStringList cells = cellsOf(words, job);
+        for (int column = 0; column < cells.size(); ++column) {
+            auto* cell = new QTableWidgetItem(cells.at(column));
+            cell->setToolTip(cells.at(column));
+            table_->setItem(row, column, cell);
+        }
+        const Theme& theme = Theme::instance();
+        QTableWidgetItem* machine = table_->item(row, table_->columnCount() - 1);
+        const VerdictKind kind = verdictKind(job.verdict);
+        machine->setForeground(kind == VerdictKind::Pass   ? QBrush(theme.good())
+                               : kind == VerdictKind::Fail ? QBrush(theme.error())
+                               : kind == VerdictKind::Open ? QBrush(theme.warning())
+                                                           : QBrush());
+    }
+    giveRoom();
+    if (table_->rowCount() > 0) {
+        table_->setCurrentCell(0, 0);
+    }
+    for (QPushButton* button : {open_, copy_, remove_, export_}) {
+        button->setEnabled(table_->rowCount() > 0);
+    }
+    message_->setText(
+        !journal_->lastError().isEmpty() ? journal_->lastError()
+        : jobs_.isEmpty()                ? tr("No job found.")
+        : truncated_
+            ? tr("The newest %1 jobs; more match. The export has them all.").arg(jobs_.size())
+            : tr("Jobs found: %1").arg(jobs_.size()));
+}
+
+void JournalDialog::searchFor(const QString& text) {
+    text_->setText(text);
+}
+
+QList<int> JournalDialog::neededWidths() const {
+    QList<int> needed;
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        constexpr int seen = 100;  // rows; those further down are not read at once
+        needed << table_->horizontalHeader()->sectionSizeHint(column);
+        for (int row = 0; row < std::min(table_->rowCount(), seen); ++row) {
+            const QModelIndex cell = table_->model()->index(row, column);
+            needed.last() = std::max(needed.last(), table_->sizeHintForIndex(cell).width());
+        }
+    }
+    return needed;
+}
+
+void JournalDialog::giveRoom() {
+    if (!table_->isVisible()) {
+        return;  // its width is not known yet
+    }
+    const int last = table_->columnCount() - 1;
+    const QList<int> needed = neededWidths();
+    QList<int> widths;
+    int left = table_->viewport()->width();
+    for (int column = 0; column < last; ++column) {
+        widths << table_->columnWidth(column);
+        left -= widths.last();
+    }
+    widths << left;
+    // Result and machine have the longest words, and are what one looks for.
+    QList<int> order{resultColumn, last};
+    for (int column = 0; column < last; ++column) {
+        order << column;
+    }
+    for (const int column : order) {
+        for (int from = last; from >= 0; --from) {
+            const int spare = widths[from] - needed[from];
+            const int lack = needed[column] - widths[column];
+            if (spare > 0 && lack > 0) {
+                widths[from] -= std::min(spare, lack);
+                widths[column] += std::min(spare, lack);
+            }
+        }
+    }
+    for (int column = 0; column < last; ++column) {
+        if (widths[column] != table_->columnWidth(column)) {
+            table_->setColumnWidth(column, widths[column]);
+        }
+    }
+}
+
+bool JournalDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && watched == table_->viewport()) {
+        giveRoom();
+    } else if (event->type() == QEvent::KeyPress && watched == text_) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Up) {  // through the list, while one searches
+            QApplication::sendEvent(table_, event);
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+qint64 JournalDialog::selectedId() const {
+    const int row = table_->currentRow();
+    return row >= 0 && row < jobs_.size() ? jobs_.at(row).id : 0;
+}
+
+void JournalDialog::choose(Choice choice) {
+    chosen_ = selectedId();
+    if (chosen_ != 0) {
+        choice_ = choice;
+        accept();
+    }
+}
+
+void JournalDialog::removeSelected() {
+    const qint64 id = selectedId();
+    if (id == 0) {
+        return;
+    }
+    const JournalJob& job = jobs_.at(table_->currentRow());
+    const QString day = Words().day(job.date.toString(Qt::ISODate));
+    if (QMessageBox::question(
+            this, tr("Remove job"),
+            tr("Remove job %1 of %2 from the journal for good?")
+                .arg(JobDesk::numbersOf(job), day.isEmpty() ? QStringLiteral("–") : day),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes) {
+        if (!journal_->remove(id)) {
+            message_->setText(journal_->lastError());
+            return;
+        }
+        Q_EMIT removed(id);
+        search();
+    }
+}
+
+QString JournalDialog::exportTo(const QString& file) {
+    // All that match, not only those that the list has room for.
+    const QList<JournalJob> jobs = truncated_ ? journal_->search(query()) : jobs_;
+    return journal_->exportCsv(file, jobs) ? QString() : journal_->lastError();
+}
+
+void JournalDialog::exportWithDialog() {
+    const QString file =
+        askSavePath(this, tr("Export list"), QStringLiteral("journal.csv"), {csvFormat()});
+    if (file.isEmpty()) {
+        return;
+    }
+    const QString trouble = exportTo(file);
+    message_->setText(trouble.isEmpty() ? tr("Written: %1").arg(file) : trouble);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QDialog>
+#include <QList>
+#include <functional>
+
+#include "shop/model/journal.h"
+#include "shop/model/words.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace ravnoves {
+
+class CheckedField;
+class TroubleLine;
+
+/// What the list says of a job.
+struct ListedJob {
+    QString engine;
+    QString result;
+};
+
+/// The jobs in the journal: search by numbers, customer or date, open, copy, remove, export.
+class JournalDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    enum class Choice { None, Open, Copy };
+
+    using Listed = std::function<ListedJob(const Words& words, const JournalJob& job)>;
+
+    JournalDialog(Journal* journal, Listed listed, QWidget* parent = nullptr);
+
+    /// What the user wants with chosenId(); None where the dialog was only closed.
+    Choice choice() const { return choice_; }
+    qint64 chosenId() const { return chosen_; }
+    /// As if it were typed.
+    void searchFor(const QString& text);
+    /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
+    QString exportTo(const QString& file);
+
+  Q_SIGNALS:
+    /// From the journal.
+    void removed(qint64 id);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void search();
+    /// Of the columns, by heading and words.
+    QList<int> neededWidths() const;
+    /// Columns that need more width get it from those that need less.
+    void giveRoom();
+    void showDayTrouble(const JournalQuery& wanted);
+    JournalQuery query() const;
+    void choose(Choice choice);
+    void removeSelected();
+    void exportWithDialog();
+    qint64 selectedId() const;
+
+    QStringList cellsOf(const Words& words, const JournalJob& job) const;
+
+    Journal* journal_;
+    Listed listed_;
+    QList<JournalJob> jobs_;
+    bool truncated_ = false;  // more match than the list shows
+    Choice choice_ = Choice::None;
+    qint64 chosen_ = 0;
+    QLineEdit* text_;
+    CheckedField* from_;
+    CheckedField* to_;
+    QCheckBox* unfinished_;
+    QTableWidget* table_;
+    TroubleLine* trouble_;
+    QLabel* message_;
+    QPushButton* open_;
+    QPushButton* copy_;
+    QPushButton* remove_;
+    QPushButton* export_;
+};
+
+/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
+QDate readDay(const QString& text);
+/// Why a text is refused as a day; empty where it is one.
+QString dayTrouble(const QString& text);
+
+}  // namespace ravnoves

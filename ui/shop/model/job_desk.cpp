@@ -1,0 +1,385 @@
+#include "shop/model/job_desk.h"
+
+#include <QDate>
+#include <QSettings>
+#include <utility>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "model/case_document.h"
+#include "model/recovery.h"
+#include "scenes/scenes.h"
+#include "shop/model/verdict.h"
+#include "text/error_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+const QString languageKey = QStringLiteral("workshop/card-language");
+const QString technicianKey = QStringLiteral("workshop/technician");
+
+/// Whether somebody could find the job again.
+bool isNamed(const JournalJob& job) {
+    return !job.engineNumber.isEmpty() || !job.crankshaftNumber.isEmpty() ||
+           !job.customer.isEmpty();
+}
+
+/// Those that live.
+QList<JobDesk*>& desks() {
+    static QList<JobDesk*> all;
+    return all;
+}
+
+}  // namespace
+
+JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
+    : QObject(model), model_(model), scene_(std::move(scene)), journalPath_(journalPath) {
+    if (!journalPath_.isEmpty()) {
+        desks() << this;
+        const QSettings settings;
+        cardLanguage_ =
+            settings.value(languageKey, settings.value(QStringLiteral("v8-plugs/card-language")))
+                .toString();
+    }
+    connect(model_, &SceneModel::changed, this, [this] { isJournaled_ = false; });
+    connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
+}
+
+JobDesk::~JobDesk() {
+    if (!journalPath_.isEmpty()) {  // one without may be of a model in another thread
+        desks().removeOne(this);
+    }
+}
+
+void JobDesk::setJournalTrouble(const QString& text) {
+    if (text != journalTrouble_) {
+        journalTrouble_ = text;
+        Q_EMIT journalTroubleChanged(text);
+    }
+}
+
+bool JobDesk::openJournal() {
+    if (isOpen()) {
+        return true;
+    }
+    if (journalPath_.isEmpty()) {
+        return false;
+    }
+    if (!journal_) {
+        journal_ = std::make_unique<Journal>(journalPath_);
+    }
+    if (!journal_->open()) {
+        setJournalTrouble(journal_->lastError());
+        return false;
+    }
+    setJournalTrouble(journal_->openMessage());
+    moveDrafts();
+    Q_EMIT journalOpened();
+    return true;
+}
+
+/// What an older version kept in the journal is offered as any unsaved case is.
+void JobDesk::moveDrafts() {
+    for (const JournalDraft& draft : journal_->orphanedDrafts()) {
+        try {
+            Recovery::leave(parse_shown_case(draft.form.toStdString()),
+                            {{"id", draft.jobId}, {"revision", draft.jobRevision}});
+            journal_->discardDraft(draft.session);
+        } catch (const InputError&) {
+            // It stays where it is: nothing can be made of it here.
+        }
+    }
+}
+
+void JobDesk::putJobId(qint64 id, int revision) {
+    jobId_ = id;
+    jobRevision_ = revision;
+}
+
+bool JobDesk::isNameless() const {
+    return jobId_ == 0 && !isNamed(scene_.entry()) && scene_.hasNumbers();
+}
+
+void JobDesk::forgetJob() {
+    putJobId(0, 0);
+}
+
+void JobDesk::missJob(qint64 removed) {
+    for (JobDesk* desk : QList(desks())) {
+        if (desk->journalPath_ == journalPath_ && desk->jobId_ == removed) {
+            desk->putJobId(0, 0);
+            desk->isJournaled_ = false;
+            if (!CaseDocument::hasFile(*desk->model_)) {
+                desk->model_->history()->resetClean();
+            }
+            Q_EMIT desk->jobRemoved();
+        }
+    }
+}
+
+void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {
+    const auto before = std::pair(jobId_, jobRevision_);
+    putJobId(id, revision);
+    try {
+        take();
+    } catch (...) {
+        putJobId(before.first, before.second);
+        throw;
+    }
+    // What was refused was typed for another job, and one value may be that of both.
+    Q_EMIT model_->broughtIn();
+}
+
+void JobDesk::beginJob(const std::function<void()>& take) {
+    replaceJob(0, 0, take);
+    Q_EMIT model_->begunAnew();
+}
+
+QByteArray JobDesk::formText() const {
+    return QByteArray::fromStdString(write_case(model_->caseFile()).dump());
+}
+
+/// Of an older version it may be the case of another scene.
+bool JobDesk::isSameForm(const QByteArray& form) const {
+    try {
+        return form == formText() ||
+               QByteArray::fromStdString(write_case(parse_shown_case(form.toStdString())).dump()) ==
+                   formText();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+QString JobDesk::backUpJournal(const QString& file) {
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    return journal_->backUp(file) ? tr("The journal is backed up: %1").arg(file)
+                                  : journal_->lastError();
+}
+
+QString JobDesk::restoreJournal(const QString& path, const QString& file,
+                                const std::atomic<bool>& cancelled) {
+    Journal journal(path);
+    const auto done = journal.open() ? journal.restore(file, &cancelled) : std::nullopt;
+    return done ? tr("Jobs brought back: %1; already in the journal: %2.")
+                      .arg(done->added)
+                      .arg(done->known)
+                : journal.lastError();
+}
+
+void JobDesk::takeRestored() {
+    setJournalTrouble({});
+    Q_EMIT journalOpened();  // engines may have come with it
+}
+
+QString JobDesk::numbersOf(const JournalJob& job) {
+    QStringList numbers{job.engineNumber, job.crankshaftNumber};
+    numbers.removeAll(QString());
+    return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
+}
+
+QStringList JobDesk::wordsOf(const CaseFile& file) {
+    QStringList words;
+    const std::string head(shop::field::job.key);
+    if (file.input.is_object() && file.input.contains(head) && file.input.at(head).is_object()) {
+        for (const Field& field :
+             {shop::field::engine_number, shop::field::crankshaft_number, shop::field::customer}) {
+            const auto found = file.input.at(head).find(std::string(field.key));
+            if (found != file.input.at(head).end() && found->is_string()) {
+                words << QString::fromStdString(found->get<std::string>());
+            }
+        }
+    }
+    words.removeAll(QString());
+    return words;
+}
+
+bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) const {
+    if (there.engine == here.engine) {
+        return true;
+    }
+    try {
+        return scene_.isSameEngine(parse_shown_case(there.form.toStdString()));
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+QString JobDesk::otherEngine() {
+    if (jobId_ == 0 || !isOpen()) {
+        return {};
+    }
+    const auto there = journal_->job(jobId_);
+    if (!there) {
+        return {};
+    }
+    const JournalJob here = scene_.entry();
+    // A number that comes later is of the same engine.
+    const auto isOther = [](const QString& before, const QString& now) {
+        return !before.isEmpty() && before != now;
+    };
+    return isOther(there->engineNumber, here.engineNumber) ||
+                   isOther(there->crankshaftNumber, here.crankshaftNumber) ||
+                   (!there->engine.isEmpty() && !isSameEngine(*there, here))
+               ? numbersOf(*there)
+               : QString();
+}
+
+std::optional<JournalJob> JobDesk::sameJob() {
+    if (jobId_ != 0 || !openJournal()) {
+        return std::nullopt;
+    }
+    const JournalJob here = scene_.entry();
+    JournalQuery query;
+    query.from = here.date;
+    query.to = here.date;
+    for (const JournalJob& there : journal_->search(query)) {
+        const auto agree = [](const QString& a, const QString& b) {
+            return a == b || a.isEmpty() || b.isEmpty();
+        };
+        const auto are = [](const QString& a, const QString& b) { return !a.isEmpty() && a == b; };
+        // A number that came later is of the same job; without any it may be anybody's.
+        const bool isSame = there.date == here.date &&
+                            agree(there.engineNumber, here.engineNumber) &&
+                            agree(there.crankshaftNumber, here.crankshaftNumber) &&
+                            (are(there.engineNumber, here.engineNumber) ||
+                             are(there.crankshaftNumber, here.crankshaftNumber)) &&
+                            isSameEngine(there, here);
+        if (isSame && isSameForm(there.form)) {
+            replaceInJournal(there);
+            return std::nullopt;
+        }
+        if (isSame) {
+            return there;
+        }
+    }
+    return std::nullopt;
+}
+
+QString JobDesk::verdictToLose() {
+    if (jobId_ == 0 || !isOpen() || !isWithheld(scene_.entry().verdict)) {
+        return {};
+    }
+    const auto there = journal_->job(jobId_);
+    return there && there->isFinished && !isWithheld(there->verdict) ? there->verdict : QString();
+}
+
+QString JobDesk::saveJob(bool* ok, bool isFinished) {
+    if (ok != nullptr) {
+        *ok = false;
+    }
+    if (jobId_ == 0 && !isNamed(scene_.entry()) && !scene_.hasNumbers()) {
+        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing();
+    }
+    if (!openJournal()) {
+        return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
+    }
+    model_->keepForSaving();
+    JournalJob job = scene_.entry();
+    job.id = jobId_;
+    job.revision = jobRevision_;
+    job.scene = model_->sceneName();
+    job.isFinished = isFinished && isNamed(job) && scene_.missing().isEmpty();
+    job.form = formText();
+    const Journal::Saved saved = journal_->save(job);
+    if (saved == Journal::Saved::No) {
+        setJournalTrouble(journal_->lastError());
+        return journal_->lastError();
+    }
+    takeSaved(job);
+    if (ok != nullptr) {
+        *ok = true;
+    }
+    return savedText(saved, job);
+}
+
+void JobDesk::takeSaved(const JournalJob& job) {
+    if (!job.technician.isEmpty()) {
+        QSettings().setValue(technicianKey, job.technician);
+    }
+    putJobId(job.id, job.revision);
+    isJournaled_ = true;
+    if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
+        Q_EMIT model_->historyChanged();  // its place is kept for a crash
+        return;
+    }
+    model_->history()->setClean();
+    isJournaled_ = true;
+}
+
+QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
+    const QString number =
+        job.engineNumber.isEmpty() ? tr("without an engine number") : job.engineNumber;
+    const QString done =
+        saved == Journal::Saved::AsCopy
+            ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
+        : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
+                         : tr("Job %1 put aside in the journal, unfinished.").arg(number);
+    QStringList said{done, scene_.missing()};
+    if (!isNamed(job)) {
+        said << tr("A number of engine or crankshaft, or a customer, is needed to find it again.");
+    }
+    said.removeAll(QString());
+    return said.join(QLatin1Char(' '));
+}
+
+QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy) {
+    try {
+        const CaseFile file = parse_shown_case(form.toStdString());
+        if (file.scene != model_->sceneName().toStdString()) {
+            throw InputError("/scene",
+                             {CORE_TEXT("core", "must be one of %1"),
+                              quoted_list({model_->sceneName().toStdString()})},
+                             file.scene);
+        }
+        replaceJob(isCopy ? 0 : id, isCopy ? 0 : revision, [&] { scene_.take(file, isCopy); });
+        return {};
+    } catch (const InputError& error) {
+        return tr("The job's sheet cannot be read: %1").arg(errorText(error));
+    }
+}
+
+QString JobDesk::takeJob(qint64 id, bool isCopy) {
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    const auto job = journal_->job(id);
+    if (!job) {
+        return journal_->lastError();
+    }
+    QString trouble = takeForm(job->form, job->id, job->revision, isCopy);
+    if (trouble.isEmpty()) {
+        Q_EMIT model_->begunAnew();
+    }
+    return trouble;
+}
+
+JournalJob JobDesk::entryOf(const shop::JobHeader& head) {
+    JournalJob job;
+    job.engineNumber = QString::fromStdString(head.engine_number);
+    job.crankshaftNumber = QString::fromStdString(head.crankshaft_number);
+    job.customer = QString::fromStdString(head.customer);
+    job.technician = QString::fromStdString(head.technician);
+    job.date = QDate::fromString(QString::fromStdString(head.date), Qt::ISODate);
+    return job;
+}
+
+QString JobDesk::rememberedTechnician() {
+    return QSettings().value(technicianKey).toString();
+}
+
+void JobDesk::setCardLanguage(const QString& code) {
+    cardLanguage_ = code;
+    if (!journalPath_.isEmpty()) {
+        QSettings().setValue(languageKey, code);
+    }
+}
+
+Words JobDesk::cardWords() const {
+    return cardLanguage_.isEmpty() ? Words() : Words(cardLanguage_);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "model/scene_model.h"
+#include "shop/job_header.h"
+#include "shop/model/journal.h"
+#include "shop/model/words.h"
+
+namespace ravnoves {
+
+/// Where a job lies while it is worked on: its place in the journal, and the language of its card.
+/// For a crash it is kept as any case is (model/recovery.h).
+class JobDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What differs from scene to scene.
+    struct Scene {
+        /// What the journal's lists and searches show of the job; id, revision, scene and form are
+        /// the desk's.
+        std::function<JournalJob()> entry;
+        /// Takes over a job's case, as it was or to be the sheet of another one: what says whose it
+        /// is, and all that was weighed and read, is new then. Nothing has changed where it throws.
+        /// @throws InputError
+        std::function<void(const CaseFile& file, bool isCopy)> take;
+        /// False while no weight and no reading of the job is on the sheet.
+        std::function<bool()> hasNumbers;
+        /// What the answer still lacks, as a sentence; empty where it lacks nothing.
+        std::function<QString()> missing;
+        /// Whether the engine of a job's case is that of the sheet in all but its name.
+        /// @throws InputError
+        std::function<bool(const CaseFile& file)> isSameEngine;
+    };
+
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    JobDesk(SceneModel* model, const QString& journalPath, Scene scene);
+    ~JobDesk() override;
+
+    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
+    bool openJournal();
+    Journal* journal() { return journal_.get(); }
+    /// The backup that is offered in place of a damaged journal; empty where there is none.
+    QString offeredBackup() const { return journal_ ? journal_->offeredBackup() : QString(); }
+    bool isOpen() const { return journal_ && journal_->isOpen(); }
+    /// What is wrong with the journal, or what happened to it; empty where nothing.
+    QString journalTrouble() const { return journalTrouble_; }
+    void setJournalTrouble(const QString& text);
+
+    /// Id of the job on the sheet; 0 where it is not in the journal.
+    qint64 jobId() const { return jobId_; }
+    int jobRevision() const { return jobRevision_; }
+    /// Another case comes in that is no job of the journal.
+    void forgetJob();
+    /// `take` brings another job onto the sheet.
+    void replaceJob(qint64 id, int revision, const std::function<void()>& take);
+    /// The same with a new job, which is of no file.
+    void beginJob(const std::function<void()>& take);
+    /// The engine of the job in the journal that saving would overwrite, where the sheet has
+    /// another engine's or crankshaft's number or another kind of engine; empty else.
+    QString otherEngine();
+    /// The job in the journal that has the numbers and the day of the sheet, where the sheet came
+    /// from elsewhere: from a file, or after a crash. One that is as the sheet is needs no question
+    /// and becomes the sheet's.
+    std::optional<JournalJob> sameJob();
+    /// A job was removed from the journal: whose sheet it is on, there or elsewhere in the program,
+    /// is not in it any more and says so.
+    void missJob(qint64 removed);
+    /// Saving takes the place of that one.
+    void replaceInJournal(const JournalJob& job) { putJobId(job.id, job.revision); }
+    /// The verdict of the finished job in the journal that saving would put a withheld one in the
+    /// place of; empty where it would not.
+    QString verdictToLose();
+    QString verdictOnSheet() const { return scene_.entry().verdict; }
+    QString engineOnSheet() const { return numbersOf(scene_.entry()); }
+    /// A job that is in no journal yet, and has nothing by which it could be found there.
+    bool isNameless() const;
+    /// True where the journal has the sheet as it stands, though a case file may not.
+    bool isJournaled() const { return isJournaled_; }
+    /// Saves the job as it stands on the sheet, finished or to go on with another day. One without
+    /// an answer, or by which nobody could find it again, is not finished; one without anything is
+    /// not saved. @return a sentence for the status bar; `ok` says whether it is saved
+    QString saveJob(bool* ok = nullptr, bool isFinished = true);
+    /// The same returns: a sentence.
+    QString backUpJournal(const QString& file);
+    /// For a worker: brings jobs back into the journal by a connection of its own. @return a
+    /// sentence
+    static QString restoreJournal(const QString& journal, const QString& file,
+                                  const std::atomic<bool>& cancelled);
+    /// What came with it is looked at.
+    void takeRestored();
+    /// Opens a job. @return an empty string, or what went wrong
+    QString openJob(qint64 id) { return takeJob(id, false); }
+    /// What it keeps for another engine of the kind, as a new job.
+    QString copyJob(qint64 id) { return takeJob(id, true); }
+
+    /// Of engine and crankshaft; a dash where it has none.
+    static QString numbersOf(const JournalJob& job);
+    /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
+    /// for other cases.
+    static QStringList wordsOf(const CaseFile& file);
+    /// What the journal keeps of the head of a job card.
+    static JournalJob entryOf(const shop::JobHeader& head);
+    /// Who did the job that was saved last on this computer.
+    static QString rememberedTechnician();
+
+    /// Language of the job card: empty for that of the program.
+    QString cardLanguage() const { return cardLanguage_; }
+    void setCardLanguage(const QString& code);
+    Words cardWords() const;
+
+  Q_SIGNALS:
+    void journalOpened();
+    void journalTroubleChanged(const QString& text);
+    /// The job on the sheet was removed from the journal.
+    void jobRemoved();
+
+  private:
+    /// A name alone makes no other engine.
+    bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
+    void moveDrafts();
+    void putJobId(qint64 id, int revision);
+    void takeSaved(const JournalJob& job);
+    QString savedText(Journal::Saved saved, const JournalJob& job) const;
+    QByteArray formText() const;
+    bool isSameForm(const QByteArray& form) const;
+    QString takeJob(qint64 id, bool isCopy);
+    QString takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy);
+
+    SceneModel* model_;
+    Scene scene_;
+    QString cardLanguage_;
+    QString journalPath_;
+    std::unique_ptr<Journal> journal_;
+    QString journalTrouble_;
+    qint64 jobId_ = 0;
+    int jobRevision_ = 0;
+    bool isJournaled_ = false;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,186 @@
+#pragma once
+
+#include <QByteArray>
+#include <QDate>
+#include <QDateTime>
+#include <QList>
+#include <QLocale>
+#include <QObject>
+#include <QString>
+#include <QVariant>
+#include <atomic>
+#include <optional>
+#include <utility>
+
+class QSqlDatabase;
+class QSqlQuery;
+
+namespace ravnoves {
+
+/// A job as the journal keeps it. `form` is the case file of the job, from which the page shows it
+/// again; the other values are what lists and searches show.
+struct JournalJob {
+    qint64 id = 0;     ///< 0 for a job that is not in the journal yet
+    int revision = 0;  ///< counts the changes of a job; 0 for a new one
+    QString scene;     ///< whose case `form` is
+    QString engineNumber;
+    QString crankshaftNumber;
+    QString customer;
+    QString technician;
+    QString engine;  ///< name of the engine's type
+    QDate date;
+    QString process;                       ///< "manufacture" or "repair"
+    std::optional<double> unbalancedMass;  ///< g
+    QString recommended;                 ///< an option's name, "none-needed", "not-compensated" or
+                                         ///< empty
+    std::optional<double> reduction;     ///< g per plug
+    std::optional<double> bobWeight;     ///< g, after the option
+    std::optional<double> frontReading;  ///< g·mm, what the machine read at last
+    std::optional<double> rearReading;   ///< g·mm
+    QString verdict;                     ///< verdictWord()
+    bool isFinished = true;              ///< false: put aside, to go on with
+    QDateTime saved;                     ///< UTC
+    QByteArray form;                     ///< JSON text, UTF-8
+};
+
+/// An unfinished job that a version before the store of model/recovery.h kept for a crash.
+struct JournalDraft {
+    QString session;
+    QString scene;
+    qint64 jobId = 0;  ///< the job it changes; 0 for a new one
+    int jobRevision = 0;
+    QString engineNumber;
+    QDateTime saved;  ///< UTC
+    QByteArray form;
+};
+
+/// An engine of the user's own.
+struct JournalEngine {
+    QString name;
+    QByteArray values;  ///< the what the scene keeps of it, JSON text
+};
+
+/// What came out of a backup.
+struct JournalRestored {
+    int added = 0;  ///< jobs that were not in the journal any more
+    int known = 0;  ///< jobs that are there as they were
+};
+
+struct JournalQuery {
+    QString text;    ///< in the numbers, customer, technician or engine; empty: all
+    QDate from;      ///< first day; invalid: no bound
+    QDate to;        ///< last day
+    int limit = -1;  ///< the newest so many; -1: all
+    bool unfinishedOnly = false;
+};
+
+/// The workshop's journal: an SQLite database in the user's data folder.
+///
+/// Every change is one transaction, on disk when the call returns (WAL with synchronous = FULL).
+/// Several programs may have the same journal open: each waits a moment for the other's write, and
+/// a job that was changed elsewhere meanwhile is never overwritten. Once a day it is backed up
+/// beside itself. A file that SQLite finds damaged is renamed and a new one begun: the newest
+/// backup is offered. Another program's database is refused, and so is a journal with anything in
+/// it that this program did not put there (triggers, views, other tables).
+class Journal : public QObject {
+    Q_OBJECT
+
+  public:
+    /// How save() ended.
+    enum class Saved {
+        Yes,
+        AsCopy,  ///< the job had been changed elsewhere meanwhile: saved as a new job
+        No       ///< lastError() says why
+    };
+
+    /// @param path  the database file; its folder is made where it is missing
+    explicit Journal(const QString& path = defaultPath(), QObject* parent = nullptr);
+    ~Journal() override;
+
+    /// journal.sqlite in the user's data folder; empty where no journal is kept.
+    static QString defaultPath();
+    /// Switches the journal off for this run (pictures of the program must not touch it).
+    static void setKept(bool kept);
+
+    /// Opens or creates the database. False where the journal cannot be used: lastError().
+    bool open();
+    /// Opens a journal that is there to be looked into: nothing is made, backed up, renewed or set
+    /// aside, and one that would need it is not opened.
+    bool look();
+    bool isOpen() const;
+    const QString& path() const { return path_; }
+    /// In words for the user; empty after success.
+    const QString& lastError() const { return error_; }
+    /// What the user should know of the opening: a damaged file was set aside. Empty else.
+    const QString& openMessage() const { return openMessage_; }
+    /// The file that open() set aside; empty where there was no need.
+    const QString& setAsidePath() const { return setAside_; }
+    /// The backup that can be restored in its place; empty where there is none.
+    const QString& offeredBackup() const { return offered_; }
+
+    /// Adds the job (id 0) or changes it. On success job.id, revision and saved are set.
+    Saved save(JournalJob& job);
+    std::optional<JournalJob> job(qint64 id);
+    /// Newest first.
+    QList<JournalJob> search(const JournalQuery& query);
+    bool remove(qint64 id);
+
+    /// Those whose program no longer runs.
+    QList<JournalDraft> orphanedDrafts();
+    bool discardDraft(const QString& session);
+
+    bool saveEngine(const JournalEngine& engine);
+    /// False where there is no such engine, or another has the name already.
+    bool renameEngine(const QString& from, const QString& to);
+    bool removeEngine(const QString& name);
+    QList<JournalEngine> engines();
+
+    /// Writes all that is in the journal to a file of its own, which restore() reads; a file that
+    /// is there already stays whole when anything fails.
+    bool backUp(const QString& file);
+    /// Adds the jobs and engines of a backup that are not in the journal, all of them or none.
+    /// Nothing where it is no journal, is damaged or is cancelled: lastError().
+    /// @param cancelled  set from another thread
+    std::optional<JournalRestored> restore(const QString& file,
+                                           const std::atomic<bool>* cancelled = nullptr);
+
+    /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
+    /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of
+    /// the locale expects: point and comma, or comma and semicolon.
+    bool exportCsv(const QString& file, const QList<JournalJob>& jobs);
+    static QString csvText(const QList<JournalJob>& jobs, const QLocale& locale = QLocale());
+
+  private:
+    QSqlDatabase database() const;
+    bool isReady();
+    std::optional<std::pair<quint64, quint64>> fileIdentity() const;
+    Saved saveOnce(JournalJob& job);
+    bool keepsAsSaved(const JournalJob& job);
+    bool connectDatabase();
+    bool openDatabase();
+    void closeDatabase();
+    bool prepareSchema();
+    bool isWhole();
+    void backUpDaily();
+    bool makeTables();
+    bool fromVersionOne();
+    bool runAll(const QStringList& statements);
+    bool isDamaged();
+    bool putAside(const QString& why);
+    /// Runs a statement with values for its ?; nothing where it fails, see lastError().
+    std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
+                                 const QString& cannot);
+    bool run(QSqlQuery& query, const QString& what);
+    bool runText(const QString& sql, const QString& what);
+    bool fail(const QString& what, const QString& why);
+
+    QString path_;
+    QString connection_;
+    QString error_;
+    QString openMessage_;
+    QString setAside_;
+    QString offered_;
+    std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
+};
+
+}  // namespace ravnoves

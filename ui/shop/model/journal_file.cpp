@@ -1,0 +1,530 @@
+// The journal's file: opened, made, checked, set aside where it is damaged.
+
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <set>
+
+#include "case-file/text_size.h"
+#include "shop/model/journal.h"
+#include "shop/model/journal_rows.h"
+#include "text/message_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int schemaVersion = 2;           // 1 knew the V-8 plugs alone
+constexpr int applicationId = 0x52415650;  // "RAVP"
+
+constexpr int busyTimeout = 2000;  // ms, for another program's write
+constexpr int backupsKept = 7;
+
+/// /proc/kmsg and its like are files to who asks, and make their reader wait. Asked without opening
+/// it: a database that is opened and closed beside SQLite loses the locks that that holds.
+bool isOfTheSystem(const QString& path) {
+    struct statfs system {};
+    if (statfs(QFile::encodeName(path).constData(), &system) != 0) {
+        return false;
+    }
+    constexpr std::array kinds{PROC_SUPER_MAGIC, SYSFS_MAGIC, DEBUGFS_MAGIC, TRACEFS_MAGIC};
+    return std::find(kinds.begin(), kinds.end(), system.f_type) != kinds.end();
+}
+
+/// What would be waited for: the database, or a file that SQLite looks for beside it, that is a
+/// pipe or a device. Empty where there is none.
+QString noFileOf(const QString& path) {
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+        const QFileInfo info(path + QLatin1String(suffix));
+        if (info.exists() && !info.isDir() && (!info.isFile() || isOfTheSystem(info.filePath()))) {
+            return info.filePath();
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+bool Journal::open() {
+    error_.clear();
+    openMessage_.clear();
+    setAside_.clear();
+    closeDatabase();
+    const QFileInfo info(path_);
+    if (!QDir().mkpath(info.absolutePath())) {
+        return fail(tr("The journal's folder %1 cannot be made.").arg(info.absolutePath()), {});
+    }
+    bool usable = openDatabase();
+    if (!usable && isDamaged()) {
+        usable = putAside(error_) && openDatabase();
+    }
+    if (!usable) {
+        const QString why = error_;
+        closeDatabase();
+        error_ = why;
+        return false;
+    }
+    backUpDaily();
+    error_.clear();
+    return true;
+}
+
+namespace {
+
+/// The daily backups beside the journal, the newest first.
+QFileInfoList backupsOf(const QString& path) {
+    const QFileInfo info(path);
+    return QDir(info.absolutePath())
+        .entryInfoList({info.completeBaseName() + QStringLiteral("-backup-*.sqlite")}, QDir::Files,
+                       QDir::Name | QDir::Reversed);
+}
+
+}  // namespace
+
+/// An empty journal, such as one that was just begun, takes no place of what was kept.
+void Journal::backUpDaily() {
+    QSqlQuery query(database());
+    if (!query.exec(QStringLiteral("SELECT 1 FROM job LIMIT 1")) || !query.next()) {
+        return;
+    }
+    query.finish();
+    const QFileInfo info(path_);
+    const QString file =
+        QDir(info.absolutePath())
+            .filePath(info.completeBaseName() + QStringLiteral("-backup-") +
+                      QDate::currentDate().toString(Qt::ISODate) + QStringLiteral(".sqlite"));
+    if (!QFileInfo::exists(file) && backUp(file)) {
+        for (const QFileInfo& old : backupsOf(path_).mid(backupsKept)) {
+            QFile::remove(old.filePath());
+        }
+    }
+}
+
+std::optional<std::pair<quint64, quint64>> Journal::fileIdentity() const {
+    struct stat status {};
+    if (stat(QFile::encodeName(path_).constData(), &status) != 0) {
+        return std::nullopt;
+    }
+    return std::pair<quint64, quint64>(status.st_dev, status.st_ino);
+}
+
+/// Another program that found the file damaged has moved it away: what is written from now on must
+/// go to the journal that everyone reads, not to the file set aside.
+bool Journal::isReady() {
+    if (!isOpen()) {
+        return fail(tr("The journal is not open."), {});
+    }
+    return fileIdentity() == identity_ || open();
+}
+
+bool Journal::connectDatabase() {
+    closeDatabase();
+    if (const QString pipe = noFileOf(path_); !pipe.isEmpty()) {
+        return fail(tr("The journal %1 cannot be opened.").arg(path_),
+                    pipe + QLatin1Char(' ') + messageText(not_a_file));
+    }
+    {
+        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection_);
+        db.setDatabaseName(path_);
+        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout));
+        if (!db.open()) {
+            return fail(tr("The journal %1 cannot be opened.").arg(path_),
+                        journal_rows::faultText(db.lastError()));
+        }
+    }
+    identity_ = fileIdentity();
+    // What is in the file cannot call functions of the program that opens it.
+    return runText(QStringLiteral("PRAGMA trusted_schema = OFF"),
+                   tr("The journal %1 cannot be read.").arg(path_));
+}
+
+bool Journal::openDatabase() {
+    // FULL syncs the log at every commit: a job that was saved survives a power cut.
+    return connectDatabase() &&
+           runText(QStringLiteral("PRAGMA synchronous = FULL"),
+                   tr("The journal %1 cannot be read.").arg(path_)) &&
+           prepareSchema();
+}
+
+void Journal::closeDatabase() {
+    if (QSqlDatabase::contains(connection_)) {
+        database().close();
+        QSqlDatabase::removeDatabase(connection_);
+    }
+}
+
+namespace {
+
+/// What a journal says of itself.
+struct Head {
+    int application = 0;
+    int version = 0;
+    bool isEmpty = true;
+    bool isOurs = true;  ///< nothing in it but the tables and indexes of a journal
+};
+
+/// Nothing where it cannot be read: the query says why.
+std::optional<Head> headOf(QSqlQuery& query) {
+    Head head;
+    for (const auto& [pragma, value] : {std::pair{"PRAGMA application_id", &head.application},
+                                        std::pair{"PRAGMA user_version", &head.version}}) {
+        if (!query.exec(QLatin1String(pragma)) || !query.next()) {
+            return std::nullopt;
+        }
+        *value = query.value(0).toInt();
+    }
+    if (!query.exec(QStringLiteral("SELECT type, name, sql FROM sqlite_master"))) {
+        return std::nullopt;
+    }
+    static const QStringList known{QStringLiteral("table job"), QStringLiteral("table draft"),
+                                   QStringLiteral("table engine"), QStringLiteral("index job_date"),
+                                   QStringLiteral("index job_engine_number")};
+    while (query.next()) {
+        head.isEmpty = false;
+        const QString type = query.value(0).toString();
+        const QString name = query.value(1).toString();
+        const bool isSystems = name.startsWith(QLatin1String("sqlite_")) &&
+                               (type == QLatin1String("table") || type == QLatin1String("index"));
+        const bool isVirtual = query.value(2).toString().startsWith(QLatin1String("CREATE VIRTUAL"),
+                                                                    Qt::CaseInsensitive);
+        head.isOurs = head.isOurs && !isVirtual &&
+                      (isSystems || known.contains(type + QLatin1Char(' ') + name));
+    }
+    // Version 1 did not name its program, nor what was made of it.
+    head.isOurs = head.isOurs && (head.application == applicationId ||
+                                  (head.application == 0 && (head.isEmpty || head.version > 0)));
+    return head;
+}
+
+}  // namespace
+
+bool Journal::look() {
+    bool isJournal = false;
+    if (QFileInfo(path_).isFile() && connectDatabase()) {
+        QSqlQuery query(database());
+        const std::optional<Head> head = headOf(query);
+        isJournal = head && head->isOurs && head->version == schemaVersion;
+    }
+    if (!isJournal) {
+        closeDatabase();
+    }
+    return isJournal;
+}
+
+/// By SQLite's own check.
+bool Journal::isWhole() {
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    QSqlQuery query(database());
+    if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
+        return fail(cannot, journal_rows::faultText(query.lastError()));
+    }
+    const QString found = query.value(0).toString();
+    return found == QLatin1String("ok") || fail(cannot, found);
+}
+
+bool Journal::prepareSchema() {
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    std::optional<Head> head;
+    {
+        QSqlQuery query(database());
+        head = headOf(query);
+        if (!head) {
+            return fail(cannot, journal_rows::faultText(query.lastError()));
+        }
+    }
+    if (!head->isOurs) {
+        return fail(tr("%1 is a database of another program, or another program has changed it; it "
+                       "was left as it is.")
+                        .arg(path_),
+                    {});
+    }
+    const int version = head->version;
+    if (version > schemaVersion) {
+        return fail(
+            tr("The journal %1 was written by a newer program; update to open it.").arg(path_), {});
+    }
+    // Writes into the file: not before it is known to be ours.
+    if (!runText(QStringLiteral("PRAGMA journal_mode = WAL"), cannot) || !isWhole()) {
+        return false;
+    }
+    const QString named = QStringLiteral("PRAGMA application_id = %1").arg(applicationId);
+    if (version > 0 && head->application == 0 && !runText(named, cannot)) {
+        return false;
+    }
+    if (version == schemaVersion) {
+        // A file of this version has these columns, or it is not the journal it says it is.
+        QSqlQuery query(database());
+        return query.exec(
+                   QStringLiteral("SELECT %1, search FROM job LIMIT 1").arg(journal_rows::columns))
+                   ? true
+                   : fail(cannot, journal_rows::faultText(query.lastError()));
+    }
+    // Of two programs that begin it at once the second finds the tables there.
+    if (runText(QStringLiteral("BEGIN IMMEDIATE"), cannot) &&
+        (version == 1 ? fromVersionOne() : makeTables()) &&
+        runText(QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion), cannot) &&
+        runText(QStringLiteral("COMMIT"), cannot)) {
+        return true;
+    }
+    const QString why = error_;
+    QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
+    error_ = why;
+    return false;
+}
+
+bool Journal::makeTables() {
+    static const QStringList statements{
+        QStringLiteral("CREATE TABLE IF NOT EXISTS job ("
+                       " id INTEGER PRIMARY KEY AUTOINCREMENT,"
+                       " revision INTEGER NOT NULL,"
+                       " engine_number TEXT NOT NULL,"
+                       " customer TEXT NOT NULL,"
+                       " technician TEXT NOT NULL,"
+                       " engine TEXT NOT NULL,"
+                       " job_date TEXT NOT NULL,"
+                       " process TEXT NOT NULL,"
+                       " unbalanced_mass_g REAL,"
+                       " recommended TEXT NOT NULL,"
+                       " reduction_g REAL,"
+                       " bob_weight_g REAL,"
+                       " saved INTEGER NOT NULL,"
+                       " form TEXT NOT NULL,"
+                       " search TEXT NOT NULL,"
+                       " scene TEXT NOT NULL DEFAULT 'v8-plugs',"
+                       " crankshaft_number TEXT NOT NULL DEFAULT '',"
+                       " front_reading_g_mm REAL,"
+                       " rear_reading_g_mm REAL,"
+                       " verdict TEXT NOT NULL DEFAULT '',"
+                       " is_finished INTEGER NOT NULL DEFAULT 1)"),
+        QStringLiteral("CREATE INDEX IF NOT EXISTS job_date ON job (job_date)"),
+        QStringLiteral("CREATE INDEX IF NOT EXISTS job_engine_number ON job (engine_number)"),
+        QStringLiteral("CREATE TABLE IF NOT EXISTS draft ("
+                       " session TEXT PRIMARY KEY,"
+                       " job_id INTEGER NOT NULL,"
+                       " job_revision INTEGER NOT NULL,"
+                       " engine_number TEXT NOT NULL,"
+                       " saved INTEGER NOT NULL,"
+                       " form TEXT NOT NULL,"
+                       " scene TEXT NOT NULL DEFAULT 'v8-plugs')"),
+        QStringLiteral("CREATE TABLE IF NOT EXISTS engine ("
+                       " name TEXT PRIMARY KEY,"
+                       " engine_values TEXT NOT NULL)"),
+        QStringLiteral("PRAGMA application_id = %1").arg(applicationId)};
+    return runAll(statements);
+}
+
+/// Adds what version 2 has; what the jobs' forms know of it is found by searches then.
+bool Journal::fromVersionOne() {
+    static const QStringList statements{
+        QStringLiteral("ALTER TABLE job ADD COLUMN scene TEXT NOT NULL DEFAULT 'v8-plugs'"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN crankshaft_number TEXT NOT NULL DEFAULT ''"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN front_reading_g_mm REAL"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN rear_reading_g_mm REAL"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN verdict TEXT NOT NULL DEFAULT ''"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN is_finished INTEGER NOT NULL DEFAULT 1"),
+        QStringLiteral("ALTER TABLE draft ADD COLUMN scene TEXT NOT NULL DEFAULT 'v8-plugs'")};
+    if (!runAll(statements)) {
+        return false;
+    }
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    QSqlQuery rows(database());
+    rows.setForwardOnly(true);
+    if (!rows.exec(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne))) {
+        return fail(cannot, journal_rows::faultText(rows.lastError()));
+    }
+    QList<JournalJob> jobs;
+    while (rows.next()) {
+        jobs << journal_rows::read(rows);
+    }
+    for (const JournalJob& job : jobs) {
+        QSqlQuery query(database());
+        query.prepare(QStringLiteral("UPDATE job SET (%1) = (%2) WHERE id = ?")
+                          .arg(journal_rows::written, journal_rows::places));
+        journal_rows::bind(query, job);
+        query.addBindValue(job.id);
+        if (!run(query, cannot)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Journal::runAll(const QStringList& statements) {
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    return std::all_of(statements.cbegin(), statements.cend(),
+                       [&](const QString& statement) { return runText(statement, cannot); });
+}
+
+bool Journal::isDamaged() {
+    if (!isOpen()) {
+        return false;  // not there, or not allowed: nothing to set aside
+    }
+    QSqlQuery query(database());
+    if (!query.exec(QStringLiteral("PRAGMA quick_check"))) {
+        return journal_rows::saysDamaged(query.lastError());
+    }
+    return query.next() && query.value(0).toString() != QLatin1String("ok");
+}
+
+bool Journal::putAside(const QString& why) {
+    closeDatabase();
+    if (fileIdentity() != identity_) {
+        return true;  // another program was quicker
+    }
+    const QFileInfo info(path_);
+    const QString stem =
+        QDir(info.absolutePath())
+            .filePath(info.completeBaseName() + QStringLiteral("-damaged-") +
+                      QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+    QString target = stem + QStringLiteral(".sqlite");
+    for (int n = 2; QFileInfo::exists(target); ++n) {
+        target = stem + QStringLiteral("-%1.sqlite").arg(n);
+    }
+    if (!QFile::rename(path_, target)) {
+        return fail(tr("The journal %1 is damaged and cannot be set aside; nothing was changed.")
+                        .arg(path_),
+                    why);
+    }
+    // The log belongs to the file: what was saved last may be in it.
+    for (const char* suffix : {"-wal", "-shm"}) {
+        const QString side = path_ + QLatin1String(suffix);
+        if (QFileInfo::exists(side) && !QFile::rename(side, target + QLatin1String(suffix))) {
+            QFile::remove(side);
+        }
+    }
+    setAside_ = target;
+    openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new journal "
+                      "was begun.")
+                       .arg(setAside_);
+    for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
+        offered_ = backup.filePath();
+        openMessage_ += QLatin1Char(' ') + tr("Its last backup is of %1.")
+                                               .arg(QLocale().toString(backup.lastModified().date(),
+                                                                       QLocale::ShortFormat));
+    }
+    return true;
+}
+
+bool Journal::backUp(const QString& file) {
+    const QString cannot = tr("The backup %1 could not be written.").arg(file);
+    const QString part = file + QStringLiteral(".part");
+    QFile::remove(part);
+    if (!ask(QStringLiteral("VACUUM INTO ?"), {part}, cannot)) {
+        QFile::remove(part);
+        return false;
+    }
+    if (std::rename(QFile::encodeName(part).constData(), QFile::encodeName(file).constData()) !=
+        0) {
+        QFile::remove(part);
+        return fail(cannot, {});
+    }
+    return true;
+}
+
+namespace {
+
+struct Contents {
+    QList<JournalJob> jobs;
+    QList<JournalEngine> engines;
+};
+
+/// All that is in a journal; nothing where it is none, is damaged or is cancelled.
+std::optional<Contents> contentsOf(const QSqlDatabase& database,
+                                   const std::atomic<bool>* cancelled) {
+    QSqlQuery query(database);
+    query.setForwardOnly(true);
+    query.exec(QStringLiteral("PRAGMA trusted_schema = OFF"));
+    const auto head = headOf(query);
+    if (!head || !head->isOurs || head->version < 1 || head->version > schemaVersion ||
+        !query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next() ||
+        query.value(0).toString() != QLatin1String("ok")) {
+        return std::nullopt;
+    }
+    Contents found;
+    const auto goesOn = [&] { return cancelled == nullptr || !*cancelled; };
+    if (!query.exec(QStringLiteral("SELECT %1 FROM job")
+                        .arg(head->version == 1 ? journal_rows::columnsOfVersionOne
+                                                : journal_rows::columns))) {
+        return std::nullopt;
+    }
+    while (goesOn() && query.next()) {
+        found.jobs << journal_rows::read(query);
+    }
+    if (query.lastError().isValid() ||
+        !query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
+        return std::nullopt;
+    }
+    while (goesOn() && query.next()) {
+        found.engines << JournalEngine{query.value(0).toString(),
+                                       query.value(1).toString().toUtf8()};
+    }
+    return goesOn() ? std::optional(found) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<JournalRestored> Journal::restore(const QString& file,
+                                                const std::atomic<bool>* cancelled) {
+    const QString cannot = tr("%1 is no backup of a journal, or is damaged.").arg(file);
+    std::optional<Contents> found;
+    if (!isReady() || QFileInfo(file) == QFileInfo(path_) || !noFileOf(file).isEmpty()) {
+        fail(cannot, {});
+        return std::nullopt;
+    }
+    const QString connection = connection_ + QStringLiteral("-other");
+    {
+        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
+        db.setDatabaseName(file);
+        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
+        if (db.open()) {
+            found = contentsOf(db, cancelled);
+        }
+    }
+    QSqlDatabase::removeDatabase(connection);
+    if (!found) {
+        fail(cannot, {});
+        return std::nullopt;
+    }
+    // What is there as it was, by the time of its saving and its form.
+    std::set<std::pair<qint64, QByteArray>> known;
+    for (const JournalJob& job : search({})) {
+        known.emplace(job.saved.toMSecsSinceEpoch(), job.form);
+    }
+    QStringList names;
+    for (const JournalEngine& engine : engines()) {
+        names << engine.name;
+    }
+    JournalRestored done;
+    bool isKept = runText(QStringLiteral("BEGIN IMMEDIATE"), cannot);
+    for (JournalJob& job : found->jobs) {
+        const QDateTime saved = job.saved;
+        if (known.contains({saved.toMSecsSinceEpoch(), job.form})) {
+            ++done.known;
+            continue;
+        }
+        job.id = 0;
+        isKept = isKept && (cancelled == nullptr || !*cancelled) && saveOnce(job) == Saved::Yes &&
+                 ask(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"),
+                     {journal_rows::stamp(saved), job.id}, cannot);
+        ++done.added;
+    }
+    for (const JournalEngine& engine : found->engines) {
+        isKept = isKept && (names.contains(engine.name) || saveEngine(engine));
+    }
+    if (!isKept || !runText(QStringLiteral("COMMIT"), cannot)) {
+        QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
+        fail(tr("Nothing was restored."), {});
+        return std::nullopt;
+    }
+    error_.clear();
+    return done;
+}
+
+}  // namespace ravnoves

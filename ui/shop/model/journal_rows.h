@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include "shop/model/journal.h"
+
+namespace ravnoves::journal_rows {
+
+// How jobs stand in the rows of the database; shared by the parts of the journal.
+
+/// The columns that read() expects, in their order; a file of version 1 has the first of them.
+extern const QString columns;
+extern const QString columnsOfVersionOne;
+
+/// The job in the query's present row. What a row of version 1 has not is taken from its form.
+JournalJob read(const QSqlQuery& query);
+/// The columns that bind() fills, in their order, and a place for each.
+extern const QString written;
+extern const QString places;
+/// Binds all but id and revision to the next places.
+void bind(QSqlQuery& query, const JournalJob& job);
+
+/// Lower case in every alphabet, so that a search finds "змз" in "ЗМЗ": SQLite folds ASCII only.
+QString folded(const QString& text);
+
+/// Milliseconds since 1970 sort as numbers and read the same in every locale.
+QVariant stamp(const QDateTime& time);
+QDateTime fromStamp(const QVariant& value);
+
+/// The empty text, not NULL, for a QString that was never set.
+QString bare(const QString& text);
+
+/// True where SQLite says that the file is damaged or no database.
+bool saysDamaged(const QSqlError& error);
+/// What SQLite says, in words for who works with the journal.
+QString faultText(const QSqlError& error);
+
+}  // namespace ravnoves::journal_rows

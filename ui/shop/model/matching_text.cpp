@@ -1,0 +1,278 @@
+#include "shop/model/matching_text.h"
+
+#include <algorithm>
+
+#include "shop/kilograms.h"
+
+namespace ravnoves::matching_text {
+
+using namespace shop;
+
+void takeAsWeighed(Shown& shown, const MatchingTask& task, const WeighIn& sheet) {
+    if (sheet.is_moved()) {
+        const auto from = to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
+        shown.spread_as_weighed = crankpin_spread(task, sheet.matching, from);
+        shown.shaking_as_weighed = shaking_of(task, sheet.matching, from);
+    }
+}
+
+namespace {
+
+const QString dot = QStringLiteral("·");
+
+ResultCell gramsOf(const Words& words, double mass) {
+    return words.cellWithUnit(mass, units::gram, 2);
+}
+
+/// The force as an unbalance, or as a mass at the crank radius while that is not known.
+ResultCell forceOf(const Words& words, const Shown& shown, double force) {
+    return shown.crank_radius ? words.cellWithUnit(force * *shown.crank_radius, units::gram_mm, 1)
+                              : gramsOf(words, force);
+}
+
+/// The couple likewise, as a mass at the crank radius times a distance.
+ResultCell coupleOf(const Words& words, const Shown& shown, double couple) {
+    if (shown.crank_radius) {
+        return words.cellWithUnit(couple * *shown.crank_radius, units::gram_mm2, 0);
+    }
+    // No unbalance, so not in the unit chosen for those.
+    ResultCell cell = words.cell(couple / units::mm, units::gram, 1);
+    cell.text += QStringLiteral(" ") + words.unit(units::gram) + QStringLiteral(" × ") +
+                 words.unit(units::mm);
+    return cell;
+}
+
+/// What the numbers in newtons are times.
+std::optional<double> newtonsPerMass(const Shown& shown) {
+    return shown.crank_radius && shown.speed
+               ? std::optional(*shown.crank_radius * *shown.speed * *shown.speed)
+               : std::nullopt;
+}
+
+}  // namespace
+
+QString summary(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    const bool isMoved = shown.is_moved();
+    const QString before = gramsOf(words, matched.spread_before);
+    if (matched.moved == 0 && isMoved) {
+        return words
+            .translate(
+                "Matching",
+                "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
+            .arg(before);
+    }
+    if (matched.moved == 0 && matched.remark.empty() && matched.proven) {
+        return words
+            .translate("Matching",
+                       "The parts are placed as well as can be: the crankpins differ by %1.")
+            .arg(before);
+    }
+    if (matched.moved == 0) {
+        return words.translate("Matching", "The parts stay: the crankpins differ by %1.")
+            .arg(before);
+    }
+    if (isMoved || shown.is_origin_unknown) {
+        return words
+            .translate(
+                "Matching",
+                "Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.")
+            .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
+    }
+    return words
+        .translate("Matching", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
+        .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
+}
+
+QStringList remarks(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    QStringList list;
+    if (!matched.remark.empty()) {
+        list << words.message(matched.remark);
+    }
+    const bool byShaking = matched.goal == MatchingGoal::least_shaking;
+    if (!matched.proven) {
+        list << words.translate("Matching",
+                                "Too many placings to try all: this is the best found.");
+    }
+    if (byShaking) {
+        QStringList angles;
+        for (const double angle : shown.crank.angles) {
+            angles << words.plain(angle / degree, 1) + QStringLiteral("°");
+        }
+        list << words.translate("Matching", "Throws from the front at %1.")
+                    .arg(angles.join(QStringLiteral("; ")));
+        if (!matched.spacing_known) {
+            list << words.translate("Matching",
+                                    "The couple counts; its size needs the cylinder spacing.");
+        }
+    }
+    return list;
+}
+
+QString felt(const Words& words, const Shown& shown) {
+    const auto& before =
+        shown.shaking_as_weighed ? shown.shaking_as_weighed : shown.matched.shaking_before;
+    const auto& after = shown.matched.shaking;
+    if (!before || !after) {
+        return {};
+    }
+    const QString force =
+        words.translate("Matching", "First-order unbalance of the differences %1 → %2")
+            .arg(forceOf(words, shown, before->force), forceOf(words, shown, after->force));
+    if (!shown.matched.spacing_known) {
+        return force + QLatin1Char('.');
+    }
+    return force +
+           words.translate("Matching", ", couple %1 → %2.")
+               .arg(coupleOf(words, shown, before->couple), coupleOf(words, shown, after->couple));
+}
+
+Results effects(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    Results results{
+        {words.translate("Matching", "What differs"),
+         shown.is_origin_unknown ? words.translate("Matching", "as they are now")
+                                 : words.translate("Matching", "as weighed"),
+         words.translate("Matching", "placed so")},
+        {{{words.translate("Matching", "Crankpins, spread"),
+           gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
+           gramsOf(words, matched.spread)},
+          words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")}}};
+    ResultRows& rows = results.rows;
+    if (!matched.shaking_before || !matched.shaking) {
+        return results;
+    }
+    const Shaking before = shown.shaking_as_weighed.value_or(*matched.shaking_before);
+    const Shaking& after = *matched.shaking;
+    const auto newtons = newtonsPerMass(shown);
+    const QString speed =
+        shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();
+    rows << ResultRow(
+        {shown.crank_radius ? words.translate("Matching", "Unbalance")
+                            : words.translate("Matching", "Unbalance at the crank radius"),
+         forceOf(words, shown, before.force), forceOf(words, shown, after.force)},
+        words.translate("Matching",
+                        "First-order unbalance of what the parts differ by from their "
+                        "mean, greatest over a turn; what the engine leaves by its "
+                        "design is not in it"));
+    if (newtons) {
+        rows << ResultRow{words.translate("Matching", "Force at %1").arg(speed),
+                          words.cellWithUnit(before.force * *newtons, units::newton, 2),
+                          words.cellWithUnit(after.force * *newtons, units::newton, 2)};
+    }
+    if (matched.spacing_known) {
+        rows << ResultRow(
+            {shown.crank_radius ? words.translate("Matching", "Couple")
+                                : words.translate("Matching", "Couple at the crank radius"),
+             coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)},
+            words.translate("Matching", "The same along the crankshaft, about its middle"));
+        if (newtons) {
+            rows << ResultRow{words.translate("Matching", "Couple at %1").arg(speed),
+                              words.cellWithUnit(before.couple * *newtons, units::N_m, 3),
+                              words.cellWithUnit(after.couple * *newtons, units::N_m, 3)};
+        }
+    }
+    rows << ResultRow({words.translate("Matching", "At the ends, mean"),
+                       forceOf(words, shown, before.ends), forceOf(words, shown, after.ends)},
+                      words.translate("Matching",
+                                      "Root mean square over a turn and both end cylinders, of "
+                                      "force and couple together: what “Least shaking” "
+                                      "makes small"));
+    return results;
+}
+
+QStringList cylinderHead(const Words& words, std::size_t cylinders) {
+    QStringList head{words.translate("Matching", "Cylinder")};
+    for (std::size_t i = 1; i <= cylinders; ++i) {
+        head << QString::number(i);
+    }
+    return head;
+}
+
+ResultRows setsOfCylinders(const Words& words, const SetNumbers& pistons, const SetNumbers& rods,
+                           std::size_t cylinders, const Matched* placing) {
+    const auto row = [&](const QString& name, const SetNumbers& numbers, auto Matched::*from) {
+        ResultRow cells{name};
+        for (const int number :
+             whole_numbers(placing != nullptr ? moved_numbers(numbers, placing->*from) : numbers,
+                           cylinders)) {
+            cells << QString::number(number);
+        }
+        return cells;
+    };
+    return {row(words.translate("JobCard", "Piston set from"), pistons, &Matched::pistons),
+            row(words.translate("JobCard", "Rod set from"), rods, &Matched::rods)};
+}
+
+namespace {
+
+ResultColumns columnsOf(const Words& words, std::size_t cylinders, const ResultColumn& first) {
+    const QStringList head = cylinderHead(words, cylinders);
+    ResultColumns columns(head.begin(), head.end());
+    columns.front() = first;
+    return columns;
+}
+
+}  // namespace
+
+Results assignment(const Words& words, const Shown& shown) {
+    const auto row = [](const QString& name, const SetNumbers& numbers,
+                        const std::vector<int>& from, const QString& tip) {
+        ResultRow cells({name}, tip);
+        for (const int number : whole_numbers(moved_numbers(numbers, from), from.size())) {
+            // A set that stays where it was weighed needs no number.
+            const bool stays = number == static_cast<int>(cells.size());
+            cells << (stays ? dot : QString::number(number));
+        }
+        return cells;
+    };
+    const ResultColumn first(words.translate("Matching", "Cylinder"),
+                             words.translate("Matching",
+                                             "A dot: the part stays; a number: it comes from that "
+                                             "cylinder"));
+    return {
+        columnsOf(words, shown.matched.pistons.size(), first),
+        {row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
+             words.translate("Matching", "Cylinder from which the piston comes")),
+         row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
+             words.translate("Matching", "Cylinder from which the rod comes"))}};
+}
+
+ResultRow takeOff(const Words& words, const std::array<std::span<const Weighed>, 6>& masses,
+                  Part part) {
+    const auto& column = masses[static_cast<std::size_t>(part)];
+    const auto of = [&](Part each) { return masses[static_cast<std::size_t>(each)]; };
+    const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
+    if (odd_mass(std::nullopt, column) ||
+        (isRod && !swapped_rod_ends(of(Part::rod_big_end), of(Part::rod_small_end)).empty())) {
+        return ResultRow(static_cast<qsizetype>(column.size()));
+    }
+    constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
+    ResultRow cells;
+    for (const Weighed& mass : take_off(column)) {
+        cells << (!mass              ? ResultCell()
+                  : *mass <= nothing ? ResultCell(dot)
+                                     : words.cell(*mass, units::gram, 2));
+    }
+    return cells;
+}
+
+Results takeOff(const Words& words, std::size_t cylinders,
+                const std::array<std::span<const Weighed>, 6>& masses) {
+    const QString name = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
+    Results results{columnsOf(words, cylinders, name)};
+    for (const Part part : all_parts) {
+        ResultRow cells = takeOff(words, masses, part);
+        const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
+            return !cell.isEmpty() && cell != dot;
+        });
+        if (differs) {
+            cells.prepend(words.text(part_word(part).label));
+            results.rows << cells;
+        }
+    }
+    return results;
+}
+
+}  // namespace ravnoves::matching_text

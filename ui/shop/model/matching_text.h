@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+
+#include "shop/matching.h"
+#include "shop/model/words.h"
+
+/// What the pages of the workshop and their job cards say of matched parts.
+namespace ravnoves::matching_text {
+
+/// A placing, and what the scene knows of the engine beside it.
+struct Shown {
+    shop::Matched matched;
+    shop::Crank crank;
+    std::optional<double> crank_radius;  ///< m
+    std::optional<double> speed;         ///< rad/s
+    shop::SetNumbers piston_sets;        ///< as they are on the sheet
+    shop::SetNumbers rod_sets;
+    /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
+    bool is_origin_unknown = false;
+    /// Of the parts where they were weighed, once they have been moved.
+    std::optional<double> spread_as_weighed = {};  ///< kg
+    std::optional<shop::Shaking> shaking_as_weighed = {};
+
+    bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
+};
+
+/// Says what the parts make where they were weighed, if they are elsewhere now.
+void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::WeighIn& sheet);
+
+/// Which sets to move, in words.
+QString summary(const Words& words, const Shown& shown);
+/// Why it is not the goal asked for, what is not proven, what is taken for granted.
+QStringList remarks(const Words& words, const Shown& shown);
+/// What the engine feels before and after in a line; empty where that is not known.
+QString felt(const Words& words, const Shown& shown);
+
+/// What is gained: a quantity, as weighed, placed so.
+Results effects(const Words& words, const Shown& shown);
+
+/// "Cylinder", 1, 2, …
+QStringList cylinderHead(const Words& words, std::size_t cylinders);
+/// From which cylinder each set comes; a dot where it was weighed there.
+Results assignment(const Words& words, const Shown& shown);
+/// The number of the set that goes to each cylinder, a row of pistons and one of rods.
+/// @param placing  null: as the sheet has them
+ResultRows setsOfCylinders(const Words& words, const shop::SetNumbers& pistons,
+                           const shop::SetNumbers& rods, std::size_t cylinders,
+                           const shop::Matched* placing);
+
+/// What to take off each part to reach the lightest of its column, for columns that differ.
+Results takeOff(const Words& words, std::size_t cylinders,
+                const std::array<std::span<const shop::Weighed>, 6>& masses);
+/// The same of one column, empty cells for what is the lightest or not weighed, and for all of it
+/// where its weights are doubted: nobody is told to grind parts to a slip of the keys.
+ResultRow takeOff(const Words& words, const std::array<std::span<const shop::Weighed>, 6>& masses,
+                  shop::Part part);
+
+}  // namespace ravnoves::matching_text

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QStringList>
+#include <optional>
+#include <string>
+
+#include "shop/model/words.h"
+
+namespace ravnoves {
+
+/// The machine's verdict, as the journal keeps it: "passes" or "fails" as measured; where it fails
+/// and a correction is known, "fails-then-passes" or "fails-then-fails"; empty without limits.
+QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected);
+
+/// The verdicts of readings that were taken with another bob weight, or of another crankshaft:
+/// none.
+extern const QString otherBobWeight;
+extern const QString otherCrankshaft;
+/// The verdict where a doubt blocks any.
+extern const QString stopped;
+/// Nothing is said of the crankshaft.
+inline bool isWithheld(const QString& verdict) {
+    return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;
+}
+/// Which of them a run or the sheet has (its `read_on` and `read_with`); empty where it holds.
+template <typename Read>
+QString otherWord(const Read& read) {
+    return read.read_on ? otherCrankshaft : read.read_with ? otherBobWeight : QString();
+}
+/// The word of a run or the sheet: what it is of, else its verdict.
+template <typename Read>
+QString readWord(const Read& read, const std::optional<bool>& measured,
+                 const std::optional<bool>& corrected = {}) {
+    const QString other = otherWord(read);
+    return other.isEmpty() ? verdictWord(measured, corrected) : other;
+}
+/// What a verdict says of the crankshaft.
+enum class VerdictKind {
+    None,
+    Pass,
+    Fail,
+    Open  ///< to be measured again, or doubted
+};
+VerdictKind verdictKind(const QString& verdict);
+/// What is to be done about them.
+QString otherBobWeightText(const Words& words, double then, double now);
+QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now);
+/// Both numbers, a line each, where one of them is shortened there; else empty.
+QString longNumbersTip(const std::string& then, const std::string& now);
+/// The same of a run or the sheet.
+template <typename Read>
+QString otherTip(const Read& read) {
+    return read.read_on ? longNumbersTip(read.read_on->then, read.read_on->now) : QString();
+}
+/// The sentence of a run or the sheet; empty where it holds.
+template <typename Read>
+QString otherText(const Words& words, const Read& read, double bobWeightNow) {
+    return read.read_on     ? otherCrankshaftText(words, read.read_on->then, read.read_on->now)
+           : read.read_with ? otherBobWeightText(words, *read.read_with, bobWeightNow)
+                            : QString();
+}
+
+/// That what is said is of the values before entries that a form refuses; empty without such.
+QString refusedNote(const Words& words, const QStringList& refused);
+
+/// A verdict's word as page, card and journal say it: "fails → passes" is measured → after
+/// correction.
+QString verdictText(const Words& words, const QString& verdict);
+
+}  // namespace ravnoves

@@ -1,0 +1,166 @@
+#include "shop/model/weigh_in_table.h"
+
+#include "shop/model/words.h"
+#include "text/message_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
+
+namespace ravnoves {
+
+using namespace shop;
+
+namespace {
+
+QString partOf(int column) {
+    return shownText(part_word(all_parts[static_cast<std::size_t>(column)]).label);
+}
+
+}  // namespace
+
+WeighInTable::WeighInTable(Source source, QObject* parent)
+    : EditableTable(parent), source_(std::move(source)) {}
+
+const Field& WeighInTable::fieldOf(int row) const {
+    return row >= firstCylinder() ? source_.mass
+           : row == 0             ? field::nominal
+                                  : field::permitted_spread;
+}
+
+int WeighInTable::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : firstCylinder() + source_.cylinders();
+}
+
+int WeighInTable::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(all_parts.size());
+}
+
+QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
+    const int row = cell.row();
+    const QString part = partOf(cell.column());
+    const int cylinder = row - firstCylinder() + 1;
+    const bool isNominal = cylinder < 1 && row == 0;
+    const bool isSpread = cylinder < 1 && row == 1;
+    switch (role) {
+        case Qt::EditRole: {
+            const Mass mass = source_.read(row, cell.column());
+            return mass ? QVariant(from_si(fieldOf(row), *mass)) : QVariant();
+        }
+        case Qt::AccessibleTextRole:
+            return shownTitle(isNominal  ? tr("%1, nominal mass, g").arg(part)
+                              : isSpread ? tr("%1, permitted spread, g").arg(part)
+                                         : tr("%1 of cylinder %2, g").arg(part).arg(cylinder))
+                .text;
+        case Qt::ToolTipRole:
+            return isNominal  ? tr("%1: mass by the drawing.").arg(part)
+                   : isSpread ? tr("%1: heaviest less lightest that the works manual permits. "
+                                   "Empty: no limit.")
+                                    .arg(part)
+                              : tr("%1 of cylinder %2 as the scale says.").arg(part).arg(cylinder);
+        case KeyRole: {
+            const std::string_view word =
+                part_word(all_parts[static_cast<std::size_t>(cell.column())]).word;
+            const auto key = QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+            return isNominal  ? QStringLiteral("nominal_") + key
+                   : isSpread ? QStringLiteral("spread_") + key
+                              : QStringLiteral("mass_%1_%2").arg(key).arg(cylinder);
+        }
+        default:
+            return {};
+    }
+}
+
+QVariant WeighInTable::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    if (orientation == Qt::Horizontal) {
+        return partOf(section);
+    }
+    return section >= firstCylinder() ? QString::number(section - firstCylinder() + 1)
+           : section == 0             ? shownTitle(tr("nominal, g")).text
+                                      : shownTitle(tr("permitted spread, g")).text;
+}
+
+bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !cell.isValid()) {
+        return false;
+    }
+    const int row = cell.row();
+    const QString part = partOf(cell.column());
+    const QString step = row >= firstCylinder()
+                             ? tr("%1 %2").arg(part).arg(row - firstCylinder() + 1)
+                         : row == 0 ? tr("%1, nominal").arg(part)
+                                    : tr("%1, spread").arg(part);
+    return source_
+        .edit(step,
+              [&](const Cells& at) {
+                  at(row, cell.column()) =
+                      value.isValid() ? Mass(value.toDouble() * fieldOf(row).unit) : std::nullopt;
+              })
+        .isEmpty();
+}
+
+QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    struct Pasted {
+        int row;
+        int column;
+        double mass;
+    };
+    std::vector<Pasted> pasted;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (qsizetype j = 0; j < cells[i].size(); ++j) {
+            const QString& typed = cells[i].at(j);
+            if (typed.isEmpty()) {
+                continue;
+            }
+            const int toRow = row + static_cast<int>(i);
+            const int toColumn = column + static_cast<int>(j);
+            if (!index(toRow, toColumn).isValid()) {
+                return tr("Nothing is pasted: the block does not fit on the sheet from here, which "
+                          "has %1 cylinders.")
+                    .arg(source_.cylinders());
+            }
+            // In the unit that the cells show.
+            const Field& field = fieldOf(toRow);
+            const ShownUnit unit = shownUnit(field.unit);
+            const auto value = readTypedNumber(typed, unit.name).value;
+            if (!value || field.left_by(*value / unit.factor) != nullptr) {
+                return tr("Nothing is pasted: “%1” is no mass in %2.").arg(typed, unit.name);
+            }
+            pasted.push_back({toRow, toColumn, *value / unit.factor * field.unit});
+        }
+    }
+    return source_.edit(tr("Paste weights"), [&](const Cells& at) {
+        for (const Pasted& each : pasted) {
+            at(each.row, each.column) = each.mass;
+        }
+    });
+}
+
+WeighedColumn weighedColumn(const Words& words, Part part,
+                            const std::optional<ColumnStatistics>& statistics,
+                            const std::optional<double>& nominal, bool counts,
+                            const QString& whyNot) {
+    const QString dash = QStringLiteral("–");
+    if (!statistics) {
+        return {dash, dash, dash, false, true, {}};
+    }
+    const auto grams = [&](double mass) { return words.digits(mass, units::gram, 2); };
+    const QString text =
+        WeighInTable::tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
+            .arg(shownText(part_word(part).label))
+            .arg(statistics->count)
+            .arg(statistics->heaviest + 1)
+            .arg(statistics->lightest + 1);
+    const double deviation = statistics->mean - nominal.value_or(0.0);
+    return {grams(statistics->mean),
+            !nominal ? dash
+                     : (deviation >= 0.005 * units::gram ? QStringLiteral("+") : QString()) +
+                           grams(deviation),
+            grams(statistics->spread),
+            !statistics->within_permitted,
+            counts,
+            counts || whyNot.isEmpty() ? text : text + QLatin1Char('\n') + whyNot};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,94 @@
+#include "shop/scale_button.h"
+
+#include "shop/model/scale_reader.h"
+#include "shop/scale_dialog.h"
+#include "shop/scale_input.h"
+#include "text/preferences.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+using shop::ScaleLine;
+
+ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new ScaleReader(this)) {
+    setObjectName(QStringLiteral("scale_button"));
+    setAutoRaise(true);
+    setFocusPolicy(Qt::TabFocus);  // a click must not take the focus from the cell
+    connect(this, &QToolButton::clicked, this, &ScaleButton::openSettings);
+    connect(reader_, &ScaleReader::connectionChanged, this, [this] {
+        showConnection();
+        if (!reader_->trouble().isEmpty()) {
+            Q_EMIT status(reader_->trouble());
+        }
+    });
+    connect(reader_, &ScaleReader::lineRead, this,
+            [this](const QByteArray& /*raw*/, const ScaleLine& line) {
+                showLine(line);
+                if (!reader_->refusal().isEmpty()) {
+                    Q_EMIT status(reader_->refusal());
+                }
+            });
+    connect(reader_, &ScaleReader::weighed, this, [this](const ScaleLine& line) {
+        if (!isSettingUp_) {
+            Q_EMIT status(enterWeight(line).text);
+        }
+    });
+    connect(reader_, &ScaleReader::repeated, this, [this](const ScaleLine& line) {
+        Q_EMIT status(tr("%1 again at once: it is taken once. A scale that sends all the time can "
+                         "be set so.")
+                          .arg(scaleText(line)));
+    });
+    connect(&Preferences::instance(), &Preferences::changed, this, &ScaleButton::showConnection);
+    connect(&Theme::instance(), &Theme::changed, this, &ScaleButton::showConnection);
+    reader_->use(ScaleSettings::load());
+    showConnection();
+}
+
+void ScaleButton::openSettings() {
+    if (isSettingUp_) {
+        return;
+    }
+    isSettingUp_ = true;
+    reader_->use(reader_->settings());  // maybe for another scale
+    auto* dialog = new ScaleDialog(reader_, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QObject::destroyed, this, [this] { isSettingUp_ = false; });
+    dialog->open();
+}
+
+void ScaleButton::showConnection() {
+    const bool isSetUp = !reader_->settings().port.isEmpty();
+    setVisible(isSetUp);
+    const bool isThere = reader_->isConnected() && reader_->trouble().isEmpty();
+    setText(isThere ? tr("Scale: ready") : tr("Scale: not connected"));
+    setAccessibleName(text());
+    setToolTip(isThere ? tr("Weights go into the field with the focus. Click for the settings.")
+                       : reader_->trouble());
+    setAccessibleDescription(toolTip());
+    QPalette colours = palette();
+    colours.setColor(QPalette::ButtonText,
+                     isThere ? Theme::instance().text() : Theme::instance().error());
+    setPalette(colours);
+}
+
+void ScaleButton::showLine(const ScaleLine& line) {
+    switch (line.kind) {
+        case ScaleLine::Kind::stable:
+            setText(tr("Scale: %1").arg(scaleText(line)));
+            break;
+        case ScaleLine::Kind::moving:
+            setText(tr("Scale: %1, not settled").arg(scaleText(line)));
+            break;
+        case ScaleLine::Kind::overload:
+        case ScaleLine::Kind::underload:
+            setText(tr("Scale: out of its range"));
+            break;
+        case ScaleLine::Kind::garbled:
+            setText(tr("Scale: not understood"));
+            break;
+        case ScaleLine::Kind::other:
+            break;
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,95 @@
+#include "shop/scale_input.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QPointer>
+
+#include "model/editable_table.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
+#include "widgets/number_field.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// The texts of this file.
+struct ScaleInput {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ScaleInput)
+};
+
+void press(QWidget* widget, Qt::Key key) {
+    for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
+        QKeyEvent event(type, key, Qt::NoModifier,
+                        key == Qt::Key_Return ? QStringLiteral("\r") : QString());
+        QApplication::sendEvent(widget, &event);
+    }
+}
+
+ScaleEntry enterInto(NumberField* field, const QString& weight) {
+    const QPointer<NumberField> entered = field;
+    field->setText(weight);
+    Q_EMIT field->textEdited(weight);
+    if (const QString trouble = field->trouble(); !trouble.isEmpty()) {
+        press(field, Qt::Key_Escape);  // nobody typed it: what stood there stays
+        QApplication::beep();
+        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, trouble), false};
+    }
+    const QString name = field->accessibleName();
+    press(field, Qt::Key_Return);
+    if (entered != nullptr && entered->hasFocus()) {
+        press(entered, Qt::Key_Tab);
+    }
+    return {ScaleInput::tr("%1 from the scale: %2").arg(weight, name), true};
+}
+
+ScaleEntry enterInto(QAbstractItemView* view, const QString& weight) {
+    const QModelIndex cell = view->currentIndex();
+    if (!view->model()->setData(cell, weight)) {
+        QApplication::beep();
+        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, QString()).trimmed(),
+                false};
+    }
+    if (const QModelIndex below = cell.siblingAtRow(cell.row() + 1); below.isValid()) {
+        view->setCurrentIndex(below);
+    }
+    return {ScaleInput::tr("%1 from the scale").arg(weight), true};
+}
+
+/// True for a cell of a column of masses that can be edited.
+bool takesMass(const QAbstractItemView& view) {
+    const QModelIndex cell = view.currentIndex();
+    return cell.isValid() && qobject_cast<EditableTable*>(view.model()) != nullptr &&
+           cell.flags().testFlag(Qt::ItemIsEditable) &&
+           isMassUnit(
+               unitOfTitle(view.model()->headerData(cell.column(), Qt::Horizontal).toString()));
+}
+
+}  // namespace
+
+QString scaleText(const shop::ScaleLine& line) {
+    return withUnit(fixedDecimals(line.number, line.decimals, QLocale()), unitText(line.unit.name));
+}
+
+ScaleEntry enterWeight(const shop::ScaleLine& line) {
+    const QString weight = scaleText(line);
+    QWidget* focus = QApplication::focusWidget();
+    auto* field = qobject_cast<NumberField*>(focus);
+    if (field != nullptr && field->isEnabled() && !field->isReadOnly() &&
+        isMassUnit(field->unit())) {
+        return enterInto(field, weight);
+    }
+    auto* view = qobject_cast<QAbstractItemView*>(focus);
+    if (view != nullptr && takesMass(*view)) {
+        return enterInto(view, weight);
+    }
+    QApplication::beep();
+    return {ScaleInput::tr("%1 from the scale goes nowhere: no field for a mass has the focus.")
+                .arg(weight),
+            false};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <QList>
+
+#include "widgets/form.h"
+
+class QKeyEvent;
+class QLabel;
+class QPushButton;
+
+namespace ravnoves {
+
+class CheckedField;
+
+/// One sheet of the job's form: large fields bound to the input, in the order in which one fills
+/// them.
+class SheetForm : public Form {
+    Q_OBJECT
+
+  public:
+    static constexpr int fieldHeight = 34;  ///< pixels; a target that a thumb finds
+
+    explicit SheetForm(SceneModel* model, QWidget* parent = nullptr);
+
+    /// Every field in the order of Enter.
+    const QList<QWidget*>& order() const { return order_; }
+    /// The same in the order of Tab: it goes along the rows of a grid.
+    QList<QWidget*> tabOrder() const;
+
+    /// Its readings are of another bob weight or crankshaft: its tab is amber, and so are their
+    /// fields.
+    bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
+
+  Q_SIGNALS:
+    /// One more is in the order.
+    void fieldAdded(QWidget* field);
+
+  protected:
+    /// Rows as a Form's, large enough to be read at arm's length and hit with a gloved finger.
+    template <typename... Arguments>
+    NumberField* number(Arguments&&... arguments) {
+        NumberField* field = Form::number(std::forward<Arguments>(arguments)...);
+        if constexpr (sizeof...(Arguments) > 1) {
+            field->setOptional(true);  // that of a pointer says itself whether it may be empty
+        }
+        return large(field);
+    }
+    QComboBox* choice(const char* pointer);
+    /// @param longest  what is typed at most, characters
+    void text(const char* pointer, int longest = 80);
+    static constexpr int longestNotes = 1000;
+    /// A text that must have a form, and what it means to the input.
+    struct CheckedText {
+        /// The text in the form that is kept; empty where it has none.
+        std::function<QString(const QString& typed)> normal;
+        /// Says why a text is refused.
+        std::function<QString(const QString& typed)> refusal;
+        std::function<QString()> read;
+        /// Makes it a step of the history of that name.
+        std::function<void(const QString& name, const QString& normal)> write;
+        /// How the form that is kept is shown; empty: as it is.
+        std::function<QString(const QString& normal)> shown = {};
+        bool isOfResult = true;  ///< EntryField::isOfResult()
+    };
+    /// Its row; what is wrong with it stands below the field.
+    void checked(const Field& description, const CheckedText& text);
+    /// The section of whose job it is, and when.
+    void addJob();
+    /// A row of numbers, as readNumberList() takes them; each is described by the field.
+    void numberList(
+        const Field& description, std::function<std::vector<double>()> read,
+        std::function<void(const QString& name, const std::vector<double>& values)> write);
+    /// A line of text over the whole width that follows the model; hidden while there is none.
+    QLabel* line(int pixelSize, std::function<QString()> text);
+    /// What is wrong with readings, and a button that says that they hold for the crankshaft and
+    /// the bob weight of now; neither where `why` is empty.
+    /// @param readings  the first of them that is empty has the keys next, else the first
+    void addHold(std::function<QString()> why, std::function<void()> hold,
+                 const QList<NumberField*>& readings);
+    /// A field is amber while it holds a reading of another bob weight.
+    void doubt(EntryField* field, std::function<bool()> isDoubtful);
+    /// Takes a field into the order.
+    template <typename Widget>
+    Widget* ordered(Widget* field) {
+        order_ << field;
+        Q_EMIT fieldAdded(field);
+        return field;
+    }
+    /// Fields of the order that follow one another in it and stand in rows and columns, as in a
+    /// spreadsheet: Tab goes along the rows, the arrows to the neighbours.
+    void addGrid(const QList<QList<QWidget*>>& rows);
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void enlarge(QWidget* field);
+    /// As wide as a text: its words are read whole.
+    /// @param width  designed pixels
+    QComboBox* wide(QComboBox* box, int width = 290);
+    /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
+    void finish();
+
+  private:
+    NumberField* large(NumberField* field);
+    /// @return true for an arrow that leaves the field of a grid
+    static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
+
+    SceneModel* model_;
+    QList<QWidget*> order_;
+    QList<QList<QList<QWidget*>>> grids_;
+    std::function<bool()> isDoubted_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,357 @@
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <algorithm>
+
+#include "bob-weights/fields.h"
+#include "bob-weights/solver.h"
+#include "shop/model/verdict.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/typed_number.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/layouts.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/sheets.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+namespace {
+
+/// Where a hole stands in the case.
+struct HolePlace {
+    std::size_t run;
+    std::size_t hole;
+};
+
+std::vector<HolePlace> holePlaces(const workshop::Input& input) {
+    std::vector<HolePlace> places;
+    if (input.correction) {
+        const auto& runs = input.correction->earlier_runs;
+        for (std::size_t run = 0; run < runs.size(); ++run) {
+            for (std::size_t i = 0; runs[run].drilled && i < runs[run].drilled->size(); ++i) {
+                places.push_back({run, i});
+            }
+        }
+    }
+    return places;
+}
+
+const DrilledHole* holeAt(const workshop::Input& input, std::size_t row) {
+    const auto places = holePlaces(input);
+    return row < places.size()
+               ? &(*input.correction->earlier_runs[places[row].run].drilled)[places[row].hole]
+               : nullptr;
+}
+
+}  // namespace
+
+CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
+    : WorkshopSheet(model, parent) {
+    buildDrills();
+    buildDrilled();
+    buildWhatIf();
+    buildSlugs();
+    finish();
+}
+
+void CorrectionSheet::buildDrills() {
+    section(tr("Drills at hand"));
+    numberList(
+        field::diameters,
+        [this] {
+            const auto& correction = model_->input().correction;
+            return correction ? correction->drill.diameters_mm : std::vector<double>();
+        },
+        [this](const QString& name, const std::vector<double>& diameters) {
+            model_->editCorrection(
+                name, [&](Correction& correction) { correction.drill.diameters_mm = diameters; });
+        });
+    // How several are written.
+    findChild<QLineEdit*>(QString::fromStdString(std::string(field::diameters.key)))
+        ->setPlaceholderText(numberListText({8, 10}, field::diameters) + QStringLiteral("; …"));
+    number("/correction/drill/maximum_depth_mm");
+    number("/correction/smallest_depth_mm");
+    wide(choice("/correction/aim"), 250);
+    number("/correction/drill/point_angle_deg");
+    number("/correction/drill/density_kg_m3");
+    number("/correction/drill/depth_step_mm");
+    section(tr("Several holes"));
+    number("/correction/drill/maximum_holes");
+    number("/correction/drill/minimum_wall_mm");
+    number("/correction/drill/maximum_angle_deg");
+}
+
+void CorrectionSheet::buildSlugs() {
+    section(tr("Heavy metal"));
+    const auto slug = [this](const Field& field, std::optional<double> Slug::*member) {
+        NumberField* made = number(
+            field,
+            [this, member] {
+                const auto& correction = model_->input().correction;
+                return correction && correction->slug ? *correction->slug.*member : std::nullopt;
+            },
+            [this, member, name = fieldName(field)](std::optional<double> value) {
+                model_->editSlug(name, [&](Slug& it) { it.*member = value; });
+            });
+        made->setObjectName(QStringLiteral("slug_") + made->objectName());
+        return made;
+    };
+    slug(field::slug_diameter, &Slug::diameter);
+    NumberField* density = slug(field::slug_density, &Slug::density);
+    follow([this, density, needed = density->placeholderText()] {
+        const auto& correction = model_->input().correction;
+        const bool hasSlugs = correction && correction->slug && correction->slug->diameter;
+        density->setPlaceholderText(hasSlugs ? needed : QStringLiteral("–"));
+    });
+    QStringList words;
+    for (const Word& word : direction_words) {
+        words << shownText(word.label);
+    }
+    enlarge(ordered(Form::choice(
+        QStringLiteral("slug_direction"), shownText(field::slug_direction.label), words,
+        fieldHint(field::slug_direction),
+        [this] {
+            const auto& correction = model_->input().correction;
+            return static_cast<int>(correction && correction->slug ? correction->slug->direction
+                                                                   : SlugDirection::axial);
+        },
+        [this](int place) {
+            model_->editSlug(fieldName(field::slug_direction), [place](Slug& it) {
+                it.direction = static_cast<SlugDirection>(place);
+            });
+        })));
+}
+
+// ---------------------------------------------------------------------------------- what if
+
+void CorrectionSheet::buildWhatIf() {
+    section(tr("What if I drill here"));
+    auto* plane = new QComboBox(current());
+    plane->setObjectName(QStringLiteral("what_if_plane"));
+    plane->addItems({QString(), QString()});
+    enlarge(plane);
+    current()->addWidget(shownText(field::drilled_plane.label), ordered(plane), {},
+                         fieldHint(field::drilled_plane));
+    connect(plane, &QComboBox::activated, this, [this](int chosen) {
+        whatIf_.plane = chosen;
+        showWhatIf();
+    });
+    follow([this, plane] {
+        for (int i = 0; i < 2; ++i) {
+            plane->setItemText(i, model_->planeName(static_cast<std::size_t>(i)));
+        }
+    });
+    const auto add = [this](const Field& field, std::optional<double> WhatIf::*member,
+                            const char* name) {
+        number(
+            field, [this, member] { return whatIf_.*member; },
+            [this, member](std::optional<double> value) {
+                whatIf_.*member = value;
+                showWhatIf();
+            })
+            ->setObjectName(QLatin1String(name));
+    };
+    add(field::drilled_diameter, &WhatIf::diameter, "what_if_diameter");
+    add(field::drilled_depth, &WhatIf::depth, "what_if_depth");
+    add(field::drilled_angle, &WhatIf::angle, "what_if_angle");
+    whatIfLine_ = copyableLabel("what_if", Theme::titleSize, current());
+    current()->addWide(whatIfLine_);
+    follow([this] { showWhatIf(); });
+}
+
+void CorrectionSheet::showWhatIf() {
+    const auto left =
+        whatIf_.diameter && whatIf_.depth && whatIf_.angle && !model_->withheld().holes
+            ? what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
+                      *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle)
+            : std::nullopt;
+    if (!left) {
+        sayOrHide(whatIfLine_, {});
+        return;
+    }
+    const Words words;
+    QStringList said{tr("%1: remains %2 at %3.")
+                         .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
+                              words.number(left->unbalance, units::gram_mm, 1),
+                              words.number(left->angle, units::degree, 1)),
+                     verdictText(words, verdictWord(left->within_tolerance, {}))};
+    if (left->touches) {
+        said << tr("A hole is there already; what it has taken is not taken again.");
+    }
+    said.removeAll(QString());
+    sayOrHide(whatIfLine_, said.join(QLatin1Char(' ')));
+}
+
+// ----------------------------------------------------------------------------- already drilled
+
+void CorrectionSheet::buildDrilled() {
+    section(tr("Already drilled: correct what was drilled otherwise"));
+    const Words words;
+    const auto made =
+        grid({tr("Hole"), words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
+              tr("Angle, °"), tr("What became of it")});
+    holes_ = made.first;
+    trouble_ = made.second;
+    QLabel* none = line(Theme::smallSize, [this] {
+        return holePlaces(model_->input()).empty()
+                   ? tr("None yet. The plan stands here once the next run is read.")
+                   : QString();
+    });
+    none->setTextInteractionFlags(Qt::NoTextInteraction);
+    button("add_hole", tr("&Add a hole that was there before…"),
+           tr("New holes keep clear of it, and it may be deepened."), [this] { addEarlierHole(); });
+    connect(model_, &SceneModel::changed, this, &CorrectionSheet::growRows);
+    growRows();
+}
+
+void CorrectionSheet::growRows() {
+    while (rows_.size() < static_cast<qsizetype>(holePlaces(model_->input()).size())) {
+        addHoleRow();
+    }
+}
+
+void CorrectionSheet::addHoleRow() {
+    const auto row = static_cast<std::size_t>(rows_.size());
+    const int at = holes_->rowCount();
+    auto* name = new QLabel(this);
+    name->setFont(Theme::font(Theme::smallSize));
+    name->setWordWrap(true);
+    const auto change = [this, row](const QString& step,
+                                    const std::function<void(DrilledHole&)>& mutate) {
+        const auto places = holePlaces(model_->input());
+        if (row < places.size()) {
+            model_->editCorrection(step, [&](Correction& correction) {
+                mutate((*correction.earlier_runs[places[row].run].drilled)[places[row].hole]);
+            });
+        }
+    };
+    const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
+        NumberField* made = cell(
+            field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1), fieldName(field));
+        made->setMinimumWidth(Theme::withText(60));
+        bind(
+            made, field,
+            [this, row, member]() -> std::optional<double> {
+                const DrilledHole* hole = holeAt(model_->input(), row);
+                return hole != nullptr ? std::optional(hole->*member) : std::nullopt;
+            },
+            [change, member, step = fieldName(field)](std::optional<double> value) {
+                if (value) {
+                    change(step, [&](DrilledHole& hole) {
+                        hole.*member = *value;
+                        hole.state =
+                            hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
+                    });
+                }
+            });
+        trouble_->watch(made);
+        return made;
+    };
+    NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
+    NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
+    auto* state = new QComboBox(this);
+    state->setObjectName(QStringLiteral("drilled_state_%1").arg(row + 1));
+    state->setAccessibleName(fieldName(field::drilled_state));
+    state->setToolTip(fieldHint(field::drilled_state));
+    for (const Word& word : state_words) {
+        state->addItem(shownText(word.label));
+    }
+    enlarge(state);
+    state->setFont(Theme::font(Theme::baseSize));
+    bind(
+        state,
+        [this, row] {
+            const DrilledHole* hole = holeAt(model_->input(), row);
+            return hole != nullptr ? static_cast<int>(hole->state) : -1;
+        },
+        [change](int place) {
+            change(fieldName(field::drilled_state),
+                   [&](DrilledHole& hole) { hole.state = static_cast<HoleState>(place); });
+        });
+    const QList<QWidget*> widgets{name, ordered(depth), ordered(angle), ordered(state)};
+    for (int column = 0; column < widgets.size(); ++column) {
+        holes_->addWidget(widgets[column], at, column);
+    }
+    follow([this, row, name, widgets] {
+        const DrilledHole* hole = holeAt(model_->input(), row);
+        for (QWidget* each : widgets) {
+            each->setVisible(hole != nullptr);
+        }
+        if (hole != nullptr) {
+            const Words words;
+            const std::size_t run = holePlaces(model_->input())[row].run;
+            name->setText(bob_text::drilledName(words, model_->input(), run, *hole));
+        }
+    });
+    rows_ << widgets;
+}
+
+QWidget* CorrectionSheet::lastDrilled() const {
+    const auto places = holePlaces(model_->input());
+    const auto first = std::find_if(places.begin(), places.end(), [&](const HolePlace& place) {
+        return place.run == places.back().run;
+    });
+    return first == places.end() ? nullptr : rows_.at(first - places.begin()).at(3);
+}
+
+void CorrectionSheet::addEarlierHole() {
+    QDialog dialog(this);
+    dialog.setObjectName(QStringLiteral("earlier_hole"));
+    dialog.setWindowTitle(tr("Hole that was there before"));
+    auto* column = new QVBoxLayout(&dialog);
+    auto* form = new FormSection({}, &dialog);
+    column->addWidget(form);
+    auto* plane = new QComboBox(form);
+    plane->addItems({model_->planeName(0), model_->planeName(1)});
+    plane->setObjectName(QStringLiteral("hole_plane"));
+    form->addWidget(shownText(field::drilled_plane.label), plane);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+    QList<NumberField*> fields;
+    const auto showWhole = [buttons, &fields] {
+        const bool isWhole = std::all_of(fields.begin(), fields.end(), [](const NumberField* each) {
+            return each->trouble().isEmpty() && each->value();
+        });
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(isWhole);
+    };
+    for (const Field* field :
+         {&field::drilled_diameter, &field::drilled_depth, &field::drilled_angle}) {
+        NumberField* made = form->addNumber(*field);
+        made->setObjectName(QStringLiteral("hole_") +
+                            QString::fromStdString(std::string(field->key)));
+        made->setOptional(true);
+        fields << made;
+        connect(made, &QLineEdit::textChanged, &dialog, showWhole);
+    }
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    showWhole();
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    DrilledHole hole;
+    hole.plane = static_cast<PlaneName>(plane->currentIndex());
+    hole.diameter = *fields[0]->value() * field::drilled_diameter.unit;
+    hole.depth = *fields[1]->value() * field::drilled_depth.unit;
+    hole.angle = *fields[2]->value() * field::drilled_angle.unit;
+    hole.state = HoleState::measured;
+    model_->editCorrection(tr("Hole that was there before"), [&](Correction& correction) {
+        if (!starts_with_holes(correction)) {
+            EarlierRun before;
+            before.readings.clear();  // it was not read
+            before.drilled.emplace();
+            correction.earlier_runs.insert(correction.earlier_runs.begin(), std::move(before));
+        }
+        correction.earlier_runs.front().drilled->push_back(hole);
+    });
+}
+
+}  // namespace ravnoves

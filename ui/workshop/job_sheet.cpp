@@ -1,0 +1,92 @@
+#include <QCheckBox>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "text/message_text.h"
+#include "theme/theme.h"
+#include "v8-plugs/fields.h"
+#include "workshop/sheets.h"
+
+namespace ravnoves {
+
+JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
+    addJob();
+    buildEngine();
+    buildPlugs();
+    section(tr("Notes on the job card"));
+    text("/job/notes", longestNotes);
+    finish();
+}
+
+void JobSheet::buildEngine() {
+    section(tr("Engine"));
+    QComboBox* type = ordered(
+        Form::choice("/engine/type", [this](int chosen) { return model_->chooseType(chosen); }));
+    enlarge(type);
+    number("/engine/cylinders");
+    NumberField* bank = number("/engine/bank_angle_deg");
+    QComboBox* rods = choice("/engine/rods_per_pin");
+    NumberField* split = number("/engine/pin_split_deg");
+    follow([this, bank, rods, split] {
+        const bob_weights::EngineType chosen = model_->input().engine.type;
+        for (NumberField* angle : {bank, split}) {
+            angle->setEnabled(chosen == bob_weights::EngineType::v);
+            if (!angle->isEnabled()) {
+                angle->setPlaceholderText(QStringLiteral("–"));
+            }
+        }
+        rods->setEnabled(chosen != bob_weights::EngineType::in_line);
+    });
+    wide(choice("/balance"));
+    line(Theme::smallSize, [this] {
+        return model_->input().balance == bob_weights::Balance::external
+                   ? tr("Balance it with damper and flywheel in place, each in its position.")
+                   : QString();
+    });
+}
+
+void JobSheet::buildPlugs() {
+    section(tr("Sludge-trap plugs"));
+    QCheckBox* there = ordered(box(
+        QStringLiteral("has_plugs"), tr("The crankpins have sludge-trap &plugs"),
+        tr("Crankpin plugs of a V-8 at 90° are bored or replaced to balance heavier or lighter "
+           "parts."),
+        [this] { return model_->hasPlugs(); }, [this](bool on) { model_->setHasPlugs(on); }));
+    there->setMinimumHeight(Theme::withText(fieldHeight - 6));
+    follow([this, there] { there->setEnabled(model_->hasPlugs() || model_->mayHavePlugs()); });
+    section({});
+    withPlugs(true);
+    engine_ = ordered(new QComboBox(current()));
+    engine_->setObjectName(QStringLiteral("engine"));
+    engine_->setPlaceholderText(shownText(v8_plugs::field::engine.placeholder));
+    enlarge(engine_);
+    current()->addWidget(shownText(v8_plugs::field::engine.label), engine_, {},
+                         fieldHint(v8_plugs::field::engine));
+    connect(engine_, &QComboBox::activated, this, [this](int place) {
+        model_->chooseEngine(place);
+        showEngines();
+    });
+    connect(model_, &WorkshopModel::enginesChanged, this, &JobSheet::showEngines);
+    follow([this] { showEngines(); });
+    choice("/plugs/process");
+    QComboBox* crankshaft = choice("/plugs/crankshaft");
+    follow([this, crankshaft] {
+        crankshaft->setEnabled(model_->hasPlugs() && model_->input().plugs->engine.has_new_plug);
+    });
+}
+
+void JobSheet::showEngines() {
+    const QSignalBlocker block(engine_);
+    const QStringList names = model_->engineNames();
+    QStringList shown;
+    for (int i = 0; i < engine_->count(); ++i) {
+        shown << engine_->itemText(i);
+    }
+    if (shown != names) {
+        engine_->clear();
+        engine_->addItems(names);
+    }
+    engine_->setCurrentIndex(model_->engineIndex());
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,289 @@
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <array>
+
+#include "bob-weights/fields.h"
+#include "model/editable_table.h"
+#include "shop/balance_grade.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
+#include "theme/theme.h"
+#include "workshop/fields.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/sheets.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+namespace {
+
+/// "left / right" as two names; empty where they are not two.
+QString planeNames(const QString& typed) {
+    QString text = typed;
+    const QStringList names = text.replace(QLatin1Char(','), QLatin1Char('/'))
+                                  .replace(QLatin1Char(';'), QLatin1Char('/'))
+                                  .split(QLatin1Char('/'));
+    return names.size() == 2 && !names[0].trimmed().isEmpty() && !names[1].trimmed().isEmpty()
+               ? names[0].trimmed() + QStringLiteral(" / ") + names[1].trimmed()
+               : QString();
+}
+
+}  // namespace
+
+MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
+    buildRuns();
+    // Beside the readings: by another convention a hole is drilled on the wrong side.
+    QLabel* convention = line(Theme::baseSize, [this] {
+        return bob_text::machineText(Words(), model_->input().machine);
+    });
+    convention->setObjectName(QStringLiteral("machine_convention"));
+    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); },
+            readings_);
+    buildPlanes();
+    buildTolerance();
+    buildMachine();
+    finish();
+}
+
+QWidget* MachineSheet::nextReading() const {
+    const auto next = std::find_if(readings_.begin(), readings_.end(), [](NumberField* each) {
+        return each->isVisible() && !each->value();
+    });
+    return next == readings_.end() ? nullptr : *next;
+}
+
+void MachineSheet::buildMachine() {
+    section(tr("Balancing machine"));
+    checked(
+        workshop::field::plane_names,
+        {planeNames,
+         [](const QString&) { return tr("Type two names, such as left / right."); },
+         [this] {
+             const auto& names = model_->input().machine.planes;
+             return planeNames(QString::fromStdString(names[0]) + QLatin1Char('/') +
+                               QString::fromStdString(names[1]));
+         },
+         [this](const QString& step, const QString& typed) {
+             const QStringList names = typed.split(QStringLiteral(" / "));
+             model_->edit(step, [&](workshop::Input& job) {
+                 job.machine.planes = {names.value(0).toStdString(), names.value(1).toStdString()};
+             });
+         },
+         {},
+         false});
+    wide(choice("/machine/counts"), 240);
+    wide(choice("/machine/shows"), 240);
+    text("/machine/zero");
+    QPushButton* keep =
+        button("keep_machine", tr("Make it the shop's own &machine"),
+               tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
+    follow([this, keep] { keep->setVisible(!model_->isShopsMachine()); });
+}
+
+/// Headings of columns that are of planes follow their names.
+void MachineSheet::followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
+                               const QStringList& units) {
+    follow([this, grid, columns, units] {
+        for (const auto& [column, plane] : columns) {
+            auto* heading = static_cast<QLabel*>(grid->itemAtPosition(0, column)->widget());
+            const QString name = model_->planeName(static_cast<std::size_t>(plane));
+            const QString unit = units.value(column - 1);
+            heading->setText(unit.isEmpty() ? name : name + QStringLiteral(", ") + unit);
+        }
+    });
+}
+
+void MachineSheet::buildPlanes() {
+    section(tr("Planes"));
+    const std::array names{bob_text::planeName(Words(), {}, 0),
+                           bob_text::planeName(Words(), {}, 1)};
+    const auto sheet = this->grid({QString(), names[0], names[1]});
+    followNames(sheet.first, {{1, 0}, {2, 1}}, {});
+    QGridLayout* const grid = sheet.first;
+    TroubleLine* const trouble = sheet.second;
+    std::array<QList<NumberField*>, 2> fields;
+    using Value = std::optional<double>;
+    const auto row = [&](const char* key, const Field& field, auto get) {
+        const int at = grid->rowCount();
+        const QString unit = shownUnit(field.unit).name;
+        auto* label = new QLabel(titleWithUnit(fieldName(field), unit));
+        label->setFont(Theme::font(Theme::smallSize));
+        grid->addWidget(label, at, 0);
+        for (std::size_t plane = 0; plane < 2; ++plane) {
+            const QString name = names[plane] + QStringLiteral(": ") + fieldName(field);
+            NumberField* made =
+                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
+            bind(
+                made, field,
+                [this, get, plane] {
+                    Correction shown = model_->input().correction.value_or(Correction{});
+                    shown.planes.resize(2);
+                    shown.readings.resize(2);
+                    return Value(get(shown, plane));
+                },
+                [this, get, plane, name](Value value) {
+                    model_->editCorrection(
+                        name, [&](Correction& correction) { get(correction, plane) = value; });
+                });
+            trouble->watch(made);
+            grid->addWidget(made, at, static_cast<int>(plane) + 1);
+            fields[plane] << made;
+        }
+    };
+    row("position", field::plane_position,
+        [](Correction& c, std::size_t i) -> Value& { return c.planes[i].position; });
+    row("radius", field::plane_radius,
+        [](Correction& c, std::size_t i) -> Value& { return c.planes[i].radius; });
+    row("read_at", field::reading_position,
+        [](Correction& c, std::size_t i) -> Value& { return c.readings[i].position; });
+    row("from", field::from_angle,
+        [](Correction& c, std::size_t i) -> Value& { return c.planes[i].from_angle; });
+    row("to", field::to_angle,
+        [](Correction& c, std::size_t i) -> Value& { return c.planes[i].to_angle; });
+    for (const auto& column : fields) {  // Enter goes down the columns, plane by plane
+        for (NumberField* field : column) {
+            ordered(field);
+        }
+    }
+    QList<QList<QWidget*>> rows;
+    for (qsizetype at = 0; at < fields[0].size(); ++at) {
+        rows << QList<QWidget*>{fields[0][at], fields[1][at]};
+    }
+    addGrid(rows);
+}
+
+void MachineSheet::buildRuns() {
+    section(tr("Readings: before, and after each drilling"));
+    const Words words;
+    const QString unit = words.unit(units::gram_mm);
+    const QString degrees = QStringLiteral("°");
+    const auto [grid, trouble] = this->grid({QString(), unit, degrees, unit, degrees});
+    followNames(grid, {{1, 0}, {2, 0}, {3, 1}, {4, 1}}, {unit, degrees, unit, degrees});
+    QList<QList<QWidget*>> rows;
+    for (std::size_t run = 0; run < most_runs; ++run) {
+        const int at = grid->rowCount();
+        auto* label = new QLabel(bob_text::runName(words, run));
+        label->setFont(Theme::font(Theme::smallSize));
+        grid->addWidget(label, at, 0);
+        QList<QWidget*> row{label};
+        for (std::size_t plane = 0; plane < 2; ++plane) {
+            for (const bool isAngle : {false, true}) {
+                const Field& field = isAngle ? field::angle : field::unbalance;
+                const QString name = bob_text::runName(words, run) + QStringLiteral(", ") +
+                                     bob_text::planeName(words, {}, plane) + QStringLiteral(": ") +
+                                     fieldName(field);
+                const QString key =
+                    QStringLiteral("%1_%2")
+                        .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))
+                        .arg(plane + 1);
+                NumberField* made = ordered(
+                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                readings_ << made;
+                made->setMinimumWidth(Theme::withText(60));
+                if (run > 0) {
+                    made->setPlaceholderText({});
+                }
+                bind(
+                    made, field,
+                    [this, run, plane, isAngle] { return model_->reading(run, plane, isAngle); },
+                    [this, run, plane, isAngle, name](std::optional<double> value) {
+                        model_->editReading(name, run, plane, isAngle, value);
+                    });
+                doubt(made, [this, run, made] {
+                    const RunResult* result = model_->runResult(run);
+                    return result != nullptr && !result->holds() && made->value();
+                });
+                if (isAngle) {
+                    follow([this, run, plane, made, hint = made->placeholderText()] {
+                        const auto unbalance = model_->reading(run, plane, false);
+                        const bool isMissing = !unbalance || has_direction(*unbalance);
+                        made->setPlaceholderText(isMissing ? hint : QStringLiteral("–"));
+                    });
+                }
+                trouble->watch(made);
+                grid->addWidget(made, at, static_cast<int>(2 * plane) + (isAngle ? 2 : 1));
+                row << made;
+            }
+        }
+        rows << row.mid(1);
+        // One empty line waits for the next run.
+        follow([this, row, run] {
+            const bool isNext = run == model_->newestRun() + 1 && model_->isPlanned();
+            for (QWidget* each : row) {
+                each->setVisible(run <= model_->newestRun() || isNext);
+            }
+        });
+    }
+    addGrid(rows);
+}
+
+void MachineSheet::buildTolerance() {
+    section(tr("What may remain"));
+    auto* own = box(
+        QStringLiteral("own_limit"), tr("&A limit of your own for each plane, no grade"),
+        tr("On: so much unbalance may remain in each plane. Off: by grade, mass and speed."),
+        [this] { return model_->input().tolerance && !model_->input().tolerance->by_grade; },
+        [this](bool on) {
+            model_->editTolerance(tr("Kind of limit"), [on](Tolerance& it) { it.by_grade = !on; });
+        });
+    ordered(own);
+    number("/tolerance/g_mm");
+    grades_ = ordered(new QComboBox(current()));
+    grades_->setObjectName(QStringLiteral("grade_list"));
+    grades_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const shop::BalanceGrade& grade : shop::balance_grades()) {
+        grades_->addItem(QStringLiteral("G %1: %2")
+                             .arg(formNumber(grade.mm_per_s, QLocale()), shownText(grade.use)),
+                         grade.mm_per_s);
+        grades_->setItemData(grades_->count() - 1, shownText(grade.use), Qt::ToolTipRole);
+    }
+    grades_->setPlaceholderText(tr("grade of your own"));
+    enlarge(grades_);
+    bind(
+        grades_,
+        [this] {
+            const auto& tolerance = model_->input().tolerance;
+            return tolerance && tolerance->by_grade && tolerance->grade
+                       ? grades_->findData(from_si(field::grade, *tolerance->grade))
+                       : -1;
+        },
+        [this](int place) {
+            model_->editTolerance(fieldName(field::grade), [&](Tolerance& it) {
+                it.by_grade = true;
+                it.grade = grades_->itemData(place).toDouble() * field::grade.unit;
+            });
+        });
+    wide(grades_, 250);  // beside it stand the widest labels
+    current()->addWidget(tr("&For"), grades_, {},
+                         tr("Balance quality grades of ISO 21940-11, and what each is for."));
+    number("/tolerance/grade_mm_s");
+    doubt(number("/tolerance/rotor_mass_kg"), [this] {
+        const auto& limit = model_->input().tolerance;
+        return limit && limit->by_grade && shop::is_mass_in_grams(limit->rotor_mass);
+    });
+    doubt(number("/tolerance/service_speed_rpm"),
+          [this] { return shop::is_odd_speed(service_speed(model_->input())); });
+    const auto doubtPlace = [this](const char* place, BearingPlaces wrong) {
+        doubt(number(place),
+              [this, wrong] { return places_of_bearings(model_->input()) == wrong; });
+    };
+    doubtPlace("/tolerance/centre_of_mass_mm", BearingPlaces::centre_beyond);
+    doubtPlace("/tolerance/front_bearing_mm", BearingPlaces::reversed);
+    doubtPlace("/tolerance/rear_bearing_mm", BearingPlaces::reversed);
+    number("/tolerance/front_share");
+    // Below the fields: they must not move while one types.
+    line(Theme::smallSize, [this] {
+        return grades_->currentIndex() < 0
+                   ? QString()
+                   : grades_->itemData(grades_->currentIndex(), Qt::ToolTipRole).toString();
+    });
+    line(Theme::baseSize, [this] { return model_->limitText(); });
+}
+
+}  // namespace ravnoves

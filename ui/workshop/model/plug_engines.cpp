@@ -1,0 +1,503 @@
+#include "workshop/model/plug_engines.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <utility>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "shop/model/verdict.h"
+#include "text/error_text.h"
+#include "v8-plugs/fields.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plugs/model/v8_names.h"
+#include "workshop/plugs/model/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+/// What belongs to an engine beside its values: the plug's sizes, the parts' nominal masses and
+/// permitted spreads. The weights of this job's parts stay, and the shop's cutter.
+struct OwnedSheets {
+    PlugSheet plug;
+    WeighIn parts;
+
+    friend bool operator==(const OwnedSheets&, const OwnedSheets&) = default;
+};
+
+OwnedSheets ownedSheets(const v8_plugs::Input& plugs, const std::optional<shop::WeighIn>& sheet) {
+    OwnedSheets owned{plugs.plug.value_or(PlugSheet{}), {}};
+    owned.plug.cutter_diameter.reset();
+    for (const Part part : all_parts) {
+        if (sheet) {
+            owned.parts[part].nominal = (*sheet)[part].nominal;
+            owned.parts[part].permitted_spread = (*sheet)[part].permitted_spread;
+        }
+    }
+    return owned;
+}
+
+OwnedSheets ownedSheets(const workshop::Input& job) {
+    return ownedSheets(*job.plugs, job.weigh_in);
+}
+
+void takePlug(v8_plugs::Input& plugs, PlugSheet plug) {
+    plug.cutter_diameter = plugs.plug ? plugs.plug->cutter_diameter : std::nullopt;
+    plugs.plug = plug == PlugSheet{} ? std::nullopt : std::optional(plug);
+}
+
+void takeSheets(workshop::Input& job, const OwnedSheets& owned) {
+    takePlug(*job.plugs, owned.plug);
+    if (!job.weigh_in && owned.parts == WeighIn{}) {
+        return;
+    }
+    if (!job.weigh_in) {
+        job.weigh_in = WeighIn{};
+    }
+    for (const Part part : all_parts) {
+        (*job.weigh_in)[part].nominal = owned.parts[part].nominal;
+        (*job.weigh_in)[part].permitted_spread = owned.parts[part].permitted_spread;
+    }
+}
+
+/// The paper's engine with the sizes it prints of the plug.
+void takePreset(workshop::Input& job, const v8_plugs::Engine& preset) {
+    if (job.plugs->preset != preset.name) {
+        takeSheets(job, {printed_plug(preset.name), {}});
+    }
+    job.plugs->preset = preset.name;
+    job.plugs->engine = preset;
+}
+
+struct OwnEngine {
+    v8_plugs::Engine engine;
+    OwnedSheets sheets;
+};
+
+/// An engine that was kept before its sheets were is the engine's values alone.
+/// @throws InputError where the values kept are damaged
+OwnEngine readOwnEngine(const JournalEngine& own) {
+    Json kept = parse_json(own.values.toStdString());
+    if (!kept.is_object() || !kept.contains("engine")) {
+        kept = Json{{"engine", std::move(kept)}};
+    }
+    kept["process"] = "repair";
+    const v8_plugs::Input input = v8_plugs::read_input(kept, Completeness::as_is);
+    OwnEngine engine{input.engine, ownedSheets(input, input.weigh_in)};
+    engine.engine.name = own.name.toStdString();
+    return engine;
+}
+
+const QString toleranceKey = QStringLiteral("workshop/tolerance_g_mm");
+
+/// The engine's values as they are written, without the name and the preset.
+Json valuesOf(const v8_plugs::Input& input) {
+    v8_plugs::Input alone;
+    alone.engine = input.engine;
+    alone.engine.name.clear();
+    return v8_plugs::write_input(alone).at("engine");
+}
+
+}  // namespace
+
+double plug_engines::shopsTolerance() {
+    bool isNumber = false;
+    const double kept = QSettings().value(toleranceKey).toDouble(&isNumber);
+    return isNumber && field::tolerance.range.contains(kept) ? kept * field::tolerance.unit
+                                                             : default_tolerance;
+}
+
+void plug_engines::keepTolerance(double tolerance) {
+    QSettings().setValue(toleranceKey, tolerance / field::tolerance.unit);
+}
+
+v8_plugs::Input plug_engines::firstPreset() {
+    workshop::Input job;
+    job.plugs.emplace();
+    takePreset(job, engine_presets().front());
+    return *job.plugs;
+}
+
+bool plug_engines::isSame(const v8_plugs::Input& input, const v8_plugs::Input& named) {
+    const v8_plugs::Engine& a = input.engine;
+    const v8_plugs::Engine& b = named.engine;
+    return input.preset == named.preset && a.name == b.name &&
+           a.has_aluminium_plug == b.has_aluminium_plug && a.has_new_plug == b.has_new_plug &&
+           std::ranges::all_of(engine_fields(), [&](const EngineField& each) {
+               return !(b.*each.member) || a.*each.member == b.*each.member;
+           });
+}
+
+bool plug_engines::haveSameValues(const v8_plugs::Input& a, const v8_plugs::Input& b) {
+    return valuesOf(a) == valuesOf(b);
+}
+
+v8_plugs::Input plug_engines::nextOf(const v8_plugs::Input& before) {
+    v8_plugs::Input next;
+    next.preset = before.preset;
+    next.engine = before.engine;
+    next.crankshaft = before.crankshaft;
+    next.process = before.process;
+    next.tolerance = before.tolerance;
+    next.plug = before.plug;
+    return next;
+}
+
+void plug_engines::noteInJournal(JournalJob& job, const v8_plugs::Input& input,
+                                 const v8_plugs::Result& solution) {
+    job.engine = QString::fromStdString(input.engine.name);
+    job.process = QString::fromStdString(
+        std::string(process_words[static_cast<std::size_t>(input.process)].word));
+    if (solution.unbalanced_mass) {
+        job.unbalancedMass = *solution.unbalanced_mass / units::gram;
+    }
+    if (!solution.advice) {
+        return;
+    }
+    if (solution.advice->kind == Advice::Kind::none_needed) {
+        job.recommended = QStringLiteral("none-needed");
+    } else if (solution.advice->kind == Advice::Kind::option) {
+        const Option& option = *solution.advice->option;
+        job.recommended = QString::fromStdString(std::string(option_word(option.id).word));
+        job.reduction = option.reduction / units::gram;
+    } else if (solution.advice->kind != Advice::Kind::no_new_plug_data) {
+        job.recommended = QStringLiteral("not-compensated");
+    }
+}
+
+// --------------------------------------------------------------------------------- on the page
+
+void WorkshopModel::setHasPlugs(bool there) {
+    std::optional<workshop::Input> before = input();
+    edit(tr("Sludge-trap plugs"), [&](workshop::Input& job) {
+        if (there) {
+            job.plugs =
+                otherForm_ && otherForm_->plugs ? *otherForm_->plugs : plug_engines::firstPreset();
+            scene().startPlugs(*job.plugs);
+            job.parts = {};
+            job.factor = {};
+            if (!job.weigh_in && job.plugs->plug) {
+                fit_weigh_in(job);
+            }
+        } else {
+            job.plugs.reset();
+            if (otherForm_ && !otherForm_->plugs) {
+                job.parts = otherForm_->parts;
+                job.factor = otherForm_->factor;
+            }
+        }
+    });
+    if (there == hasPlugs()) {
+        otherForm_ = std::move(before);
+    }
+}
+
+QString WorkshopModel::editPlugs(const QString& name,
+                                 const std::function<void(v8_plugs::Input&)>& mutate) {
+    return edit(name, [&](workshop::Input& job) {
+        if (job.plugs) {
+            mutate(*job.plugs);
+        }
+    });
+}
+
+void WorkshopModel::keepTolerance() {
+    if (scene().dated && hasPlugs()) {
+        plug_engines::keepTolerance(input().plugs->tolerance);
+        Q_EMIT changed();
+    }
+}
+
+bool WorkshopModel::isShopsTolerance() const {
+    return scene().dated && hasPlugs() &&
+           input().plugs->tolerance == plug_engines::shopsTolerance();
+}
+
+bool WorkshopModel::canFillNominalMasses() const {
+    if (!hasPlugs() || !plugsInput()->weigh_in) {
+        return false;
+    }
+    const auto differs = [](const std::optional<double>& parts, const std::optional<double>& mass) {
+        return parts && parts != mass;
+    };
+    const WeighIn& sheet = *plugsInput()->weigh_in;
+    const v8_plugs::Engine& engine = input().plugs->engine;
+    return differs(nominal_reciprocating(sheet), engine.reciprocating_mass) ||
+           differs(nominal_rotating(sheet), engine.rotating_mass);
+}
+
+void WorkshopModel::fillNominalMasses() {
+    const WeighIn sheet = plugsInput()->weigh_in.value();
+    editPlugs(tr("Masses of the nominal parts"), [&](v8_plugs::Input& plugs) {
+        if (const auto sum = nominal_reciprocating(sheet)) {
+            plugs.engine.reciprocating_mass = sum;
+        }
+        if (const auto sum = nominal_rotating(sheet)) {
+            plugs.engine.rotating_mass = sum;
+        }
+    });
+}
+
+// ------------------------------------------------------------------------------------- engines
+
+void WorkshopModel::reloadEngines() {
+    if (desk()->isOpen()) {
+        ownEngines_ = desk()->journal()->engines();
+        Q_EMIT enginesChanged();
+    }
+}
+
+void WorkshopModel::setPlugs(const QString& name, EngineGroup group, bool present) {
+    if (!present) {
+        plugsBefore_[group] = input().plugs.value();
+    }
+    editPlugs(name, [&](v8_plugs::Input& plugs) {
+        set_plugs(plugs.engine, group, present);
+        if (!plugs.engine.has_new_plug) {
+            plugs.crankshaft = Crankshaft::standard;
+        }
+        if (!present) {
+            return;
+        }
+        const auto before = plugsBefore_.find(group);
+        const bool isSame = before != plugsBefore_.end() && before->second.preset == plugs.preset &&
+                            before->second.engine.name == plugs.engine.name;
+        if (const auto known = isSame ? std::optional(before->second.engine) : keptEngine()) {
+            for (const EngineField& each : engine_fields()) {
+                if (each.group == group) {
+                    plugs.engine.*each.member = (*known).*each.member;
+                }
+            }
+        }
+    });
+}
+
+QStringList WorkshopModel::engineNames() const {
+    QStringList names;
+    for (const v8_plugs::Engine& preset : engine_presets()) {
+        names << v8_names::engineName(Words(), preset.name);
+    }
+    for (const JournalEngine& own : ownEngines_) {
+        names << own.name;
+    }
+    return names;
+}
+
+bool WorkshopModel::isOwnEngine(int place) const {
+    return place >= static_cast<int>(engine_presets().size());
+}
+
+int WorkshopModel::engineIndex() const {
+    if (!hasPlugs()) {
+        return -1;
+    }
+    const auto presets = engine_presets();
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        if (presets[i].name == input().plugs->preset) {
+            return static_cast<int>(i);
+        }
+    }
+    for (qsizetype i = 0; i < ownEngines_.size(); ++i) {
+        if (ownEngines_.at(i).name == QString::fromStdString(input().plugs->engine.name)) {
+            return static_cast<int>(presets.size()) + static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+void WorkshopModel::chooseEngine(int place) {
+    const auto presets = engine_presets();
+    if (!hasPlugs() || place < 0 ||
+        place >= static_cast<int>(presets.size()) + ownEngines_.size()) {
+        return;
+    }
+    finishDrag();
+    if (!isOwnEngine(place)) {
+        edit(tr("Engine"), [&](workshop::Input& job) {
+            takePreset(job, presets[static_cast<std::size_t>(place)]);
+        });
+    } else {
+        const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
+        try {
+            const OwnEngine kept = readOwnEngine(own);
+            edit(tr("Engine"), [&](workshop::Input& job) {
+                takeSheets(job, kept.sheets);
+                job.plugs->preset.clear();
+                job.plugs->engine = kept.engine;
+                if (!kept.engine.has_new_plug) {
+                    job.plugs->crankshaft = Crankshaft::standard;
+                }
+            });
+        } catch (const InputError& error) {
+            desk()->setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
+                                          .arg(own.name, errorText(error)));
+        }
+    }
+    finishDrag();
+}
+
+bool WorkshopModel::hasOwnEngine(const QString& name) const {
+    return std::any_of(ownEngines_.cbegin(), ownEngines_.cend(), [&](const JournalEngine& own) {
+        return own.name.compare(name.trimmed(), Qt::CaseInsensitive) == 0;
+    });
+}
+
+QString WorkshopModel::engineNameTrouble(const QString& name) const {
+    const QString trimmed = name.trimmed();
+    if (trimmed.isEmpty()) {
+        return tr("The engine needs a name.");
+    }
+    QStringList presets;
+    for (const v8_plugs::Engine& preset : engine_presets()) {
+        presets
+            << QString::fromStdString(preset.name)
+            << v8_names::engineName(Words(), preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
+    }
+    if (find_preset(trimmed.toStdString()) != nullptr ||
+        presets.contains(trimmed, Qt::CaseInsensitive)) {
+        return tr("“%1” is the name of a preset; choose another.").arg(trimmed);
+    }
+    return {};
+}
+
+QString WorkshopModel::saveEngineAs(const QString& name) {
+    const QString trimmed = name.trimmed();
+    QString trouble = engineNameTrouble(trimmed);
+    if (!trouble.isEmpty()) {
+        return trouble;
+    }
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
+    }
+    // A name that differs in capitals alone is the same engine.
+    for (const JournalEngine& own : std::as_const(ownEngines_)) {
+        if (own.name != trimmed && own.name.compare(trimmed, Qt::CaseInsensitive) == 0 &&
+            !desk()->journal()->removeEngine(own.name)) {
+            return desk()->journal()->lastError();
+        }
+    }
+    v8_plugs::Input own;
+    own.engine = input().plugs->engine;
+    own.engine.name = trimmed.toStdString();
+    const OwnedSheets sheets = ownedSheets(input());
+    takePlug(own, sheets.plug);
+    if (sheets.parts != WeighIn{}) {
+        own.weigh_in = sheets.parts;
+    }
+    Json kept = Json::object();
+    const Json written = v8_plugs::write_input(own);
+    for (const char* key : {"engine", "plug", "weigh_in"}) {
+        if (written.contains(key)) {
+            kept[key] = written.at(key);
+        }
+    }
+    const std::string values = kept.dump();
+    if (!desk()->journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
+        return desk()->journal()->lastError();
+    }
+    ownEngines_ = desk()->journal()->engines();
+    editPlugs(tr("Save engine"), [&](v8_plugs::Input& plugs) {
+        plugs.preset.clear();
+        plugs.engine.name = trimmed.toStdString();
+    });
+    Q_EMIT enginesChanged();
+    return {};
+}
+
+QString WorkshopModel::renameEngine(const QString& from, const QString& to) {
+    const QString trimmed = to.trimmed();
+    QString trouble = engineNameTrouble(trimmed);
+    if (!trouble.isEmpty()) {
+        return trouble;
+    }
+    if (from.compare(trimmed, Qt::CaseInsensitive) != 0 && hasOwnEngine(trimmed)) {
+        return tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
+    }
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
+    }
+    if (!desk()->journal()->renameEngine(from, trimmed)) {
+        return desk()->journal()->lastError();
+    }
+    ownEngines_ = desk()->journal()->engines();
+    if (hasPlugs() && QString::fromStdString(input().plugs->engine.name) == from) {
+        editPlugs(tr("Rename engine"),
+                  [&](v8_plugs::Input& plugs) { plugs.engine.name = trimmed.toStdString(); });
+    }
+    Q_EMIT enginesChanged();
+    return {};
+}
+
+QString WorkshopModel::removeEngine(const QString& name) {
+    if (!desk()->openJournal()) {
+        return desk()->journalTrouble();
+    }
+    if (!desk()->journal()->removeEngine(name)) {
+        return desk()->journal()->lastError();
+    }
+    ownEngines_ = desk()->journal()->engines();
+    Q_EMIT enginesChanged();
+    return {};
+}
+
+bool WorkshopModel::ownEngineChanged() const {
+    const int place = engineIndex();
+    if (!isOwnEngine(place)) {
+        return false;
+    }
+    try {
+        const OwnEngine kept =
+            readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())));
+        return kept.engine != input().plugs->engine || kept.sheets != ownedSheets(input());
+    } catch (const InputError&) {
+        return true;
+    }
+}
+
+std::optional<v8_plugs::Engine> WorkshopModel::keptEngine() const {
+    if (const v8_plugs::Engine* preset = find_preset(input().plugs->preset)) {
+        return *preset;
+    }
+    const int place = engineIndex();
+    if (!isOwnEngine(place)) {
+        return std::nullopt;
+    }
+    try {
+        return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())))
+            .engine;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+QString WorkshopModel::engineNote() const {
+    if (!hasPlugs()) {
+        return {};
+    }
+    const v8_plugs::Engine* preset = find_preset(input().plugs->preset);
+    if (preset == nullptr) {
+        return ownEngineChanged()
+                   ? tr("The values differ from those kept under this name; “Keep as own engine” "
+                        "keeps these.")
+                   : QString();
+    }
+    if (!preset->steel_plug_mass) {
+        return tr(
+            "The paper gives only the crank radius of this engine; the rest has to be "
+            "measured.");
+    }
+    if (input().plugs->engine.steel_plug_mass == preset->steel_plug_mass) {
+        return tr(
+            "Plug masses as the paper prints them. They look too small for the threads it "
+            "prints: weigh the plugs and type what the scale says.");
+    }
+    return {};
+}
+
+}  // namespace ravnoves

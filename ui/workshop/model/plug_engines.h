@@ -1,0 +1,25 @@
+#pragma once
+
+#include "shop/model/journal.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/result.h"
+
+/// The engines whose plugs the shop knows, presets and its own, and what belongs to them.
+namespace ravnoves::plug_engines {
+
+/// The limit that new jobs begin with, kg·m.
+double shopsTolerance();
+void keepTolerance(double tolerance);
+
+/// The plugs of the paper's first engine.
+v8_plugs::Input firstPreset();
+/// Whether it is still the engine that was named; what the preset does not know may be filled in.
+bool isSame(const v8_plugs::Input& input, const v8_plugs::Input& named);
+/// Whether the engines' values agree, whatever their names.
+bool haveSameValues(const v8_plugs::Input& a, const v8_plugs::Input& b);
+/// What the next job of the same engine begins with.
+v8_plugs::Input nextOf(const v8_plugs::Input& before);
+/// What the journal keeps of the plugs.
+void noteInJournal(JournalJob& job, const v8_plugs::Input& input, const v8_plugs::Result& solution);
+
+}  // namespace ravnoves::plug_engines

@@ -1,0 +1,289 @@
+// What the page shows of the solution: what is missing, sentences and tables.
+
+#include <algorithm>
+
+#include "bob-weights/fields.h"
+#include "case-file/input_error.h"
+#include "shop/model/weigh_again.h"
+#include "text/message_text.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plugs/model/v8_names.h"
+#include "workshop/plugs/model/v8_text.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+QString WorkshopModel::shownError(const InputError& error) const {
+    const QString placed = bob_text::sheetError(Words(), input(), error);
+    return placed.isEmpty() ? explain(error) : placed;
+}
+
+QString WorkshopModel::planeName(std::size_t plane) const {
+    return bob_text::planeName(Words(), input().machine, plane);
+}
+
+QString WorkshopModel::headline() const {
+    const bob_weights::Withheld withheld = this->withheld();
+    if (withheld.bob_weight) {
+        return tr("STOP: no bob weight yet");
+    }
+    if (!solution().bob_weight && hasPlugs()) {
+        return tr("Still needed for the bob weight: %1")
+            .arg(v8_names::missingNames(Words(), *plugsInput(), true));
+    }
+    if (solution().bob_weight && plugs() != nullptr && plugs()->advice &&
+        !v8_text::works(*plugs())) {
+        return tr("Bob weight with the nearest option: %1")
+            .arg(Words().number(*solution().bob_weight, units::gram, 1));
+    }
+    return bob_text::headline(Words(), input(), solution());
+}
+
+QString WorkshopModel::doubtfulText() const {
+    const auto& weight = solved().found.shaft.bob_weight;
+    return withheld().bob_weight && weight
+               ? tr("Not to be used: bob weight %1.").arg(Words().number(*weight, units::gram, 1))
+               : QString();
+}
+
+QString WorkshopModel::hangText() const {
+    if (!solution().bob_weight) {
+        return {};
+    }
+    QStringList said;
+    if (bob_weights::balances_itself(input().engine)) {
+        said << tr("None are needed: the crankpins balance one another.");
+    }
+    said << bob_text::hang(Words(), input().engine);
+    if (bob_text::isMean(Words(), solution())) {
+        said << weighInText();
+    }
+    if (plugs() != nullptr) {
+        said << v8_text::plugsWhileHung(Words(), *plugs());
+    }
+    return said.join(QLatin1Char(' '));
+}
+
+QString WorkshopModel::factorText() const {
+    return bob_text::factor(Words(), input(), solution());
+}
+
+QString WorkshopModel::reasonText() const {
+    return input().engine.type == EngineType::v && !input().engine.bank_angle
+               ? QString()
+               : messageText(factor_reason(input().engine));
+}
+
+QString WorkshopModel::limitText() const {
+    return bob_text::limits(Words(), input(), solution());
+}
+
+QString WorkshopModel::holeNote() const {
+    if (withheld().holes && input().correction) {
+        return tr("STOP: drill nothing before the line at the top is settled.");
+    }
+    return bob_text::holeNote(Words(), solution());
+}
+
+QStringList WorkshopModel::notCounted() const {
+    const Words words;
+    QStringList list;
+    for (const Message& message :
+         hasPlugs() ? v8_plugs::not_counted(*plugsInput()) : bob_weights::not_counted(input())) {
+        list << words.message(message);
+    }
+    return list;
+}
+
+QStringList WorkshopModel::troubles() const {
+    const Words words;
+    QStringList list;
+    if (solution().bob_weight) {
+        try {
+            workshop::check_input(input());
+        } catch (const InputError& error) {
+            list << shownError(error);
+        }
+    }
+    // The first of those that block stands in the verdict, and so do the warnings where it is one.
+    const bool hasWarnings = withheld().any() || solved().verdict.severity != Severity::note;
+    bool isSaid = false;
+    for (const workshop::Doubt& doubt : doubts()) {
+        if (doubt.rule->blocks.any() ? std::exchange(isSaid, true)
+                                     : !hasWarnings && doubt.rule->severity == Severity::warning) {
+            list << words.message(doubt.text);
+        }
+    }
+    list << notCounted() << bob_text::notGiven(words, solution())
+         << bob_text::missingAngles(words, input(), solution())
+         << bob_text::shortfalls(words, input().machine, solution())
+         << bob_text::correctedRuns(words, input(), solution());
+    if (plugs() != nullptr) {
+        list << v8_text::troubles(words, *plugsInput());
+    }
+    list.removeAll(QString());
+    return list;
+}
+
+QStringList WorkshopModel::remarks() const {
+    QStringList list;
+    for (const workshop::Doubt& doubt : doubts()) {
+        if (doubt.rule->severity == Severity::note) {
+            list << Words().message(doubt.text);
+        }
+    }
+    return list;
+}
+
+// ----------------------------------------------------------------------------------- the parts
+
+WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
+    const auto sheet = bob_weights::fitted(input()).weigh_in;
+    const auto statistics = sheet ? shop::statistics((*sheet)[part]) : std::nullopt;
+    if (!statistics) {
+        return weighedColumn(Words(), part, {}, {}, true);
+    }
+    const bool isWhole = (*sheet)[part].is_weighed();
+    const bool counts =
+        hasPlugs() ? input().plugs->changes_from_weigh_in && (*sheet)[part].is_complete() : isWhole;
+    return weighedColumn(Words(), part, statistics, (*sheet)[part].nominal, counts,
+                         isWhole ? QString() : tr("Counts once every cylinder is weighed."));
+}
+
+QString WorkshopModel::weighInText() const {
+    return bob_text::weighIn(Words(), input(), solution());
+}
+
+QString WorkshopModel::weighAgain() const {
+    const auto sheet = fitted(input()).weigh_in;
+    return sheet ? weighAgainText(Words(), *sheet) : QString();
+}
+
+std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
+    return plugs() != nullptr ? v8_text::matchingShown(*plugsInput(), *plugs())
+                              : bob_text::matchingShown(input(), solution());
+}
+
+QString WorkshopModel::assignmentText() const {
+    const QString again = weighAgain();
+    return again.isEmpty() ? ofMatching(matching_text::summary) : again;
+}
+
+QStringList WorkshopModel::assignmentRemarks() const {
+    return ofMatching(matching_text::remarks);
+}
+
+Results WorkshopModel::assignmentResults() const {
+    return ofMatching(matching_text::assignment);
+}
+
+Results WorkshopModel::effectResults() const {
+    return ofMatching(matching_text::effects);
+}
+
+Results WorkshopModel::takeOffResults() const {
+    const auto sheet = fitted(input()).weigh_in;
+    return sheet
+               ? matching_text::takeOff(Words(), static_cast<std::size_t>(input().engine.cylinders),
+                                        masses_of(*sheet))
+               : Results();
+}
+
+bool WorkshopModel::canMoveBack() const {
+    // By the numbers of a sheet of another number of cylinders they cannot.
+    const auto sheet = fitted(input()).weigh_in;
+    return sheet && sheet->is_moved();
+}
+
+void WorkshopModel::moveBack() {
+    if (canMoveBack()) {
+        editWeights(tr("Parts as weighed"), [](WeighIn& sheet) { move_back(sheet); });
+    }
+}
+
+void WorkshopModel::moveParts() {
+    if (const auto placing = solution().placing) {
+        editWeights(tr("Move parts"),
+                    [&](WeighIn& sheet) { move_sets(sheet, placing->pistons, placing->rods); });
+    }
+}
+
+// ---------------------------------------------------------------------------------- the tables
+
+namespace {
+
+/// @param tips  of the headings behind the first
+ResultColumns columnsOf(const QStringList& heads, const QStringList& tips) {
+    ResultColumns columns(heads.begin(), heads.end());
+    for (qsizetype i = 1; i < columns.size(); ++i) {
+        columns[i].tip = tips.value(i - 1);
+    }
+    return columns;
+}
+
+}  // namespace
+
+Results WorkshopModel::lineResults() const {
+    ResultRows rows = bob_text::lines(Words(), solution());
+    if (solution().bob_weight) {
+        rows.last().tip = tr("The bob weight: weigh it out so");
+    }
+    return {
+        columnsOf(bob_text::lineHead(Words()), {QString(),
+                                                tr("How many times the mass is in the bob weight: "
+                                                   "rods on it, times the factor for what "
+                                                   "moves with the piston"),
+                                                tr("Mass × how often it counts")}),
+        rows};
+}
+
+Results WorkshopModel::runResults() const {
+    return {columnsOf(bob_text::runHead(Words(), input().machine),
+                      {tr("The readings of the run taken to the front plane"),
+                       tr("The readings of the run taken to the rear plane"),
+                       tr("By the limits of both planes")}),
+            newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows()};
+}
+
+Results WorkshopModel::planeResults() const {
+    const Words words;
+    const ResultRows planes = bob_text::planes(words, input().machine, solution());
+    const QStringList names = bob_text::planeHead(words);
+    const QStringList tips{
+        tr("Both readings taken to the correction planes: same force, same moment"),
+        tr("Angle of the heavy spot from the machine's zero mark"),
+        tr("Mass that makes this unbalance at the plane's radius"),
+        tr("What the holes below leave, their depths rounded, added up as vectors"),
+        tr("By the limit of the plane: as measured → after the correction")};
+    Results results{{names.first(), planeName(0), planeName(1)}};
+    ResultRows& rows = results.rows;
+    for (qsizetype i = 1; i < names.size() && planes.size() == 2; ++i) {
+        const auto isKnown = [i](const ResultRow& row) { return row[i].text != QChar(0x2013); };
+        if (!std::any_of(planes.begin(), planes.end(), isKnown)) {
+            continue;  // of readings alone
+        }
+        rows << ResultRow({names[i], planes[0][i], planes[1][i]}, tips.value(i - 1));
+    }
+    return results;
+}
+
+namespace {
+
+/// Of depth, angle and mass of a hole.
+QStringList holeTips() {
+    return {shownText(field::maximum_depth.hint), WorkshopModel::tr("From the machine's zero mark"),
+            WorkshopModel::tr(
+                "Mass, the cone of the point included; negative: a slug adds its own weight, which "
+                "stands beside its diameter, less what its hole took off")};
+}
+
+}  // namespace
+
+Results WorkshopModel::holeResults() const {
+    return {columnsOf(bob_text::holeHead(Words()), holeTips()),
+            bob_text::holes(Words(), input(), solution())};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,709 @@
+#include "workshop/model/workshop_model.h"
+
+#include <QDate>
+#include <QSettings>
+#include <algorithm>
+#include <utility>
+
+#include "bob-weights/fields.h"
+#include "bob-weights/matching.h"
+#include "bob-weights/solver.h"
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "model/case_model_json.h"
+#include "numerics/demand.h"
+#include "scenes/scenes.h"
+#include "shop/model/verdict.h"
+#include "shop/weigh_in.h"
+#include "text/error_text.h"
+#include "text/message_text.h"
+#include "v8-plugs/fields.h"
+#include "v8-plugs/presets.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/plug_engines.h"
+#include "workshop/model/shop_machine.h"
+#include "workshop/results.h"
+#include "workshop/scene.h"
+#include "workshop/solver.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+using Job = workshop::Input;
+
+namespace {
+
+/// The sheet for other parts of the same engine: its rules, nominal masses and permitted spreads;
+/// nothing where it has none of its own.
+std::optional<WeighIn> rulesAlone(const Job& input) {
+    Job next;
+    next.engine = input.engine;
+    next.weigh_in.emplace();
+    fit_weigh_in(next);
+    const std::optional<WeighIn> blank = next.weigh_in;
+    if (input.weigh_in) {
+        next.weigh_in->numbering = input.weigh_in->numbering;
+        next.weigh_in->matching = input.weigh_in->matching;
+        for (const shop::Part part : shop::all_parts) {
+            (*next.weigh_in)[part].nominal = (*input.weigh_in)[part].nominal;
+            (*next.weigh_in)[part].permitted_spread = (*input.weigh_in)[part].permitted_spread;
+        }
+    }
+    return next.weigh_in == blank ? std::nullopt : next.weigh_in;
+}
+
+/// Those of the machine are of one shaft; where it reads stays.
+void forgetReadings(Job& input) {
+    if (input.correction) {
+        for (Reading& reading : input.correction->readings) {
+            reading = {reading.position, {}, {}, {}, {}};
+        }
+        input.correction->earlier_runs.clear();
+        input.correction->record = {};
+    }
+}
+
+/// As those of a run before.
+std::vector<EarlierReading> earlierOf(const std::vector<Reading>& readings) {
+    std::vector<EarlierReading> list;
+    for (const Reading& it : readings) {
+        list.push_back({it.unbalance, it.angle, it.bob_weight, it.shaft});
+    }
+    return list;
+}
+
+/// Notes what the holes were planned from once the readings are others: what is put right
+/// afterwards drills nothing and fills no hole.
+void noteCorrected(DrillingRecord& record, const std::vector<EarlierReading>& before,
+                   const std::vector<EarlierReading>& now) {
+    if (!record.drilled) {
+        return;
+    }
+    if (record.drilled_by.empty()) {
+        record.drilled_by = before;
+    }
+    const auto isSame = [](const EarlierReading& a, const EarlierReading& b) {
+        return a.unbalance == b.unbalance && a.angle == b.angle;
+    };
+    if (std::equal(now.begin(), now.end(), record.drilled_by.begin(), record.drilled_by.end(),
+                   isSame)) {
+        record.drilled_by.clear();
+    }
+}
+
+}  // namespace
+
+Job WorkshopScene::defaultInput() const {
+    Job input;
+    input.engine.bank_angle = 90.0 * degree;
+    startJob(input);
+    return input;
+}
+
+void WorkshopScene::startJob(Job& input) const {
+    if (!dated) {
+        return;
+    }
+    if (input.machine == workshop::Machine{}) {
+        input.machine = shop_machine::kept();
+    }
+    if (input.plugs) {
+        startPlugs(*input.plugs);
+    }
+    input.job.technician = JobDesk::rememberedTechnician().toStdString();
+    input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+}
+
+void WorkshopScene::startPlugs(v8_plugs::Input& plugs) const {
+    if (dated && plugs.tolerance == v8_plugs::default_tolerance) {
+        plugs.tolerance = plug_engines::shopsTolerance();
+    }
+}
+
+bool WorkshopScene::isSameEngine(const Job& input, const Job& named) {
+    if (input.engine != named.engine || input.plugs.has_value() != named.plugs.has_value()) {
+        return false;
+    }
+    return !input.plugs || plug_engines::isSame(*input.plugs, *named.plugs);
+}
+
+Job WorkshopScene::read(const Json& input, const CaseContext& /*context*/) {
+    return workshop::read_input(input, Completeness::as_is);
+}
+
+Json WorkshopScene::write(const Job& input) {
+    return workshop::write_input(input);
+}
+
+WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
+    const bool isKnown = !input.plugs || workshop::whole_plugs(input)->changes_known();
+    Solved solved{workshop::solve(input, isKnown), {}, {}, {}};
+    solved.allowed = workshop::allowed(solved.found);
+    solved.plugs = workshop::whole_plugs(workshop::with_heavy_spots(input));
+    solved.verdict = workshop::verdict(input, solved.found);
+    return solved;
+}
+
+template class CaseModel<WorkshopScene>;
+
+WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
+      desk_(this, journalPath,
+            {[this] { return journalEntry(); },
+             [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
+             [this] { return hasNumbers(); }, [this] { return answerLacks(); },
+             [this](const CaseFile& file) { return isEngineOf(file); }}) {
+    connect(desk(), &JobDesk::journalOpened, this, &WorkshopModel::reloadEngines);
+}
+
+bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
+    if (key != QLatin1String("sheet")) {
+        return false;
+    }
+    Q_EMIT sheetChosen(
+        oneOf(key, value, {"job", "parts", "weigh-in", "plugs", "machine", "correction"}));
+    return true;
+}
+
+// ------------------------------------------------------------------------------ case and place
+
+Json WorkshopModel::resultJson() const {
+    try {
+        return workshop::solve_scene(inputJson(), context());
+    } catch (const InputError& error) {
+        return {{"error", error.what()}};  // a sheet half filled has no result yet
+    }
+}
+
+Json WorkshopModel::placeJson() const {
+    return desk_.jobId() == 0 ? Json()
+                              : Json{{"id", desk_.jobId()}, {"revision", desk_.jobRevision()}};
+}
+
+void WorkshopModel::takePlace(const Json& place) {
+    const auto number = [&](const char* key) {
+        return place.is_object() && place.contains(key) && place.at(key).is_number_integer()
+                   ? place.at(key).get<qint64>()
+                   : 0;
+    };
+    JournalJob job;
+    job.id = number("id");
+    job.revision = static_cast<int>(number("revision"));
+    desk_.replaceInJournal(job);
+}
+
+/// A sheet without a job, such as a preset's, becomes one as any new job is: of today.
+CaseFile WorkshopModel::asNew(const CaseFile& file) const {
+    CaseFile next = file;
+    try {
+        Job input = WorkshopScene::read(file.input, context());
+        if (input.job == decltype(input.job){}) {
+            scene().startJob(input);
+            next.input = WorkshopScene::write(input);
+        }
+    } catch (const InputError&) {
+        return file;  // loading it says why
+    }
+    return next;
+}
+
+QString WorkshopModel::jobName() const {
+    const JournalJob job = JobDesk::entryOf(input().job);
+    return !job.engineNumber.isEmpty()       ? job.engineNumber
+           : !job.crankshaftNumber.isEmpty() ? job.crankshaftNumber
+                                             : job.customer;
+}
+
+void WorkshopModel::aboutToLoad() {
+    desk_.forgetJob();
+    otherForm_.reset();
+    plugsBefore_.clear();
+    isLoading_ = true;
+}
+
+void WorkshopModel::taken() {
+    if (std::exchange(isLoading_, false)) {
+        bobWeightAsLoaded_ = bobWeightNow();
+    }
+}
+
+// ------------------------------------------------------------------------------------- changes
+
+QString WorkshopModel::engineTrouble(const Job& next) {
+    const Engine& engine = next.engine;
+    if (next.plugs && !workshop::may_have_plugs(engine)) {
+        return tr(
+            "Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs. Untick "
+            "them first.");
+    }
+    return engine.cylinders % engine.rods_per_pin != 0
+               ? tr("Two rods share a bob weight, and %1 is odd. Choose one rod on a bob weight "
+                    "first.")
+                     .arg(engine.cylinders)
+               : QString();
+}
+
+QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>& mutate,
+                            const QString& title) {
+    // A case that came so stays as it came, until its engine changes.
+    Job next = input();
+    mutate(next);
+    if (QString why = engineTrouble(next); !why.isEmpty() && next.engine != input().engine) {
+        sayRefused(why);
+        return why;
+    }
+    if (!isTyped()) {
+        beforeEditing_ = input();
+    }
+    return CaseModel::edit(
+        name,
+        [&](Job& input) {
+            if (bobWeightAsLoaded_) {
+                noteBobWeight(input, *bobWeightAsLoaded_);
+            }
+            const auto before = input.job;
+            mutate(input);
+            if (input.job != before) {
+                noteShaft(input, beforeEditing_);
+            }
+        },
+        title);
+}
+
+void WorkshopModel::noteBobWeight(Job& input, double bobWeight) {
+    if (input.correction) {
+        for (Reading& reading : input.correction->readings) {
+            if (reading.unbalance && !reading.bob_weight) {
+                reading.bob_weight = bobWeight;
+            }
+        }
+    }
+}
+
+void WorkshopModel::noteShaft(Job& input, const Job& before) {
+    if (!input.correction || !before.correction) {
+        return;
+    }
+    const auto note = [&](auto& readings, const auto& old) {
+        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
+            if (readings[i].unbalance) {
+                readings[i].shaft = old[i].shaft;
+                readings[i].shaft.note(before.job, input.job);
+            }
+        }
+    };
+    Correction& now = *input.correction;
+    const Correction& then = *before.correction;
+    note(now.readings, then.readings);
+    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
+        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
+    }
+}
+
+QString WorkshopModel::editField(const std::string& pointer, const FieldValue& value,
+                                 const QString& name) {
+    return edit(name, [&](Job& input) { setField(input, pointer, value); });
+}
+
+QString WorkshopModel::chooseType(int type) {
+    return edit(fieldName(field::type), [type](Job& input) {
+        Engine& engine = input.engine;
+        engine.type = static_cast<EngineType>(type);
+        engine.rods_per_pin = engine.type == EngineType::v && engine.cylinders % 2 == 0 ? 2 : 1;
+        if (engine.type != EngineType::v) {
+            engine.pin_split = 0.0;
+        }
+    });
+}
+
+QString WorkshopModel::editCorrection(const QString& name,
+                                      const std::function<void(Correction&)>& mutate) {
+    return edit(name, [&](Job& input) {
+        Correction correction = input.correction.value_or(Correction{});
+        correction.planes.resize(2);
+        correction.readings.resize(2);
+        for (EarlierRun& run : correction.earlier_runs) {
+            run.readings.resize(run.readings.empty() ? 0 : 2);  // without any it was not read
+        }
+        mutate(correction);
+        if (correction == Correction{}) {
+            input.correction.reset();
+            return;
+        }
+        const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
+        if (std::all_of(correction.planes.begin(), correction.planes.end(), isBlank)) {
+            correction.planes.clear();  // readings alone have a verdict
+        }
+        input.correction = std::move(correction);
+    });
+}
+
+QString WorkshopModel::editSlug(const QString& name, const std::function<void(Slug&)>& mutate) {
+    return editCorrection(name, [&](Correction& correction) {
+        Slug slug = correction.slug.value_or(Slug{});
+        mutate(slug);
+        correction.slug = slug == Slug{} ? std::nullopt : std::optional(slug);
+    });
+}
+
+QString WorkshopModel::editTolerance(const QString& name,
+                                     const std::function<void(Tolerance&)>& mutate) {
+    return edit(name, [&](Job& input) {
+        Tolerance tolerance = input.tolerance.value_or(Tolerance{});
+        mutate(tolerance);
+        input.tolerance = tolerance == Tolerance{} ? std::nullopt : std::optional(tolerance);
+    });
+}
+
+QString WorkshopModel::editWeights(const QString& name,
+                                   const std::function<void(WeighIn&)>& mutate) {
+    return edit(name, [&](Job& input) {
+        if (!input.weigh_in) {
+            input.weigh_in.emplace();
+        }
+        fit_weigh_in(input);
+        const bool wasEmpty = input.weigh_in->is_empty();
+        mutate(*input.weigh_in);
+        const bool isEmpty = input.weigh_in->is_empty();
+        if (input.plugs && isEmpty != wasEmpty) {
+            input.plugs->changes_from_weigh_in = wasEmpty;
+        }
+        if (isEmpty) {
+            input.weigh_in = rulesAlone(input);
+        }
+    });
+}
+
+void WorkshopModel::swapRodEnds() {
+    const auto& [small, big] = std::pair(shop::Part::rod_small_end, shop::Part::rod_big_end);
+    if (input().weigh_in && !(*input().weigh_in)[small].is_empty()) {
+        editWeights(tr("Swap the columns"), [](WeighIn& sheet) {
+            std::swap(sheet[shop::Part::rod_small_end].mass, sheet[shop::Part::rod_big_end].mass);
+        });
+        return;
+    }
+    edit(tr("Swap the rod’s ends"),
+         [](Job& input) { std::swap(input.parts.small_end, input.parts.big_end); });
+}
+
+// -------------------------------------------------------------------------- runs of the machine
+
+/// Holes that were there before the first run stand as one without readings.
+std::size_t WorkshopModel::firstRun() const {
+    return input().correction && starts_with_holes(*input().correction) ? 1 : 0;
+}
+
+std::size_t WorkshopModel::newestRun() const {
+    return input().correction ? input().correction->earlier_runs.size() - firstRun() : 0;
+}
+
+const RunResult* WorkshopModel::runResult(std::size_t run) const {
+    const auto& runs = solution().runs;
+    return run + firstRun() < runs.size() ? &runs[run + firstRun()] : nullptr;
+}
+
+bool WorkshopModel::isRunRead() const {
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        EarlierReading read;
+        read.unbalance = reading(newestRun(), plane, false);
+        read.angle = reading(newestRun(), plane, true);
+        if (!is_read(read)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool WorkshopModel::isPlanned() const {
+    const auto plan = planned_holes(solution());
+    return isRunRead() &&
+           ((plan && !plan->empty()) || (input().correction && input().correction->record.drilled));
+}
+
+std::optional<double> WorkshopModel::reading(std::size_t run, std::size_t plane,
+                                             bool isAngle) const {
+    if (!input().correction || run > newestRun()) {
+        return std::nullopt;
+    }
+    const auto value = [&](const auto& readings) -> std::optional<double> {
+        return plane >= readings.size() ? std::nullopt
+               : isAngle                ? readings[plane].angle
+                                        : readings[plane].unbalance;
+    };
+    const Correction& correction = *input().correction;
+    return run < newestRun() ? value(correction.earlier_runs[run + firstRun()].readings)
+                             : value(correction.readings);
+}
+
+QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, std::size_t plane,
+                                   bool isAngle, std::optional<double> value) {
+    const std::size_t first = firstRun();
+    const std::size_t run = shownRun + first;
+    return editCorrection(name, [&](Correction& correction) {
+        auto& earlier = correction.earlier_runs;
+        const auto set = [&](auto& reading) {
+            (isAngle ? reading.angle : reading.unbalance) = value;
+            reading.bob_weight = reading.unbalance || reading.angle ? bobWeightNow() : std::nullopt;
+            reading.shaft = {};
+        };
+        const auto& runs = solution().runs;
+        const bool isOfOther = run < runs.size() && runs[run].read_on;
+        const auto note = [isOfOther](DrillingRecord& record, const auto& before, const auto& now) {
+            if (isOfOther) {
+                record = {};  // the holes of another crankshaft are not in this one
+            }
+            noteCorrected(record, before, now);
+        };
+        if (run < earlier.size()) {
+            const auto before = earlier[run].readings;
+            set(earlier[run].readings[plane]);
+            note(earlier[run], before, earlier[run].readings);
+            return;
+        }
+        if (run > earlier.size()) {
+            if (!value) {
+                return;
+            }
+            EarlierRun& last = earlier.emplace_back();
+            static_cast<DrillingRecord&>(last) = std::exchange(correction.record, {});
+            if (!last.drilled) {
+                last.drilled = planned_holes(solution());
+            }
+            last.readings = earlierOf(correction.readings);
+            for (Reading& newest : correction.readings) {
+                newest = {newest.position, {}, {}, {}, {}};
+            }
+        }
+        const auto before = earlierOf(correction.readings);
+        set(correction.readings[plane]);
+        const bool isEmpty =
+            std::none_of(correction.readings.begin(), correction.readings.end(),
+                         [](const Reading& reading) { return reading.unbalance || reading.angle; });
+        if (isEmpty) {
+            correction.record = {};
+        } else {
+            note(correction.record, before, earlierOf(correction.readings));
+        }
+        if (isEmpty && earlier.size() > first) {
+            // It may be typed anew: what was drilled before it is there.
+            correction.record = earlier.back();
+            for (std::size_t i = 0; i < 2; ++i) {
+                const EarlierReading& before = earlier.back().readings[i];
+                correction.readings[i] = {correction.readings[i].position, before.unbalance,
+                                          before.angle, before.bob_weight, before.shaft};
+            }
+            earlier.pop_back();
+        }
+    });
+}
+
+void WorkshopModel::confirmReadings() {
+    editCorrection(tr("Readings hold"), [this](Correction& correction) {
+        const auto hold = [this](auto& readings) {
+            for (auto& reading : readings) {
+                reading.bob_weight = bobWeightNow();
+                reading.shaft = {};
+            }
+        };
+        // The newest that do not hold, and what was read together with them.
+        const auto& runs = solution().runs;
+        std::size_t newest = runs.size();
+        while (newest > 0 && runs[newest - 1].holds()) {
+            --newest;
+        }
+        if (newest == 0) {
+            return;
+        }
+        const bool isLast = newest > correction.earlier_runs.size();
+        auto shaft = correction.readings.front().shaft;
+        auto bobWeight = correction.readings.front().bob_weight;
+        if (!isLast) {
+            shaft = correction.earlier_runs[newest - 1].readings.front().shaft;
+            bobWeight = correction.earlier_runs[newest - 1].readings.front().bob_weight;
+        }
+        for (EarlierRun& run : correction.earlier_runs) {
+            const EarlierReading& first = run.readings.front();
+            if (first.shaft == shaft && !shop::is_other_bob_weight(first.bob_weight, bobWeight)) {
+                hold(run.readings);
+            }
+        }
+        if (isLast) {
+            hold(correction.readings);
+        }
+        // What was drilled by them is kept as if they had held when the next run began.
+        for (std::size_t run = firstRun(); run < correction.earlier_runs.size(); ++run) {
+            EarlierRun& earlier = correction.earlier_runs[run];
+            if (earlier.drilled) {
+                continue;
+            }
+            Job then = input();
+            then.correction = correction;
+            then.correction->record = {};
+            then.correction->earlier_runs.resize(run);
+            for (std::size_t i = 0; i < earlier.readings.size(); ++i) {
+                const EarlierReading& read = earlier.readings[i];
+                then.correction->readings[i] = {correction.readings[i].position, read.unbalance,
+                                                read.angle, read.bob_weight, read.shaft};
+            }
+            earlier.drilled = planned_holes(workshop::allowed(workshop::solve(then)).shaft);
+        }
+    });
+}
+
+QString WorkshopModel::otherRunText() const {
+    return bob_text::otherRun(Words(), solution());
+}
+
+void WorkshopModel::keepMachine() {
+    if (scene().dated) {
+        shop_machine::keep(input().machine);
+        Q_EMIT changed();
+    }
+}
+
+bool WorkshopModel::isShopsMachine() const {
+    return !scene().dated || input().machine == shop_machine::kept();
+}
+
+// ------------------------------------------------------------------------------------ the job
+
+Job WorkshopModel::nextOf(const Job& before) const {
+    Job next = scene().defaultInput();
+    next.engine = before.engine;
+    next.factor = before.factor;
+    next.balance = before.balance;
+    next.correction = before.correction;
+    next.machine = before.machine;
+    forgetReadings(next);
+    next.tolerance = before.tolerance;
+    next.weigh_in = rulesAlone(before);
+    if (before.plugs) {
+        next.plugs = plug_engines::nextOf(*before.plugs);
+    }
+    return next;
+}
+
+void WorkshopModel::newJob() {
+    Job next = nextOf(input());
+    if (next.plugs && scene().dated) {
+        next.plugs->tolerance = plug_engines::shopsTolerance();
+    }
+    next.job.technician = input().job.technician;
+    otherForm_.reset();
+    plugsBefore_.clear();
+    desk_.beginJob([&] {
+        setTitle({});
+        // Undo must not bring another job's values under this job's number.
+        restart(next);
+    });
+}
+
+void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
+    Job next = WorkshopScene::read(file.input, context());
+    if (isCopy) {
+        next = nextOf(next);  // other parts
+        next.job.technician = input().job.technician;
+    }
+    otherForm_.reset();
+    plugsBefore_.clear();
+    editText(QString::fromStdString(file.title),
+             isCopy ? QString() : QString::fromStdString(file.notes));
+    // Undo must not bring another job's values under this job's number.
+    isLoading_ = true;
+    restart(next);
+    if (!isCopy) {
+        setVariants(variantsOf(file));
+        setStudy(file.study.is_null() ? std::string() : file.study.dump());
+    }
+}
+
+std::vector<std::string> WorkshopModel::replacedInputs() const {
+    std::vector<std::string> replaced;
+    for (const PartField& part : part_fields()) {
+        if (is_weighed(input(), part)) {
+            replaced.push_back("/parts_g/" + std::string(part.field.key));
+        }
+    }
+    if (plugsInput() != nullptr) {
+        for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
+            if (!plugsInput()->takes_typed(each.member)) {
+                replaced.push_back("/plugs/mass_changes_g/" + std::string(each.field.key));
+            }
+        }
+    }
+    return replaced;
+}
+
+bool WorkshopModel::hasNumbers() const {
+    const auto parts = part_fields();
+    const bool isTyped = std::any_of(parts.begin(), parts.end(), [&](const PartField& part) {
+        return (input().parts.*part.member).has_value();
+    });
+    const bool isWeighed = input().weigh_in && !input().weigh_in->is_empty();
+    const bool isRead =
+        input().correction &&
+        std::any_of(input().correction->readings.begin(), input().correction->readings.end(),
+                    [](const Reading& reading) { return reading.unbalance || reading.angle; });
+    return isTyped || isWeighed || isRead || (hasPlugs() && input().plugs->has_typed_changes());
+}
+
+QString WorkshopModel::answerLacks() const {
+    if (withheld().any()) {
+        return Words().message(solved().verdict.text);
+    }
+    if (!solution().bob_weight) {
+        return headline();
+    }
+    if (plugs() != nullptr && !plugs()->advice) {
+        return adviceText();
+    }
+    const bool hasPlanes =
+        input().correction &&
+        std::any_of(input().correction->planes.begin(), input().correction->planes.end(),
+                    [](const Plane& plane) { return plane.position || plane.radius; });
+    if (hasPlanes && !isRunRead()) {
+        return tr("Enter what the machine reads in both planes.");
+    }
+    const RunResult* newest = solution().newest();
+    return newest != nullptr && newest->passes() == false && isPlanned()
+               ? tr("Drill the holes and measure again.")
+               : QString();
+}
+
+bool WorkshopModel::isEngineOf(const CaseFile& job) const {
+    const Job there = WorkshopScene::read(job.input, context());
+    if (there.plugs && input().plugs) {
+        return plug_engines::haveSameValues(*there.plugs, *input().plugs);
+    }
+    return !there.plugs && !input().plugs && there.engine == input().engine;
+}
+
+JournalJob WorkshopModel::journalEntry() const {
+    JournalJob job = JobDesk::entryOf(input().job);
+    job.engine = bob_text::engineName(Words(QStringLiteral("en")), input().engine);
+    if (plugs() != nullptr) {
+        plug_engines::noteInJournal(job, *plugsInput(), *plugs());
+    }
+    if (solution().bob_weight) {
+        job.bobWeight = *solution().bob_weight / units::gram;
+    }
+    if (input().correction) {
+        const auto reading = [&](std::size_t i) {
+            const auto& readings = input().correction->readings;
+            return i < readings.size() && readings[i].unbalance
+                       ? std::optional(*readings[i].unbalance / units::gram_mm)
+                       : std::nullopt;
+        };
+        job.frontReading = reading(0);
+        job.rearReading = reading(1);
+    }
+    const RunResult* newest = solution().newest();
+    if (newest != nullptr && (!newest->holds() || !withheld().any())) {
+        job.verdict = readWord(*newest, newest->passes(), solution().passes_after());
+    } else if (withheld().any()) {
+        job.verdict = stopped;
+    }
+    return job;
+}
+
+}  // namespace ravnoves

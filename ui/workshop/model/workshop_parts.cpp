@@ -1,0 +1,274 @@
+#include "workshop/model/workshop_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "text/number_text.h"
+#include "v8-plugs/compensation.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plugs/model/v8_names.h"
+#include "workshop/plugs/model/v8_text.h"
+#include "workshop/plugs/model/weighing_text.h"
+
+namespace ravnoves {
+
+using bob_weights::FirstOrder;
+
+namespace {
+
+/// The first-order force of the cylinders that a bob weight stands for, over a turn of the crank:
+/// without counterweights, and what is left of it with them. As masses at the crank radius, g.
+Figure force(const WorkshopModel& model) {
+    const QString gram = unitText(units::gram.name);
+    Figure figure;
+    figure.title = ForcePlot::tr("First-order force");
+    figure.equalScale = true;
+    figure.x = {.title = ForcePlot::tr("across, %1").arg(gram)};
+    figure.left = {.title = ForcePlot::tr("upright, %1").arg(gram)};
+    double reach = 0.0;
+    const auto add = [&](const char* id, plot::CurveStyle style,
+                         const std::optional<FirstOrder>& shown) {
+        Figure::Curve& curve = figure.curves.emplace_back();
+        curve.id = id;
+        curve.style = std::move(style);
+        if (!shown) {
+            return;
+        }
+        bob_weights::ForcePath path = bob_weights::force_path(*shown);
+        for (std::vector<double>* masses : {&path.across, &path.upright}) {
+            for (double& mass : *masses) {
+                mass = mass / units::gram;
+            }
+        }
+        curve.x = std::move(path.across);
+        curve.y = std::move(path.upright);
+        reach = std::max(reach, shown->greatest() / units::gram);
+    };
+    const bob_weights::Result& solution = model.solution();
+    add("bare",
+        {.name = ForcePlot::tr("without counterweights"),
+         .colour = 1,
+         .pen = Qt::DashLine,
+         .toolTip =
+             ForcePlot::tr("Of the reciprocating parts alone, as a mass at the crank radius"),
+         .turn = 360.0},
+        solution.first_order_bare);
+    add("left",
+        {.name = ForcePlot::tr("with counterweights"),
+         .width = 2.2,
+         .toolTip = ForcePlot::tr("What is left by counterweights that hold the bob weight"),
+         .turn = 360.0},
+        solution.first_order);
+    if (reach > 0.0) {
+        constexpr double room = 1.265;
+        figure.x.min = -room * reach;
+        figure.x.max = room * reach;
+        figure.leftRange = std::pair(-room * reach, room * reach);
+    }
+    return figure;
+}
+
+constexpr int todayColour = 6;  ///< of this job, and of this engine
+
+/// The excess that each option compensates over the lightening of one plug: the paper's lines
+/// (15)–(18) up to their limits, today's excess, and the point of the option chosen.
+Figure compensation(const WorkshopModel& model) {
+    using units::gram;
+    const Words words;
+    Figure figure;
+    if (model.plugs() == nullptr) {
+        return figure;
+    }
+    const v8_plugs::Result& solution = *model.plugs();
+    double reach = 0.0;
+    double lowest = 0.0;
+    double highest = 0.0;
+    figure.title = CompensationPlot::tr("Excess compensated");
+    figure.left = {.title = CompensationPlot::tr("Δmᵤ, g")};
+    std::vector<plot::Mark>& marks = figure.marks.emplace();
+    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+        Figure::Curve& curve = figure.curves.emplace_back();
+        curve.id = v8_plugs::option_word(id).word;
+        curve.style = {.name = v8_names::shortOption(words, id),
+                       .colour = static_cast<int>(id),
+                       .width = 2.0,
+                       .toolTip = v8_names::optionName(words, id)};
+        const auto& option = solution.option(id);
+        if (!option) {
+            continue;
+        }
+        const double most = option->max_reduction / gram;
+        curve.x = {0.0, most};
+        curve.y = {option->constant / gram, option->maximum / gram};
+        marks.push_back({most, option->maximum / gram, words.digits(option->maximum, gram, 2),
+                         static_cast<int>(id)});
+        reach = std::max(reach, most);
+        lowest = std::min(lowest, option->constant / gram);
+        highest = std::max(highest, option->maximum / gram);
+    }
+    // Where this job stands: its excess, and the point of the chosen option.
+    if (solution.unbalanced_mass) {
+        const double today = *solution.unbalanced_mass / gram;
+        figure.lines.push_back({today, Qt::Horizontal, todayColour,
+                                CompensationPlot::tr("today %1")
+                                    .arg(words.digits(*solution.unbalanced_mass, gram, 2))});
+        lowest = std::min(lowest, today);
+        highest = std::max(highest, today);
+    }
+    if (highest > lowest) {
+        figure.leftRange = std::pair(lowest, highest + 0.16 * (highest - lowest));
+    }
+    if (const auto chosen = v8_text::chosenOption(solution)) {
+        marks.push_back({.x = chosen->reduction / gram,
+                         .y = (chosen->constant + chosen->slope * chosen->reduction) / gram,
+                         .text = {},
+                         .colour = static_cast<int>(chosen->id),
+                         .ring = true});
+    }
+    figure.x = {.title = CompensationPlot::tr("lightening of one plug Δm, g"),
+                .min = 0.0,
+                .max = reach > 0.0 ? 1.25 * reach : 1.0};
+    return figure;
+}
+
+/// What a shift Δr of the plug's centre of mass does to the coefficient, Δk = Δr / r, for the five
+/// crank radii of the paper's Fig. 2 and for this engine's.
+Figure shift(const WorkshopModel& model) {
+    using units::mm;
+    constexpr double widest = 1.4;  // right end of the x axis, mm
+    const auto line = [](double crankRadius) {
+        return std::vector{0.0, v8_plugs::shift_coefficient(widest * mm, crankRadius)};
+    };
+    const Words words;
+    Figure figure;
+    if (model.plugsInput() == nullptr) {
+        return figure;
+    }
+    figure.title = ShiftPlot::tr("Shift of the plug's centre of mass");
+    figure.x = {.title = ShiftPlot::tr("Δr, mm"), .min = 0.0, .max = widest};
+    figure.left = {.title = ShiftPlot::tr("Δk")};
+    figure.leftRange = std::pair(0.0, 0.04);  // with room for the word over the lines
+    figure.bands = {{v8_plugs::smallest_shift / mm, v8_plugs::largest_shift / mm, plot::AccentInk,
+                     0.12, ShiftPlot::tr("neglected")}};
+    const std::optional<double>& own = model.plugsInput()->engine.crank_radius;
+    bool isListed = false;
+    for (std::size_t i = 0; i < v8_plugs::shift_curves.size(); ++i) {
+        const v8_plugs::ShiftCurve& printed = v8_plugs::shift_curves[i];
+        const QString radius = words.plainWithUnit(printed.crank_radius, mm, 1);
+        const QString engines = QString::fromUtf8(printed.engines.data(),
+                                                  static_cast<qsizetype>(printed.engines.size()));
+        figure.curves.push_back(
+            {.id = "radius-" + std::to_string(i),
+             .style = {.name = radius,
+                       .colour = static_cast<int>(i),
+                       .toolTip = ShiftPlot::tr("r = %1: %2").arg(radius, engines)},
+             .x = {0.0, widest},
+             .y = line(printed.crank_radius)});
+        isListed = isListed || (own && std::abs(printed.crank_radius - *own) < 1e-6);
+    }
+    std::vector<plot::Mark>& marks = figure.marks.emplace();
+    if (!own) {
+        return figure;
+    }
+    if (!isListed) {
+        figure.curves.push_back({.id = "own",
+                                 .style = {.name = ShiftPlot::tr("this engine"),
+                                           .colour = todayColour,
+                                           .width = 2.4,
+                                           .pen = Qt::DashLine,
+                                           .inLegend = false},
+                                 .x = {0.0, widest},
+                                 .y = line(*own)});
+    }
+    for (const double each : {v8_plugs::smallest_shift, v8_plugs::largest_shift}) {
+        const double k = v8_plugs::shift_coefficient(each, *own);
+        marks.push_back({.x = each / mm,
+                         .y = k,
+                         .text = words.number(k, 3),
+                         .colour = todayColour,
+                         .ring = true});
+    }
+    return figure;
+}
+
+Notes notes(const WorkshopModel& model) {
+    const bob_weights::Result& solution = model.solution();
+    Notes notes;
+    notes.say(model.withheld().bob_weight ? Severity::error : Severity::note, model.headline());
+    notes.say(Severity::note, model.hangText());
+    notes.say(Severity::error, model.doubtfulText());
+    notes.say(Severity::note, QStringList{model.adviceText(), model.boringText(),
+                                          model.excessText(), model.checkText()});
+    if (solution.bob_weight && !model.hasPlugs()) {
+        notes.say(Severity::note, model.factorText());
+    }
+    notes.say(Severity::note, QStringList{model.limitText(), weighingNote(model)});
+    notes.say(Severity::warning, model.troubles());
+    notes.say(Severity::note, model.remarks());
+    return notes;
+}
+
+/// Of readings, holes, and what was drilled before.
+Notes holeNotes(const WorkshopModel& model) {
+    Notes notes;
+    notes.say(Severity::note,
+              QStringList{bob_text::asReadNote(Words(), model.input(), model.solution()),
+                          model.holeNote()});
+    return notes;
+}
+
+/// What is to be done with the parts.
+Notes matching(const WorkshopModel& model) {
+    Notes notes;
+    notes.say(Severity::note, QStringList(model.assignmentText()) + model.assignmentRemarks());
+    return notes;
+}
+
+Results drilled(const WorkshopModel& model) {
+    const Words words;
+    const QStringList heads = bob_text::drilledHead(words);
+    return {ResultColumns(heads.begin(), heads.end()),
+            bob_text::drilled(words, model.input().machine, model.solution())};
+}
+
+using Maker = PartMaker<WorkshopModel>;
+constexpr std::array makers{
+    Maker{{.id = "notes", .isAnswer = true}, made<notes>},
+    Maker{{.id = "planes", .isAnswer = true}, made<&WorkshopModel::planeResults>},
+    Maker{{.id = "holes", .isAnswer = true}, made<&WorkshopModel::holeResults>},
+    Maker{{.id = "hole-notes", .isAnswer = true}, made<holeNotes>},
+    Maker{{.id = "runs", .isAnswer = true}, made<&WorkshopModel::runResults>},
+    Maker{{.id = "drilled", .isAnswer = true}, made<drilled>},
+    Maker{{.id = "options", .isAnswer = true}, made<&WorkshopModel::optionResults>},
+    Maker{{.id = "lines", .isAnswer = true}, made<&WorkshopModel::lineResults>},
+    Maker{{.id = "force"}, made<force>},
+    Maker{{.id = "compensation"}, made<compensation>},
+    Maker{{.id = "shift"}, made<shift>},
+    Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
+    Maker{{.id = "effects", .tab = "sheet-3"}, made<&WorkshopModel::effectResults>},
+    Maker{{.id = "assignment", .tab = "sheet-3"}, made<&WorkshopModel::assignmentResults>},
+    Maker{{.id = "take-off", .tab = "sheet-3"}, made<&WorkshopModel::takeOffResults>},
+    Maker{{.id = "crankpins", .tab = "sheet-3"}, made<&WorkshopModel::crankpinResults>},
+};
+
+}  // namespace
+
+QString weighingNote(const WorkshopModel& model) {
+    if (!model.solution().bob_weight) {
+        return {};
+    }
+    return model.hasPlugs() ? v8_text::weighingNote(Words(), *model.plugsInput()).text
+                            : bob_text::weighing(Words(), model.input(), model.solution());
+}
+
+std::span<const PagePart> workshopParts() {
+    return partsOf(makers);
+}
+
+Content workshopPart(const WorkshopModel& model, std::string_view id) {
+    return makePart(makers, model, id);
+}
+
+}  // namespace ravnoves

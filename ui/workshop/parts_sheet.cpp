@@ -1,0 +1,105 @@
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include "bob-weights/fields.h"
+#include "text/message_text.h"
+#include "theme/theme.h"
+#include "v8-plugs/fields.h"
+#include "workshop/doubts.h"
+#include "workshop/sheets.h"
+
+namespace ravnoves {
+
+PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
+    buildParts();
+    buildChanges();
+    section({});
+    QLabel* grey = line(Theme::smallSize, [this] {
+        return model_->replacedInputs().empty()
+                   ? QString()
+                   : tr("Those in grey are the means of the weigh-in sheet.");
+    });
+    grey->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
+    finish();
+}
+
+void PartsSheet::buildParts() {
+    section(tr("Parts of one cylinder"));
+    withPlugs(false);
+    for (const bob_weights::PartField& part : bob_weights::part_fields()) {
+        const std::string pointer = "/parts_g/" + std::string(part.field.key);
+        NumberField* field = number(pointer.c_str());
+        follow([this, field, part] {
+            // What the weigh-in sheet says goes before what is typed here; where both are doubted,
+            // what is typed can be put right.
+            const auto mass = bob_weights::mass_of(model_->input(), part);
+            field->setEnabled(!bob_weights::is_weighed(model_->input(), part) ||
+                              workshop::contradicts_scale(model_->input(), part));
+            if (!field->isEnabled() && mass) {
+                field->setValue(from_si(part.field, *mass));
+            }
+        });
+    }
+    section(tr("Balance factor"));
+    withPlugs(false);
+    doubt(number("/factor/reciprocating_percent"),
+          [this] { return bob_weights::is_share_of_one(model_->input().factor); });
+    number("/factor/overbalance_percent");
+    line(Theme::smallSize, [this] { return model_->reasonText(); });
+}
+
+void PartsSheet::buildChanges() {
+    section(tr("Parts of one cylinder, heavier than nominal by (negative: lighter)"));
+    withPlugs(true);
+    for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
+        NumberField* made = number(
+            each.field,
+            [this, each]() -> std::optional<double> {
+                // Empty until one of them is given: then the others are 0.
+                const v8_plugs::Input* plugs = model_->plugsInput();
+                return plugs != nullptr && (plugs->changes_known() || plugs->has_typed_changes())
+                           ? std::optional(plugs->changes().*each.member)
+                           : std::nullopt;
+            },
+            [this, each](std::optional<double> value) {
+                model_->editPlugs(fieldName(each.field), [&](v8_plugs::Input& plugs) {
+                    plugs.typed_changes.*each.member = value.value_or(0.0);
+                    plugs.changes_given = true;
+                });
+            });
+        follow([this, made, each] {
+            const v8_plugs::Input* plugs = model_->plugsInput();
+            made->setEnabled(plugs != nullptr && plugs->takes_typed(each.member) &&
+                             (!each.repair_only || plugs->process == v8_plugs::Process::repair));
+        });
+    }
+    section(tr("Nominal masses, for the bob weight"));
+    withPlugs(true);
+    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
+        if (each.group == v8_plugs::EngineGroup::bob_weight) {
+            number(("/plugs/engine/" + std::string(each.field.key)).c_str());
+        }
+    }
+    QPushButton* fill = button(
+        "fill_masses", tr("&Fill from the nominal parts"),
+        tr("Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the "
+           "nominal masses of the weigh-in sheet."),
+        [this] { model_->fillNominalMasses(); });
+    follow([this, fill] { fill->setEnabled(model_->canFillNominalMasses()); });
+    section(tr("Limit of the plugs"));
+    withPlugs(true);
+    number("/plugs/tolerance_g_mm");
+    // Below the field: it must not move while one types.
+    QLabel* owner = line(Theme::smallSize, [this] { return model_->toleranceText(); });
+    owner->setObjectName(QStringLiteral("tolerance_owner"));
+    QPushButton* keep =
+        button("keep_tolerance", tr("&Make it the shop's own"),
+               tr("New jobs begin with this limit."), [this] { model_->keepTolerance(); });
+    QSizePolicy place = keep->sizePolicy();
+    place.setRetainSizeWhenHidden(true);
+    keep->setSizePolicy(place);
+    follow([this, keep] { keep->setVisible(model_->hasPlugs() && !model_->isShopsTolerance()); });
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,104 @@
+#include "workshop/plane_view.h"
+
+#include <QPainter>
+
+#include "model/reference_case.h"
+#include "pictures/figure.h"
+#include "text/csv_format.h"
+#include "widgets/panel.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/model/workshop_model.h"
+#include "workshop/plane_drawing.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
+    : ComparedFigure(parent), model_(model), plane_(plane) {
+    setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
+    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
+    const auto repaint = [this] {
+        setAccessibleName(model_->planeName(plane_));
+        setAccessibleDescription(caption());
+        update();
+    };
+    connect(model_, &SceneModel::changed, this, repaint);
+    connect(&Theme::instance(), &Theme::changed, this, repaint);
+    followReference(model_);
+    setToolTip(
+        tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
+           "in the rim, slugs opposite, paler what is drilled already. Seen from the front, angles "
+           "as the machine counts them."));
+    repaint();
+}
+
+QString PlaneView::table(const CsvFormat& format) const {
+    const Words words;
+    const Result& solution = model_->solution();
+    if (!solution.correction) {
+        return {};
+    }
+    QString text = format.line(bob_text::planeHead(words)) +
+                   format.line(bob_text::planes(words, model_->input().machine, solution)
+                                   .at(static_cast<int>(plane_))
+                                   .texts());
+    const auto holes = bob_text::holes(words, model_->input(), solution, plane_);
+    text += holes.isEmpty() ? QString() : format.line(bob_text::holeHead(words));
+    for (const ResultRow& hole : holes) {
+        text += format.line(hole.texts());
+    }
+    const auto drilled = bob_text::drilled(words, model_->input().machine, solution, plane_);
+    text += drilled.isEmpty() ? QString() : format.line(bob_text::drilledHead(words));
+    for (const ResultRow& hole : drilled) {
+        text += format.line(hole.texts());
+    }
+    return text;
+}
+
+QString PlaneView::caption() const {
+    const auto& correction = model_->solution().correction;
+    if (!correction) {
+        return tr("no correction yet");
+    }
+    const Words words;
+    return tr("%1 at %2")
+        .arg(words.number((*correction)[plane_].unbalance, units::gram_mm, 0),
+             words.number((*correction)[plane_].angle, units::degree, 1));
+}
+
+void PlaneView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    const Theme& theme = Theme::instance();
+    const QRect title = paintPanel(painter, rect(), model_->planeName(plane_));
+    sayReference(painter, title);
+    const QFont small = Theme::font(Theme::smallSize);
+    painter.setFont(small);
+    const QFontMetrics smallMetrics(small);
+
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRect(Theme::margin, height() - Theme::space - smallMetrics.height(),
+                           width() - 2 * Theme::margin, smallMetrics.height()),
+                     Qt::AlignHCenter | Qt::AlignVCenter, caption());
+
+    const QRectF target(
+        Theme::margin, title.bottom() + Theme::gap, width() - 2.0 * Theme::margin,
+        height() - title.bottom() - Theme::gap - Theme::space - smallMetrics.height());
+    const WorkshopModel* other = referenceOf(model_);
+    drawPlane(painter, target,
+              {model_->input(), model_->solution(), plane_,
+               other != nullptr ? &other->solution() : nullptr},
+              {.line = theme.text(),
+               .thin = theme.grid(),
+               .text = theme.mutedText(),
+               .hole = theme.warning(),
+               .slug = theme.curve(4),
+               .reading = theme.accent(),
+               .limit = theme.good(),
+               .fits = theme.good(),
+               .exceeds = theme.error(),
+               .font = small,
+               .lineWidth = 1.4});
+}
+
+}  // namespace ravnoves

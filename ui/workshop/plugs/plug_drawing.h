@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+
+#include "shop/model/words.h"
+#include "v8-plugs/solver.h"
+
+class QPainter;
+
+namespace ravnoves {
+
+/// Colours and type of a drawing: the theme's on the screen, black on paper.
+struct DrawingStyle {
+    QColor line;  ///< outlines
+    QColor thin;  ///< dimension lines, hatching
+    QColor text;
+    QColor cut;        ///< what is to be bored
+    QFont font;        ///< its pixel size sets the size of arrows and gaps
+    double lineWidth;  ///< outlines; thin lines are half of it
+};
+
+/// What the drawing shows of the plug.
+struct PlugDrawing {
+    v8_plugs::PlugGeometry plug;
+    std::optional<double> cutterDiameter;  ///< m, where something is to be bored
+    double cutDepth = 0.0;                 ///< from the outer face, m; 0: nothing to bore
+    bool impossible = false;               ///< the walls forbid the bore: drawn dashed
+};
+
+/// The plug on the sheet, with the bore of the option that the answer is about; nothing while its
+/// sizes are not known or do not go together.
+std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
+                                       const v8_plugs::Result& solution);
+
+/// Draws the plug in section with its dimensions, as large as the rectangle allows. Heights,
+/// depths and diameters are to scale. Without known dimensions: letters in place of numbers.
+void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugDrawing>& known,
+              const DrawingStyle& style, const Words& words);
+
+}  // namespace ravnoves

@@ -1,0 +1,209 @@
+#include <QCheckBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "case-file/input_error.h"
+#include "theme/theme.h"
+#include "v8-plugs/fields.h"
+#include "widgets/layouts.h"
+#include "widgets/text_length.h"
+#include "workshop/plugs/model/v8_text.h"
+#include "workshop/sheets.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// The thread that a text means; nothing where it means none.
+std::optional<v8_plugs::Thread> readThread(const QString& text) {
+    try {
+        return v8_plugs::parse_thread(text.toStdString(), {});
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+QString nameOf(const std::optional<v8_plugs::Thread>& thread) {
+    return thread ? QString::fromStdString(v8_plugs::thread_name(*thread)) : QString();
+}
+
+/// As a drawing has it, in the language of the program.
+QString shownName(const QString& name) {
+    const auto thread = readThread(name);
+    return thread ? v8_text::thread(Words(), *thread) : QString();
+}
+
+}  // namespace
+
+PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
+    section({});
+    withPlugs(false);
+    line(Theme::baseSize, [this] {
+        return model_->mayHavePlugs()
+                   ? tr("No plugs: tick “The crankpins have sludge-trap plugs” on the sheet Job.")
+                   : tr("Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs.");
+    });
+    section(tr("Crankshaft and today's plugs"));
+    withPlugs(true);
+    addValues(v8_plugs::EngineGroup::basic);
+    section(tr("Sizes of today's plug"));
+    withPlugs(true);
+    addThread();
+    for (const char* size :
+         {"height_mm", "bore_diameter_mm", "bore_depth_mm", "cutter_diameter_mm", "minimum_wall_mm",
+          "minimum_bottom_mm", "steel_density_kg_m3", "aluminium_density_kg_m3"}) {
+        number((std::string("/plugs/plug/") + size).c_str());
+    }
+    line(Theme::baseSize, [this] { return model_->plugWeightText(); });
+    section({});
+    withPlugs(true);
+    addPlugs(tr("There are &aluminium plugs"), QStringLiteral("has_aluminium_plug"),
+             tr("Aluminium plugs in place of the steel ones count among the options."),
+             v8_plugs::EngineGroup::aluminium_plug, &v8_plugs::Engine::has_aluminium_plug);
+    section({});
+    withPlugs(true);
+    addPlugs(tr("There are plugs of the new &design"), QStringLiteral("has_new_plug"),
+             tr("Their options count where a crankshaft made for them is fitted."),
+             v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
+    section({});
+    withPlugs(true);
+    addOwnEngineButtons();
+    // Below the fields: they must not move while one types.
+    QLabel* note = captionLabel({}, this);
+    note->setObjectName(QStringLiteral("engine_note"));
+    current()->addWide(note);
+    follow([this, note] {
+        note->setText(model_->engineNote());
+        note->setVisible(!note->text().isEmpty());
+    });
+    finish();
+}
+
+void PlugsSheet::addThread() {
+    checked(v8_plugs::field::thread,
+            {[](const QString& typed) { return nameOf(readThread(typed)); },
+             [](const QString& typed) {
+                 return tr("“%1” is no metric thread with its pitch, like %2.")
+                     .arg(typed, shownName(QStringLiteral("M22x1.5")));
+             },
+             [this] {
+                 const auto& plugs = model_->input().plugs;
+                 return plugs && plugs->plug ? nameOf(plugs->plug->thread) : QString();
+             },
+             [this](const QString& step, const QString& name) {
+                 model_->editPlugs(step, [&](v8_plugs::Input& plugs) {
+                     if (!plugs.plug) {
+                         plugs.plug.emplace();
+                     }
+                     plugs.plug->thread = readThread(name);
+                 });
+             },
+             shownName});
+}
+
+void PlugsSheet::addPlugs(const QString& label, const QString& name, const QString& hint,
+                          v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member) {
+    QCheckBox* there = ordered(box(
+        name, label, hint,
+        [this, member] { return model_->hasPlugs() && model_->input().plugs->engine.*member; },
+        [this, step = QString(label).remove(QLatin1Char('&')), group](bool on) {
+            model_->setPlugs(step, group, on);
+        }));
+    there->setFont(Theme::font(Theme::baseSize, true));
+    there->setMinimumHeight(Theme::withText(fieldHeight - 6));
+    addValues(group);
+}
+
+void PlugsSheet::addValues(v8_plugs::EngineGroup group) {
+    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
+        if (each.group == group) {
+            number(("/plugs/engine/" + std::string(each.field.key)).c_str());
+        }
+    }
+}
+
+void PlugsSheet::addOwnEngineButtons() {
+    auto* buttons = new QWidget(this);
+    QHBoxLayout* row = rowIn(buttons, -1);
+    const auto button = [&](const QString& name, const QString& label) {
+        auto* made = new QPushButton(label, this);
+        made->setObjectName(name);
+        made->setMinimumHeight(Theme::withText(fieldHeight));
+        row->addWidget(made);
+        return made;
+    };
+    connect(button(QStringLiteral("save_engine"), tr("&Keep as own engine…")),
+            &QPushButton::clicked, this, &PlugsSheet::saveEngine);
+    rename_ = button(QStringLiteral("rename_engine"), tr("Rena&me…"));
+    connect(rename_, &QPushButton::clicked, this, &PlugsSheet::renameEngine);
+    remove_ = button(QStringLiteral("remove_engine"), tr("Remo&ve…"));
+    connect(remove_, &QPushButton::clicked, this, &PlugsSheet::removeEngine);
+    const auto show = [this] {
+        const bool own = model_->isOwnEngine(model_->engineIndex());
+        rename_->setEnabled(own);
+        remove_->setEnabled(own);
+    };
+    follow(show);
+    connect(model_, &WorkshopModel::enginesChanged, this, show);
+    row->addStretch();
+    current()->addWide(buttons);
+}
+
+QString PlugsSheet::presentName() const {
+    return model_->hasPlugs() && model_->input().plugs->preset.empty()
+               ? QString::fromStdString(model_->input().plugs->engine.name)
+               : QString();
+}
+
+/// Asks for a name; empty where the user does not want to go on.
+QString PlugsSheet::askName(const QString& title, const QString& suggestion) {
+    const auto name = ravnoves::askName(this, title, tr("Name of the engine:"), suggestion);
+    if (name && name->trimmed().isEmpty()) {
+        QMessageBox::warning(this, title, tr("The engine needs a name."));
+    }
+    return name.value_or(QString()).trimmed();
+}
+
+void PlugsSheet::report(const QString& title, const QString& trouble, const QString& done) {
+    if (trouble.isEmpty()) {
+        Q_EMIT status(done);
+    } else {
+        QMessageBox::warning(this, title, trouble);
+    }
+}
+
+void PlugsSheet::saveEngine() {
+    const QString title = tr("Keep as own engine");
+    const QString name = askName(title, presentName());
+    if (name.isEmpty()) {
+        return;
+    }
+    if (model_->hasOwnEngine(name) &&
+        QMessageBox::question(
+            this, title, tr("An engine “%1” is kept already. Replace its values?").arg(name),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes) {
+        return;
+    }
+    report(title, model_->saveEngineAs(name), tr("Engine %1 kept.").arg(name));
+}
+
+void PlugsSheet::renameEngine() {
+    const QString title = tr("Rename own engine");
+    const QString name = askName(title, presentName());
+    if (!name.isEmpty()) {
+        report(title, model_->renameEngine(presentName(), name),
+               tr("The engine is called %1 now.").arg(name));
+    }
+}
+
+void PlugsSheet::removeEngine() {
+    const QString title = tr("Remove engine");
+    const QString name = presentName();
+    if (QMessageBox::question(this, title, tr("Remove “%1” from your own engines?").arg(name)) ==
+        QMessageBox::Yes) {
+        report(title, model_->removeEngine(name), tr("Engine %1 removed.").arg(name));
+    }
+}
+
+}  // namespace ravnoves

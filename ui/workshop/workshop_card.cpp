@@ -1,0 +1,587 @@
+#include "workshop/workshop_card.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+
+#include "bob-weights/fields.h"
+#include "shop/card_blocks.h"
+#include "shop/model/verdict.h"
+#include "v8-plugs/fields.h"
+#include "workshop/model/bob_text.h"
+#include "workshop/plane_drawing.h"
+#include "workshop/plugs/model/v8_names.h"
+#include "workshop/plugs/model/v8_text.h"
+#include "workshop/plugs/plug_drawing.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+namespace {
+
+constexpr double cardLeft = CardPage::left;
+constexpr double cardWidth = CardPage::full;
+constexpr double headingHeight = 5.0;  // mm
+constexpr double notePoints = 8.0;
+constexpr double aboveNote = 0.6;  // mm
+
+struct Note {
+    QString text;
+    QColor colour = CardPage::ink;
+
+    bool isWarning() const { return colour == CardPage::amber; }
+};
+
+/// A table of the card, or two beside each other, and what is to be said of it.
+struct Block {
+    QString heading;
+    std::vector<CardTable::Column> columns;
+    QStringList head;
+    ResultRows rows;
+    bool lastIsBold = false;
+    ResultRows beside{};  ///< of the same columns
+    std::vector<Note> notes{};
+
+    double lines() const { return 1.0 + static_cast<double>(std::max(rows.size(), beside.size())); }
+    void say(const QString& text, const QColor& colour = CardPage::ink) {
+        if (!text.isEmpty()) {
+            notes.push_back({text, colour});
+        }
+    }
+    double notesHeight(const CardPage& page) const {
+        double height = 0.0;
+        for (const Note& note : notes) {
+            height += aboveNote + page.heightOf(note.text, notePoints, cardWidth, note.isWarning());
+        }
+        return height;
+    }
+};
+
+/// @return where it ends, mm
+double drawBlock(CardPage& page, const Block& block, double y, double rowHeight) {
+    const double width = CardTable(block.columns, 8.0, rowHeight).tableWidth();
+    page.heading(cardLeft, y, block.beside.isEmpty() ? width : cardWidth, block.heading);
+    y += headingHeight;
+    const double points = std::clamp((rowHeight - 0.2) / page.lineHeight(1.0), 6.0, 8.5);
+    double x = cardLeft;
+    double height = 0.0;
+    for (const auto* rows : {&block.rows, &block.beside}) {
+        if (rows->isEmpty()) {
+            continue;
+        }
+        CardTable table(block.columns, points, rowHeight);
+        if (!block.head.isEmpty()) {
+            table.head(block.head);
+        }
+        for (qsizetype i = 0; i < rows->size(); ++i) {
+            const ResultRows& others = rows == &block.rows ? block.beside : block.rows;
+            const bool bold = block.lastIsBold && i + 1 == rows->size();
+            table.add({rows->at(i).texts(), bold, bold, others.value(i).texts()});
+        }
+        height = std::max(height, table.draw(page, x, y));
+        x = cardLeft + cardWidth / 2.0 + 1.5;
+    }
+    y += height;
+    for (const Note& note : block.notes) {
+        y += aboveNote;
+        y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, note.isWarning(),
+                            note.colour);
+    }
+    return y;
+}
+
+/// @param isNarrow  a drawing stands beside it
+Block lineBlock(const Words& words, const Result& result, bool isNarrow) {
+    std::vector<CardTable::Column> columns{{62, Qt::AlignLeft}, {40}, {40}, {40}};
+    if (isNarrow) {
+        columns = {{58, Qt::AlignLeft}, {18}, {20}, {20}};
+    }
+    return {words.translate("BobWeights", "Bob weight, line by line"), std::move(columns),
+            bob_text::lineHead(words), bob_text::lines(words, result),
+            result.bob_weight.has_value()};
+}
+
+/// Where the planes are, and where the machine reads.
+Block planeBlock(const Words& words, const workshop::Input& input, const Result& result) {
+    const Correction& correction = *input.correction;
+    Block block{words.translate("BobWeights", "Correction planes"),
+                {{38, Qt::AlignLeft}, {28}, {28}, {28}, {34}, {26}},
+                {words.translate("BobWeights", "Plane"), words.name(field::plane_position),
+                 words.name(field::plane_radius), words.name(field::reading_position),
+                 words.translate("BobWeights", "Drilled from … to"),
+                 words.translate("BobWeights", "May remain")},
+                {}};
+    const QString none = QStringLiteral("–");
+    const auto length = [&](const std::optional<double>& value) {
+        return value ? words.plainWithUnit(*value, units::mm, 2) : none;
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Plane& plane = correction.planes.at(i);
+        const auto angle = [&](double value) {
+            return words.plainWithUnit(value, units::degree, 1);
+        };
+        const auto& read = correction.readings.at(i).position;
+        block.rows << ResultRow{
+            bob_text::planeName(words, input.machine, i),
+            length(plane.position),
+            length(plane.radius),
+            length(read ? read : plane.position),
+            plane.from_angle && plane.to_angle
+                ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
+                : words.text(field::from_angle.placeholder),
+            result.permissible ? words.number((*result.permissible)[i], units::gram_mm, 1) : none};
+    }
+    return block;
+}
+
+/// What the machine read, run by run, and lines for what it will read.
+Block runBlock(const Words& words, const workshop::Input& input, const Result& result) {
+    const std::optional<Correction>& correction = input.correction;
+    const std::size_t first = bob_text::firstRun(input);
+    const QString unit = words.unit(units::gram_mm);
+    const auto name = [&](std::size_t plane, const QString& of) {
+        return bob_text::planeName(words, input.machine, plane) + QStringLiteral(", ") + of;
+    };
+    const QString degrees = QStringLiteral("°");
+    Block block{words.translate("BobWeights", "Readings of the balancing machine"),
+                {{32, Qt::AlignLeft},
+                 {30, Qt::AlignHCenter},
+                 {30, Qt::AlignHCenter},
+                 {30, Qt::AlignHCenter},
+                 {30, Qt::AlignHCenter},
+                 {30, Qt::AlignHCenter}},
+                {words.translate("BobWeights", "Run"), name(0, unit), name(0, degrees),
+                 name(1, unit), name(1, degrees), words.translate("BobWeights", "Verdict")},
+                {}};
+    const auto add = [&](std::size_t run, const auto& readings) {
+        ResultRow row{bob_text::runName(words, run - first)};
+        for (const auto& reading : readings) {
+            row << (reading.unbalance ? words.digits(*reading.unbalance, units::gram_mm, 1)
+                                      : byHand)
+                << (reading.unbalance && !has_direction(*reading.unbalance) ? QStringLiteral("–")
+                    : reading.angle ? words.digits(*reading.angle, units::degree, 1)
+                                    : byHand);
+        }
+        const QString verdict =
+            run < result.runs.size()
+                ? verdictText(words, readWord(result.runs[run], result.runs[run].passes()))
+                : QString();
+        row << (verdict.isEmpty() ? byHand : verdict);
+        block.rows << row;
+    };
+    std::size_t run = first;
+    if (correction) {
+        for (; run < correction->earlier_runs.size(); ++run) {
+            add(run, correction->earlier_runs[run].readings);
+        }
+        if (correction->readings.size() == 2) {
+            add(run++, correction->readings);
+        }
+    }
+    const std::size_t rows = first + 4;
+    const std::array<EarlierReading, 2> none{};
+    for (const std::size_t end = std::min(std::max(rows, run + 1), first + most_runs); run < end;
+         ++run) {
+        add(run, none);
+    }
+    return block;
+}
+
+/// Which set goes to which cylinder, and apart from it what to take off the parts who want them
+/// closer; nothing where nothing is to be done, or there are more cylinders than columns.
+std::vector<Block> matchingBlocks(const Words& words, const Input& input, const Result& result) {
+    constexpr std::size_t mostCylinders = 16;
+    constexpr double nameWidth = 42.0;
+    const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
+    const auto sheet = fitted(input).weigh_in;
+    if (!sheet || cylinders > mostCylinders) {
+        return {};
+    }
+    std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}};
+    columns.insert(columns.end(), cylinders,
+                   {(cardWidth - nameWidth) / static_cast<double>(cylinders)});
+    std::vector<Block> blocks;
+    const auto add = [&](const QString& heading, const ResultRows& rows) {
+        if (!rows.isEmpty()) {
+            blocks.push_back(
+                {heading, columns, matching_text::cylinderHead(words, cylinders), rows});
+        }
+    };
+    const bool isDoubted = !bob_text::weighAgain(words, input).isEmpty();
+    const auto* placing = result.placing && !isDoubted ? &*result.placing : nullptr;
+    const bool moves = placing != nullptr && placing->moved > 0;
+    if (sheet->is_moved() || moves) {
+        add(moves ? words.translate("Matching", "Matched parts: suggested, not applied yet")
+                  : words.translate("Matching", "Matched parts: applied, the weights are moved"),
+            matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
+                                           placing));
+    }
+    add((blocks.empty()
+             ? words.translate("Matching",
+                               "To match the lightest, if the parts are to be closer: take off, %1")
+             : words.translate("Matching",
+                               "To match the lightest, only if moving is not enough: take off, %1"))
+            .arg(words.unit(units::gram)),
+        matching_text::takeOff(words, cylinders, masses_of(*sheet)).rows);
+    if (!blocks.empty()) {
+        blocks.back().say(words.translate(
+            "Matching",
+            "The bob weight is that of the parts as weighed: where one is made lighter, weigh "
+            "again."));
+    }
+    return blocks;
+}
+
+/// The weights of the sheet, as many cylinders in a table as are read well.
+std::vector<Block> weightBlocks(const Words& words, const Input& input) {
+    const auto sheet = fitted(input).weigh_in;
+    if (!sheet || sheet->is_empty()) {
+        return {};
+    }
+    constexpr std::size_t most = 12;
+    constexpr double nameWidth = 34.0;
+    const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
+    const std::size_t tables = (cylinders + most - 1) / most;
+    const std::size_t each = (cylinders + tables - 1) / tables;
+    std::vector<Block> blocks;
+    for (std::size_t first = 0; first < cylinders; first += each) {
+        const std::size_t end = std::min(first + each, cylinders);
+        Block block{words.translate("JobCard", "Weights of the parts by cylinder, %1")
+                        .arg(words.unit(units::gram)),
+                    {{nameWidth, Qt::AlignLeft}},
+                    {words.translate("Matching", "Cylinder")},
+                    {}};
+        for (std::size_t i = first; i < end; ++i) {
+            block.columns.push_back({(cardWidth - nameWidth) / static_cast<double>(each)});
+            block.head << QString::number(i + 1);
+        }
+        for (const shop::Part part : shop::all_parts) {
+            const auto& column = (*sheet)[part];
+            if (column.is_empty()) {
+                continue;
+            }
+            ResultRow row{words.text(shop::part_word(part).label)};
+            for (std::size_t i = first; i < end; ++i) {
+                const auto& mass = column.mass[i];
+                row << (mass ? words.cell(*mass, units::gram, 2) : ResultCell(QStringLiteral("–")));
+            }
+            block.rows << row;
+        }
+        blocks.push_back(std::move(block));
+    }
+    const QStringList pins = bob_text::cylindersOfCrankpins(input);
+    if (input.engine.rods_on_crankpin() > 1 && !pins.isEmpty()) {
+        blocks.back().say(words.translate("BobWeights", "Cylinders that share a crankpin: %1.")
+                              .arg(pins.join(QStringLiteral("; "))));
+    }
+    return blocks;
+}
+
+/// The options of the plugs, and how the recommended one is made.
+std::vector<Block> plugBlocks(const Words& words, const v8_plugs::Input& input,
+                              const v8_plugs::Result& result) {
+    const QString missing = QStringLiteral("–");
+    Block options{
+        words.translate("JobCard", "Options, in the order of cost"),
+        {{54, Qt::AlignLeft}, {26}, {26}, {26}, {50}},
+        {QString(), words.translate("JobCard", "take off each, %1").arg(words.unit(units::gram)),
+         words.translate("JobCard", "at most, %1").arg(words.unit(units::gram)),
+         words.translate("JobCard", "remains, %1").arg(words.unit(units::gram_mm)),
+         words.translate("JobCard", "verdict")},
+        {}};
+    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+        const auto& option = result.option(id);
+        if (!option) {
+            continue;
+        }
+        const bool isFitted = v8_plugs::needs_new_crankshaft(id) ==
+                              (input.crankshaft == v8_plugs::Crankshaft::new_plugs);
+        const bool works = option->feasible && result.can_be_made(id);
+        const QString verdict = works ? words.translate("JobCard", "works")
+                                      : words.translate("JobCard", "does not work");
+        options.rows << ResultRow{
+            v8_names::optionName(words, id), words.cell(option->required_reduction, units::gram, 3),
+            words.cell(option->max_reduction, units::gram, 3),
+            words.cell(option->residual_unbalance, units::gram_mm, 1),
+            isFitted
+                ? verdict
+                : words.translate("JobCard", "other crankshaft") + QStringLiteral(": ") + verdict};
+    }
+    options.say(v8_text::shiftText(words, input, result));
+    Block values{words.translate("JobCard", "Engine"), {{62, Qt::AlignLeft}, {27}}, {}, {}};
+    const auto add = [&](const QString& name, const QString& value) {
+        (values.rows.size() > values.beside.size() ? values.beside : values.rows)
+            << ResultRow{name, value};
+    };
+    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
+        if (const auto& value = input.engine.*each.member) {
+            add(words.name(each.field), words.plainWithUnit(*value, each.field.unit, 4));
+        }
+    }
+    for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
+        if (input.changes_known()) {
+            add(words.name(each.field),
+                words.plainWithUnit(result.changes.*each.member, units::gram, 3));
+        }
+    }
+    add(words.name(v8_plugs::field::tolerance),
+        words.plainWithUnit(input.tolerance, units::gram_mm, 2));
+    std::vector<Block> blocks;
+    if (!options.rows.isEmpty()) {
+        blocks.push_back(std::move(options));
+    }
+    blocks.push_back(std::move(values));
+    return blocks;
+}
+
+}  // namespace
+
+WorkshopCard::WorkshopCard(const WorkshopModel& model, Words words)
+    : JobCard(std::move(words)), input_(model.input()), solved_(model.solvedForCard()) {}
+
+QString WorkshopCard::title() const {
+    return words().translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
+           QString::fromStdString(input_.job.engine_number);
+}
+
+QString WorkshopCard::verdictWords() const {
+    const RunResult* newest = solved_.allowed.shaft.newest();
+    return newest == nullptr || solved_.found.withheld().any()
+               ? QString()
+               : verdictText(words(), readWord(*newest, newest->passes(),
+                                               solved_.allowed.shaft.passes_after()));
+}
+
+/// What to do in the largest type, and what is wrong.
+double WorkshopCard::answer(CardPage& page, double y) const {
+    constexpr double large = 20.0;
+    const Result& shaft = solved_.allowed.shaft;
+    const bool isStopped = solved_.found.withheld().any();
+    const bool isDoubtful = isStopped || !refusedText().isEmpty();
+    const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
+    const double inner = cardLeft + 3.0;
+    const double room = cardWidth - 6.0;
+    QStringList more;
+    QString plugs;
+    if (solved_.plugs && solved_.allowed.plugs) {
+        const auto& result = *solved_.allowed.plugs;
+        plugs = v8_text::advice(words(), *solved_.plugs, result);
+        if (result.advice && result.advice->kind == v8_plugs::Advice::Kind::option) {
+            more << v8_text::boring(words(), *solved_.plugs, result, result.advice->option->id);
+        }
+        more << v8_text::plugsWhileHung(words(), result);
+    } else if (shaft.bob_weight) {
+        more << bob_text::factor(words(), input_, shaft);
+    }
+    if (shaft.bob_weight && bob_text::isMean(words(), shaft)) {
+        more << bob_text::weighIn(words(), input_, shaft)
+             << bob_text::placedWeighIn(words(), input_, shaft);
+    }
+    more.removeAll(QString());
+    QStringList warnings{refusedText()};
+    for (const workshop::Doubt& doubt : solved_.found.doubts) {
+        if (isStopped ? doubt.rule->blocks.any() : doubt.rule->severity == Severity::warning) {
+            warnings << words().message(doubt.text);
+        }
+    }
+    warnings << bob_text::notGiven(words(), shaft)
+             << bob_text::missingAngles(words(), input_, shaft)
+             << bob_text::shortfalls(words(), input_.machine, shaft);
+    const auto broken = bob_text::brokenRule(words(), input_, shaft);
+    warnings << broken.text;
+    warnings.removeAll(QString());
+    warnings.removeDuplicates();
+    const auto content = [&](double from) {
+        double at = from;
+        if (isStopped) {
+            at += page.paragraph(inner, at, room, words().translate("Workshop", "STOP"), 26, true,
+                                 colour);
+        }
+        const QString weight =
+            solved_.found.withheld().bob_weight
+                ? words().translate("BobWeights", "No bob weight: correct what is wrong first.")
+            : shaft.bob_weight || !input_.plugs
+                ? bob_text::headline(words(), input_, shaft)
+                : words()
+                      .translate("BobWeights", "The bob weight still needs: %1")
+                      .arg(v8_names::missingNames(words(), *solved_.plugs, true));
+        at +=
+            page.paragraph(inner, at, room, weight, shaft.bob_weight ? large : 12.0, true, colour);
+        if (shaft.bob_weight) {
+            at += page.paragraph(inner, at, room, bob_text::hang(words(), input_.engine), 11);
+        }
+        at += page.paragraph(inner, at + 0.4, room, verdictWords(), large, true);
+        at += page.paragraph(inner, at + 0.4, room, plugs, 12, true) + 0.4;
+        at += page.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 8.5);
+        return at + page.paragraph(inner, at + 0.4, room,
+                                   warnings.join(QChar(QChar::LineSeparator)), 10, true,
+                                   CardPage::amber);
+    };
+    const double height = page.heightOf(content) + 3.6;
+    page.box(cardLeft, y, cardWidth, height, CardPage::shade, colour, isDoubtful ? 1.2 : 0.3);
+    content(y + 1.6);
+    return y + height;
+}
+
+/// Each plane as a clock with its holes below.
+double WorkshopCard::clocks(CardPage& page, double y) const {
+    constexpr double gap = 4.0;
+    constexpr double clock = 46.0;
+    const double width = (cardWidth - gap) / 2.0;
+    const Result& shaft = solved_.allowed.shaft;
+    double end = y;
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        const double x = cardLeft + static_cast<double>(plane) * (width + gap);
+        page.heading(x, y, width, bob_text::planeName(words(), input_.machine, plane));
+        double at = y + headingHeight;
+        if (!page.isMeasuring()) {
+            const QColor amber = CardPage::amber;
+            drawPlane(page.painter(), page.rect(x, at, width, clock), {input_, shaft, plane},
+                      {.line = CardPage::ink,
+                       .thin = CardPage::hair,
+                       .text = CardPage::ink,
+                       .hole = CardPage::ink,
+                       .slug = CardPage::grey,
+                       .reading = amber,
+                       .limit = CardPage::grey,
+                       .fits = CardPage::ink,
+                       .exceeds = amber,
+                       .font = page.font(7.0),
+                       .lineWidth = 0.3 * page.unit()});
+        }
+        at += clock + 1.0;
+        const auto rows = bob_text::holes(words(), input_, shaft, plane);
+        if (!rows.isEmpty()) {
+            CardTable table({{38, Qt::AlignLeft}, {20}, {15}, {15}}, 9.0, 5.2);
+            table.head(bob_text::holeHead(words()));
+            for (const ResultRow& row : rows) {
+                table.add({row.texts(), true});
+            }
+            at += table.draw(page, x, at);
+        }
+        end = std::max(end, at);
+    }
+    return end;
+}
+
+/// To the right of the lines of the bob weight.
+void WorkshopCard::drawPlugBeside(CardPage& page, double y) const {
+    constexpr double x = cardLeft + 122.0;
+    constexpr double width = cardWidth - 122.0;
+    constexpr double height = 44.0;
+    page.heading(x, y, width, words().translate("JobCard", "Plug"));
+    if (!page.isMeasuring()) {
+        static const QColor cut(0xB0, 0x30, 0x10);
+        drawPlug(
+            page.painter(), page.rect(x, y + headingHeight, width, height),
+            plannedPlug(*solved_.plugs, *solved_.allowed.plugs),
+            {CardPage::ink, CardPage::hair, CardPage::ink, cut, page.font(7.5), 0.35 * page.unit()},
+            words());
+    }
+}
+
+void WorkshopCard::draw(CardPage& page) const {
+    constexpr double gap = 2.5;
+    constexpr double signaturesTop = 273.5;
+    constexpr double rowHeight = 4.4;
+    const Result& shaft = solved_.allowed.shaft;
+    page.setFoot(signaturesTop, [&] {
+        cardSignatures(page, words(),
+                       words()
+                           .translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
+                           .arg(QStringLiteral(RAVNOVES_VERSION),
+                                bob_text::machineText(words(), input_.machine)),
+                       signaturesTop);
+    });
+    const QString engine = input_.plugs
+                               ? words()
+                                     .translate("JobCard", "V-8 engine: %1")
+                                     .arg(v8_names::engineName(words(), input_.plugs->engine.name))
+                               : bob_text::engineName(words(), input_.engine);
+    double y = cardHead(
+        page, words(),
+        {words().translate("BobWeights", "Job card: balancing"), engine, input_.job,
+         words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
+        CardPage::top);
+    y = answer(page, y + gap);
+    const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
+                                      [](const RunResult& run) { return run.is_drilled(); });
+    if (shaft.correction || hasMetal) {
+        y = page.place(y + gap, [&](double at) { return clocks(page, at); });
+    }
+    std::vector<Block> machine;
+    if (shaft.correction) {
+        machine.push_back({words().translate("BobWeights", "Correction: measured → after it"),
+                           {{30, Qt::AlignLeft}, {30}, {22}, {26}, {28}, {46, Qt::AlignRight}},
+                           bob_text::planeHead(words()),
+                           bob_text::planes(words(), input_.machine, shaft)});
+        machine.back().say(bob_text::holeNote(words(), shaft) + QLatin1Char(' ') +
+                           bob_text::metals(words(), input_, shaft));
+    }
+    machine.push_back(runBlock(words(), input_, shaft));
+    machine.back().say(bob_text::limits(words(), input_, shaft));
+    machine.back().say(bob_text::correctedRuns(words(), input_, shaft).join(QLatin1Char(' ')),
+                       CardPage::amber);
+    if (auto drilled = bob_text::drilled(words(), input_.machine, shaft); !drilled.isEmpty()) {
+        machine.push_back({words().translate("BobWeights", "Already drilled"),
+                           {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
+                           bob_text::drilledHead(words()),
+                           std::move(drilled)});
+    }
+    if (input_.correction && input_.correction->planes.size() == 2 &&
+        input_.correction->readings.size() == 2) {
+        machine.push_back(planeBlock(words(), input_, shaft));
+    }
+    const auto place = [&](const Block& block) {
+        y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
+    };
+    for (const Block& block : machine) {
+        place(block);
+    }
+    const QString typed = QString::fromStdString(input_.job.notes).simplified();
+    y = page.flow(y + 1.0, otherRefusedText(), notePoints, CardPage::amber);
+    y = cardNotes(page, words(), typed, y + gap);
+
+    std::vector<Block> parts;
+    const bool hasPlug = shaft.bob_weight && solved_.plugs && solved_.allowed.plugs;
+    if (shaft.bob_weight) {
+        parts.push_back(lineBlock(words(), shaft, hasPlug));
+    }
+    if (solved_.plugs && solved_.allowed.plugs) {
+        for (Block& block : plugBlocks(words(), *solved_.plugs, *solved_.allowed.plugs)) {
+            parts.push_back(std::move(block));
+        }
+    }
+    const std::size_t matching = parts.size();
+    for (Block& block : matchingBlocks(words(), input_, shaft)) {
+        parts.push_back(std::move(block));
+    }
+    for (Block& block : weightBlocks(words(), input_)) {
+        parts.push_back(std::move(block));
+    }
+    if (const auto matched = solved_.plugs
+                                 ? v8_text::matchingShown(*solved_.plugs, *solved_.allowed.plugs)
+                                 : bob_text::matchingShown(input_, shaft);
+        matched && matching < parts.size()) {
+        parts[matching].say((matching_text::summary(words(), *matched) + QLatin1Char(' ') +
+                             matching_text::felt(words(), *matched))
+                                .trimmed());
+    }
+    if (matching < parts.size()) {
+        parts[matching].say(bob_text::weighAgain(words(), input_), CardPage::amber);
+    }
+    if (!parts.empty()) {
+        y = page.nextSheet();  // the first page goes to the machine
+        if (hasPlug) {
+            drawPlugBeside(page, y + gap);
+        }
+        for (const Block& block : parts) {
+            place(block);
+        }
+    }
+    page.finishSheet();
+}
+
+}  // namespace ravnoves
