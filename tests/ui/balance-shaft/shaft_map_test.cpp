@@ -17,8 +17,8 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
-#include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_map_drawing.h"
+#include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
 #include "model/background_job.h"
@@ -536,6 +536,24 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
         map->moveTo(map->shortened(place.position, Criterion::Range));
         expectShort(place.position, 2e-3);
     }
+}
+
+TEST_F(ShaftMapTest, TheNearPlaceIsNextToAsGoodAndNoFartherOut) {
+    const ShaftMap& all = *map->map();
+    for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
+        map->setCriterion(criterion);
+        map->goToBest();
+        const double most = *map->change(all.study.at(map->present()));
+        const double farthest = length();
+        test::named<QPushButton>(page, "go_near_place")->click();
+        // As the sum of the criterion, against the engine without a shaft.
+        EXPECT_LE(1.0 + *map->change(all.study.at(map->present())), 1.0101 * (1.0 + most));
+        EXPECT_LE(length(), farthest + 0.1 * mm);
+        EXPECT_TRUE(model->result().is_buildable);
+    }
+    // Going back would do something to both criteria.
+    const QString tip = test::named<QPushButton>(page, "go_best_place")->toolTip();
+    EXPECT_TRUE(tip.contains(QStringLiteral("From here: range "))) << tip.toStdString();
 }
 
 TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {

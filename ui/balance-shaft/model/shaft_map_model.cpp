@@ -233,6 +233,16 @@ void ShaftMapModel::goToBest() {
     }
 }
 
+void ShaftMapModel::goToNear() {
+    const auto near =
+        map_ && change({})
+            ? map_->study.nearest_buildable(model_->placeCriterion().rangeWeight(map_->study))
+            : std::nullopt;
+    if (near) {
+        goTo(shortened(near->position, criterion()));
+    }
+}
+
 void ShaftMapModel::setDistance(double metres) {
     model_->drag(fieldName(balance_shaft::field::centre_distance),
                  [&](Input& input) { input.centre_distance = metres; });

@@ -87,6 +87,8 @@ class ShaftMapModel : public QObject {
     /// Moves it as a step of its own.
     void goTo(const Position& position);
     void goToBest();
+    /// The same to the place nearest to the crank that is at most a hundredth worse.
+    void goToNear();
     void setDistance(double metres);
     /// Goes to this centre distance, at the best α of the criterion there: of those that can be
     /// built where there are any.

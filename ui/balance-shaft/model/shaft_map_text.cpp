@@ -90,6 +90,11 @@ QString best(const ShaftMapModel& map) {
                                         : messageText(places->buildable.reason));
         return text;
     }
+    if (!map.isAtBest()) {
+        text += QLatin1Char(' ') + ShaftMapModel::tr("From here: %1.")
+                                       .arg(messageText(balance_shaft::trade_off(
+                                           places->study.at(map.present()), best->criteria)));
+    }
     for (const Marker& other : map.markers()) {
         if (other.criterion == map.criterion() && !other.isBuildable) {
             text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 – cannot be built.")
