@@ -63,17 +63,22 @@ bool Journal::fail(const QString& what, const QString& why) {
     return false;
 }
 
+bool Journal::failBy(const QString& what, const QSqlError& fault) {
+    isBusy_ = journal_rows::saysBusy(fault);
+    return fail(what, journal_rows::faultText(fault));
+}
+
 bool Journal::run(QSqlQuery& query, const QString& what) {
     if (query.exec()) {
         error_.clear();
         return true;
     }
-    return fail(what, journal_rows::faultText(query.lastError()));
+    return failBy(what, query.lastError());
 }
 
 bool Journal::runText(const QString& sql, const QString& what) {
     QSqlQuery query(database());
-    return query.exec(sql) || fail(what, journal_rows::faultText(query.lastError()));
+    return query.exec(sql) || failBy(what, query.lastError());
 }
 
 Journal::Saved Journal::save(JournalJob& job) {

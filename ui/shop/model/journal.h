@@ -13,6 +13,7 @@
 #include <utility>
 
 class QSqlDatabase;
+class QSqlError;
 class QSqlQuery;
 
 namespace ravnoves {
@@ -173,6 +174,8 @@ class Journal : public QObject {
     bool run(QSqlQuery& query, const QString& what);
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);
+    /// The same for a fault of the database.
+    bool failBy(const QString& what, const QSqlError& fault);
 
     QString path_;
     QString connection_;
@@ -180,6 +183,7 @@ class Journal : public QObject {
     QString openMessage_;
     QString setAside_;
     QString offered_;
+    bool isBusy_ = false;  ///< the last fault was that another program writes
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
 };
 

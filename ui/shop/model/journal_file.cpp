@@ -5,12 +5,15 @@
 #include <sys/vfs.h>
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QSqlDatabase>
+#include <QThread>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 #include "case-file/text_size.h"
 #include "shop/model/journal.h"
@@ -61,7 +64,17 @@ bool Journal::open() {
     if (!QDir().mkpath(info.absolutePath())) {
         return fail(tr("The journal's folder %1 cannot be made.").arg(info.absolutePath()), {});
     }
+    isBusy_ = false;
     bool usable = openDatabase();
+    // While it begins a log SQLite waits for no other program that does so, too.
+    QElapsedTimer waited;
+    waited.start();
+    while (!usable && std::exchange(isBusy_, false) && waited.elapsed() < busyTimeout) {
+        constexpr unsigned long step = 20;  // ms
+        closeDatabase();
+        QThread::msleep(step);
+        usable = openDatabase();
+    }
     if (!usable && isDamaged()) {
         usable = putAside(error_) && openDatabase();
     }
@@ -135,8 +148,7 @@ bool Journal::connectDatabase() {
         db.setDatabaseName(path_);
         db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout));
         if (!db.open()) {
-            return fail(tr("The journal %1 cannot be opened.").arg(path_),
-                        journal_rows::faultText(db.lastError()));
+            return failBy(tr("The journal %1 cannot be opened.").arg(path_), db.lastError());
         }
     }
     identity_ = fileIdentity();
@@ -223,7 +235,7 @@ bool Journal::isWhole() {
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
     QSqlQuery query(database());
     if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
-        return fail(cannot, journal_rows::faultText(query.lastError()));
+        return failBy(cannot, query.lastError());
     }
     const QString found = query.value(0).toString();
     return found == QLatin1String("ok") || fail(cannot, found);
@@ -236,7 +248,7 @@ bool Journal::prepareSchema() {
         QSqlQuery query(database());
         head = headOf(query);
         if (!head) {
-            return fail(cannot, journal_rows::faultText(query.lastError()));
+            return failBy(cannot, query.lastError());
         }
     }
     if (!head->isOurs) {
@@ -264,7 +276,7 @@ bool Journal::prepareSchema() {
         return query.exec(
                    QStringLiteral("SELECT %1, search FROM job LIMIT 1").arg(journal_rows::columns))
                    ? true
-                   : fail(cannot, journal_rows::faultText(query.lastError()));
+                   : failBy(cannot, query.lastError());
     }
     // Of two programs that begin it at once the second finds the tables there.
     if (runText(QStringLiteral("BEGIN IMMEDIATE"), cannot) &&
@@ -337,7 +349,7 @@ bool Journal::fromVersionOne() {
     QSqlQuery rows(database());
     rows.setForwardOnly(true);
     if (!rows.exec(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne))) {
-        return fail(cannot, journal_rows::faultText(rows.lastError()));
+        return failBy(cannot, rows.lastError());
     }
     QList<JournalJob> jobs;
     while (rows.next()) {

@@ -134,6 +134,11 @@ bool saysDamaged(const QSqlError& error) {
     return code == sqliteCorrupt || code == sqliteNotADatabase;
 }
 
+bool saysBusy(const QSqlError& error) {
+    const int code = primaryCode(error);
+    return code == sqliteBusy || code == sqliteLocked;
+}
+
 QString faultText(const QSqlError& error) {
     switch (primaryCode(error)) {
         case sqliteFull:
