@@ -951,20 +951,15 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
     }
     const Drill& drill = input.correction->drill;
     const Cut cut{*input.correction->planes[i].radius, drill.density, drill.point_angle};
-    double taken = cut.removed(diameter, depth).unbalance;
     bool touches = false;
     for (const RunResult& run : result.runs) {
         for (const Hole& hole : run.drilled[i].holes) {
             const double away = std::abs(std::remainder(hole.angle - angle, 2.0 * pi));
-            if (away * cut.radius < 0.5 * (diameter + hole.diameter)) {
-                touches = true;
-                const double gone =
-                    cut.removed(std::min(hole.diameter, diameter), std::min(hole.depth, depth))
-                        .unbalance;
-                taken = std::max(0.0, taken - gone);
-            }
+            touches = touches ||
+                      away * cut.radius < 0.5 * (diameter + hole.diameter) + drill.minimum_wall;
         }
     }
+    const double taken = cut.removed(diameter, depth).unbalance;
     const RunResult::InPlane& read = (*newest->planes)[i];
     const Vector left = std::polar(read.unbalance, read.angle) - std::polar(taken, angle);
     return Remaining{

@@ -33,7 +33,7 @@ struct Remaining {
     double unbalance;                      ///< kg·m
     double angle;                          ///< rad, 0…2π
     std::optional<bool> within_tolerance;  ///< nothing without a limit
-    bool touches = false;  ///< a hole that is there: what that has taken is not taken again
+    bool touches = false;                  ///< a hole that is there, the wall between them included
 };
 std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
                                  double diameter, double depth, double angle);

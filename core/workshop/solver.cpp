@@ -60,7 +60,7 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
     if (result.plugs && result.plugs->assignment) {
         result.shaft.placing = result.plugs->assignment;
     }
-    if (known && result.plugs->assignment) {
+    if (known && result.plugs->assignment && plugs->changes_from_weigh_in) {
         result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);
         result.shaft.placed_crankpins = own_weights(known->sum, result.plugs->assigned_excess);
     }

@@ -10217,8 +10217,12 @@ but nothing can be built</source>
         <translation>%1: останется %2 на %3.</translation>
     </message>
     <message>
-        <source>A hole is there already; what it has taken is not taken again.</source>
-        <translation>Там уже есть отверстие; снятое им второй раз не снимается.</translation>
+        <source>Another hole is too near. Choose another angle.</source>
+        <translation>Слишком близко другое отверстие. Выберите другой угол.</translation>
+    </message>
+    <message>
+        <source>Too deep: the deepest hole allowed is %1.</source>
+        <translation>Слишком глубоко: наибольшая допустимая глубина %1.</translation>
     </message>
 </context>
 <context>
@@ -15623,6 +15627,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>; against it %1.</source>
         <translation>; по сравнению с ним %1.</translation>
     </message>
+    <message>
+        <source>From here: %1.</source>
+        <translation>Отсюда: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShaftMapPlot</name>
@@ -15824,6 +15832,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Besides what the shaft must clear: for example a wall of the crankcase. What is empty does not limit. The sizes of the engine are on the Inputs tab.</source>
         <translation>Помимо того, что вал не должен задевать: например, стенка картера. Пустое поле не ограничивает. Размеры двигателя — на вкладке «Данные».</translation>
+    </message>
+    <message>
+        <source>&amp;Near place</source>
+        <translation>&amp;Ближнее место</translation>
+    </message>
+    <message>
+        <source>The place nearest to the crank that is at most 1 % worse than the best.</source>
+        <translation>Ближайшее к кривошипу место, которое хуже лучшего не более чем на 1 %.</translation>
     </message>
 </context>
 <context>
@@ -17484,16 +17500,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Балансировочный груз с ближайшим вариантом: %1</translation>
     </message>
     <message>
-        <source>None are needed: the crankpins balance one another.</source>
-        <translation>Не нужны: шатунные шейки уравновешивают друг друга.</translation>
-    </message>
-    <message>
         <source>STOP: drill nothing before the line at the top is settled.</source>
         <translation>СТОП: ничего не сверлите, пока не улажено то, что стоит в верхней строке.</translation>
     </message>
     <message>
         <source>Not to be used: bob weight %1.</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
+    </message>
+    <message>
+        <source>None are needed: the crankpins balance one another. Where they are hung:</source>
+        <translation>Не нужны: шатунные шейки уравновешивают друг друга. Если их навешивают:</translation>
     </message>
 </context>
 <context>

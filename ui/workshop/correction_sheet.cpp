@@ -177,17 +177,21 @@ void CorrectionSheet::showWhatIf() {
         sayOrHide(whatIfLine_, {});
         return;
     }
+    const std::optional<double>& deepest = model_->input().correction->drill.maximum_depth;
     const Words words;
-    QStringList said{tr("%1: remains %2 at %3.")
-                         .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
-                              words.number(left->unbalance, units::gram_mm, 1),
-                              words.number(left->angle, units::degree, 1)),
-                     verdictText(words, verdictWord(left->within_tolerance, {}))};
     if (left->touches) {
-        said << tr("A hole is there already; what it has taken is not taken again.");
+        sayOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
+    } else if (deepest && *whatIf_.depth > *deepest) {
+        sayOrHide(whatIfLine_, tr("Too deep: the deepest hole allowed is %1.")
+                                   .arg(words.plainWithUnit(*deepest, units::mm, 2)));
+    } else {
+        const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
+        const QString said = tr("%1: remains %2 at %3.")
+                                 .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
+                                      words.number(left->unbalance, units::gram_mm, 1),
+                                      words.number(left->angle, units::degree, 1));
+        sayOrHide(whatIfLine_, verdict.isEmpty() ? said : said + QLatin1Char(' ') + verdict);
     }
-    said.removeAll(QString());
-    sayOrHide(whatIfLine_, said.join(QLatin1Char(' ')));
 }
 
 // ----------------------------------------------------------------------------- already drilled

@@ -54,7 +54,7 @@ QString WorkshopModel::hangText() const {
     }
     QStringList said;
     if (bob_weights::balances_itself(input().engine)) {
-        said << tr("None are needed: the crankpins balance one another.");
+        said << tr("None are needed: the crankpins balance one another. Where they are hung:");
     }
     said << bob_text::hang(Words(), input().engine);
     if (bob_text::isMean(Words(), solution())) {
