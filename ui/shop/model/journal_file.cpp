@@ -185,13 +185,6 @@ struct Head {
 /// Nothing where it cannot be read: the query says why.
 std::optional<Head> headOf(QSqlQuery& query) {
     Head head;
-    for (const auto& [pragma, value] : {std::pair{"PRAGMA application_id", &head.application},
-                                        std::pair{"PRAGMA user_version", &head.version}}) {
-        if (!query.exec(QLatin1String(pragma)) || !query.next()) {
-            return std::nullopt;
-        }
-        *value = query.value(0).toInt();
-    }
     if (!query.exec(QStringLiteral("SELECT type, name, sql FROM sqlite_master"))) {
         return std::nullopt;
     }
@@ -208,6 +201,14 @@ std::optional<Head> headOf(QSqlQuery& query) {
                                                                     Qt::CaseInsensitive);
         head.isOurs = head.isOurs && !isVirtual &&
                       (isSystems || known.contains(type + QLatin1Char(' ') + name));
+    }
+    // After the tables: whoever makes them meanwhile names the program in the same transaction.
+    for (const auto& [pragma, value] : {std::pair{"PRAGMA application_id", &head.application},
+                                        std::pair{"PRAGMA user_version", &head.version}}) {
+        if (!query.exec(QLatin1String(pragma)) || !query.next()) {
+            return std::nullopt;
+        }
+        *value = query.value(0).toInt();
     }
     // Version 1 did not name its program, nor what was made of it.
     head.isOurs = head.isOurs && (head.application == applicationId ||
