@@ -30,6 +30,9 @@ struct Hole {
     double from_depth = 0.0;  ///< m
     bool is_axial = false;    ///< a slug parallel to the crankshaft
 
+    /// The centrifugal force of the slug, N, at a speed in rad/s: m r ω².
+    double slug_force(double speed) const { return slug * slug_radius * speed * speed; }
+
     friend bool operator==(const Hole&, const Hole&) = default;
 };
 

@@ -76,10 +76,9 @@ void JobVisit::visit_hole(const Hole& hole, bool added, bool planned) {
     if (added) {
         const auto speed = service_speed(input_);
         visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
-        visitor_.number(key::centrifugal_force,
-                        speed && hole.slug > 0.0
-                            ? std::optional(hole.slug * hole.slug_radius * *speed * *speed)
-                            : std::nullopt);
+        visitor_.number(key::centrifugal_force, speed && hole.slug > 0.0
+                                                    ? std::optional(hole.slug_force(*speed))
+                                                    : std::nullopt);
         return;
     }
     const bool is_deeper = hole.deepens && hole.from_depth > 0.0;

@@ -787,8 +787,7 @@ ResultRows holes(const Words& words, const workshop::Input& input, const Result&
                     inSentence(words.text(direction_words[hole.is_axial ? 0 : 1].label));
         }
         if (isSlug && speed) {
-            const double force = hole.slug * hole.slug_radius * *speed * *speed;
-            name += QStringLiteral(", ") + words.number(force, units::newton, 0);
+            name += QStringLiteral(", ") + words.number(hole.slug_force(*speed), units::newton, 0);
         }
         rows << ResultRow{name,
                           isDeeper
