@@ -108,6 +108,11 @@ struct EarlierReading {
     friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
 };
 
+/// Whether anything of a reading, of this run or an earlier one, was given.
+constexpr bool has_number(const auto& reading) {
+    return reading.unbalance || reading.angle;
+}
+
 /// Whether an unbalance has a direction: nothing has none.
 constexpr bool has_direction(double unbalance) {
     return unbalance != 0.0;
@@ -220,10 +225,9 @@ struct Correction {
 /// Whether its first run has no readings: it stands for the holes that were there before.
 inline bool starts_with_holes(const Correction& correction) {
     return !correction.earlier_runs.empty() && correction.earlier_runs.front().drilled &&
-           std::none_of(
-               correction.earlier_runs.front().readings.begin(),
-               correction.earlier_runs.front().readings.end(),
-               [](const EarlierReading& reading) { return reading.unbalance || reading.angle; });
+           std::none_of(correction.earlier_runs.front().readings.begin(),
+                        correction.earlier_runs.front().readings.end(),
+                        [](const EarlierReading& reading) { return has_number(reading); });
 }
 
 /// What may remain: a grade, or an unbalance for each plane.

@@ -1,7 +1,6 @@
 #include "workshop/model/workshop_model.h"
 
 #include <QDate>
-#include <QSettings>
 #include <algorithm>
 #include <utility>
 
@@ -11,14 +10,11 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "model/case_model_json.h"
-#include "numerics/demand.h"
-#include "scenes/scenes.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "v8-plugs/fields.h"
-#include "v8-plugs/presets.h"
 #include "workshop/model/bob_text.h"
 #include "workshop/model/plug_engines.h"
 #include "workshop/model/shop_machine.h"
@@ -375,8 +371,7 @@ QString WorkshopModel::editWeights(const QString& name,
 }
 
 void WorkshopModel::swapRodEnds() {
-    const auto& [small, big] = std::pair(shop::Part::rod_small_end, shop::Part::rod_big_end);
-    if (input().weigh_in && !(*input().weigh_in)[small].is_empty()) {
+    if (input().weigh_in && !(*input().weigh_in)[shop::Part::rod_small_end].is_empty()) {
         editWeights(tr("Swap the columns"), [](WeighIn& sheet) {
             std::swap(sheet[shop::Part::rod_small_end].mass, sheet[shop::Part::rod_big_end].mass);
         });
@@ -443,7 +438,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
         auto& earlier = correction.earlier_runs;
         const auto set = [&](auto& reading) {
             (isAngle ? reading.angle : reading.unbalance) = value;
-            reading.bob_weight = reading.unbalance || reading.angle ? bobWeightNow() : std::nullopt;
+            reading.bob_weight = has_number(reading) ? bobWeightNow() : std::nullopt;
             reading.shaft = {};
         };
         const auto& runs = solution().runs;
@@ -478,7 +473,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
         set(correction.readings[plane]);
         const bool isEmpty =
             std::none_of(correction.readings.begin(), correction.readings.end(),
-                         [](const Reading& reading) { return reading.unbalance || reading.angle; });
+                         [](const Reading& reading) { return has_number(reading); });
         if (isEmpty) {
             correction.record = {};
         } else {
@@ -643,7 +638,7 @@ bool WorkshopModel::hasNumbers() const {
     const bool isRead =
         input().correction &&
         std::any_of(input().correction->readings.begin(), input().correction->readings.end(),
-                    [](const Reading& reading) { return reading.unbalance || reading.angle; });
+                    [](const Reading& reading) { return has_number(reading); });
     return isTyped || isWeighed || isRead || (hasPlugs() && input().plugs->has_typed_changes());
 }
 
