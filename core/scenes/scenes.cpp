@@ -155,8 +155,10 @@ std::vector<Preset<Json>> written() {
 /// A scene by what each of them has.
 template <typename Input, auto solve, auto left_out, auto presets, auto read, auto check,
           typename Results = AnewResults<Input>>
-SceneSolver scene(std::string_view name) {
+SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
     return {.name = name,
+            .title = title,
+            .summary = summary,
             .solve = solve,
             .formulas = formulas_of<Input>,
             .left_out = left_out,
@@ -169,7 +171,8 @@ SceneSolver balance_shaft_scene() {
     using namespace balance_shaft;
     SceneSolver made =
         scene<Input, solve_scene, left_out, presets, read_input, check_joined, RepeatedResults>(
-            "balance-shaft");
+            "balance-shaft", CORE_TEXT("scenes", "Balance shaft"),
+            CORE_TEXT("scenes", "Position the balance shaft of a single-cylinder engine"));
     made.buildable = "/buildable/at_shaft_angle";
     made.file_notes = torque_notes;
     return made;
@@ -183,9 +186,13 @@ std::span<const SceneSolver> scene_solvers() {
         balance_shaft_scene(),
         scene<elastic_hinge::Input, elastic_hinge::solve_scene, elastic_hinge::left_out,
               elastic_hinge::presets, elastic_hinge::read_input, elastic_hinge::check_input>(
-            "elastic-hinge"),
+            "elastic-hinge", CORE_TEXT("scenes", "Elastic hinges"),
+            CORE_TEXT("scenes", "Spring guides for constant crank speed")),
         scene<workshop::Input, workshop::solve_scene, workshop::left_out, workshop::presets,
-              workshop::read_input, workshop::check_input>("workshop"),
+              workshop::read_input, workshop::check_input>(
+            "workshop", CORE_TEXT("scenes", "Workshop"),
+            CORE_TEXT("scenes",
+                      "From the scale to the drilled crankshaft, plugs of a V-8 included")),
         scene<v8_plugs::Input, v8_plugs::solve_scene, v8_plugs::left_out, v8_plugs::presets,
               v8_plugs::read_input, v8_plugs::check_input>("v8-plugs"),
         scene<bob_weights::Input, bob_weights::solve_scene, bob_weights::left_out,
@@ -193,7 +200,8 @@ std::span<const SceneSolver> scene_solvers() {
             "bob-weights"),
         scene<inertia_moments::Input, inertia_moments::solve_scene, inertia_moments::left_out,
               inertia_moments::presets, inertia_moments::read_input, inertia_moments::check_input>(
-            "inertia-moments"),
+            "inertia-moments", CORE_TEXT("scenes", "Inertia moments"),
+            CORE_TEXT("scenes", "Forces and moments of VR5 and any other cylinder layout")),
     };
     return scenes;
 }

@@ -26,6 +26,8 @@ inline constexpr std::string_view result_format = "ravnoves-result";
 /// computes what the scene computes in any case.
 struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
+    Text title;    ///< in the window; empty where it has no page
+    Text summary;  ///< one line: what the page is for
     Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
     /// What its result rests on. @throws InputError as solve()
     std::vector<Formula> (*formulas)(const Json& input);

@@ -6,7 +6,7 @@ _ravnoves() {
     case $option in
         --scene)
             mapfile -t COMPREPLY < <(compgen -W \
-                "start balance-shaft elastic-hinge workshop inertia-moments methods" -- "$word")
+                "start @pages@" -- "$word")
             return
             ;;
         --theme)

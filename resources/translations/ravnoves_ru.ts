@@ -15268,44 +15268,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::SceneList</name>
     <message>
-        <source>Balance shaft</source>
-        <translation>Балансирный вал</translation>
-    </message>
-    <message>
-        <source>Where the balance shaft of a single-cylinder engine goes</source>
-        <translation>Где поставить балансирный вал одноцилиндрового двигателя</translation>
-    </message>
-    <message>
-        <source>Elastic hinges</source>
-        <translation>Упругие шарниры</translation>
-    </message>
-    <message>
-        <source>Spring guides that hold the crank speed constant</source>
-        <translation>Пружинные направляющие, сохраняющие угловую скорость кривошипа</translation>
-    </message>
-    <message>
-        <source>Inertia moments</source>
-        <translation>Моменты сил инерции</translation>
-    </message>
-    <message>
-        <source>Forces and moments of VR5 and any other cylinder layout</source>
-        <translation>Силы и моменты VR5 и любой другой компоновки</translation>
-    </message>
-    <message>
         <source>Methods</source>
         <translation>Методы</translation>
     </message>
     <message>
-        <source>Speed against accuracy, and where methods fail</source>
-        <translation>Скорость против точности и где методы отказывают</translation>
-    </message>
-    <message>
-        <source>Workshop</source>
-        <translation>Мастерская</translation>
-    </message>
-    <message>
-        <source>From the scale to the drilled crankshaft, plugs of a V-8 included</source>
-        <translation>От весов до просверленного коленчатого вала, с заглушками V-8</translation>
+        <source>Numerical methods: speed, accuracy, limits</source>
+        <translation>Численные методы: скорость, точность, пределы</translation>
     </message>
 </context>
 <context>
@@ -17753,6 +17721,41 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Swap the rod ends</source>
         <translation>Поменять головки шатуна</translation>
+    </message>
+</context>
+<context>
+    <name>scenes</name>
+    <message>
+        <source>Balance shaft</source>
+        <translation>Балансирный вал</translation>
+    </message>
+    <message>
+        <source>Position the balance shaft of a single-cylinder engine</source>
+        <translation>Размещение балансирного вала одноцилиндрового двигателя</translation>
+    </message>
+    <message>
+        <source>Elastic hinges</source>
+        <translation>Упругие шарниры</translation>
+    </message>
+    <message>
+        <source>Spring guides for constant crank speed</source>
+        <translation>Пружинные направляющие для постоянной угловой скорости кривошипа</translation>
+    </message>
+    <message>
+        <source>Workshop</source>
+        <translation>Мастерская</translation>
+    </message>
+    <message>
+        <source>From the scale to the drilled crankshaft, plugs of a V-8 included</source>
+        <translation>От весов до просверленного коленчатого вала, с заглушками V-8</translation>
+    </message>
+    <message>
+        <source>Inertia moments</source>
+        <translation>Моменты сил инерции</translation>
+    </message>
+    <message>
+        <source>Forces and moments of VR5 and any other cylinder layout</source>
+        <translation>Силы и моменты VR5 и любой другой компоновки</translation>
     </message>
 </context>
 <context>

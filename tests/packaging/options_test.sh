@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# options_test.sh SOURCE-FOLDER RAVNOVES-CLI [RAVNOVES]
+# options_test.sh FOLDER RAVNOVES-CLI [RAVNOVES]: the manual and completions as they are installed
 # Manual pages and completions know every option and every word that the programs take.
 set -euo pipefail
-packaging=$1/packaging cli=$2 desktop=${3:-}
+packaging=$1 cli=$2 desktop=${3:-}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 chmod 700 "$folder"
@@ -21,12 +21,12 @@ known() {
     shift
     for word in "$@"; do
         words=$((words + 1))
-        sed 's/\\-/-/g; s/\\[fF][BIPR]//g' "$packaging/man/$program.1" |
+        sed 's/\\-/-/g; s/\\[fF][BIPR]//g' "$packaging/$program.1" |
             grep -E -- "(^|[^-a-z])$word([^-a-z]|\$)" >/dev/null ||
             fault "$program.1 does not name $word"
         local shell
         for shell in bash zsh; do
-            grep -E -- "(^|[^-a-z])$word([^-a-z]|\$)" "$packaging/completion/$program.$shell" >/dev/null ||
+            grep -E -- "(^|[^-a-z])$word([^-a-z]|\$)" "$packaging/$program.$shell" >/dev/null ||
                 fault "$program.$shell does not name $word"
         done
         local fish=$word
@@ -34,7 +34,7 @@ known() {
             --*) fish="-l ${word#--}" ;;
             -?) fish="-s ${word#-}" ;;
         esac
-        grep -E -- "[ ']$fish( |'|\$)" "$packaging/completion/$program.fish" >/dev/null ||
+        grep -E -- "[ ']$fish( |'|\$)" "$packaging/$program.fish" >/dev/null ||
             fault "$program.fish does not name $word"
     done
 }
@@ -43,12 +43,12 @@ known_of() {
     local command=$1 part word
     shift
     declare -A parts=(
-        [1]=$(sed -n "/^\.SS $command\$/,/^\.S/p" "$packaging/man/ravnoves-cli.1" |
+        [1]=$(sed -n "/^\.SS $command\$/,/^\.S/p" "$packaging/ravnoves-cli.1" |
             sed 's/\\-/-/g; s/\\f[BIPR]//g')
-        [bash]=$(grep -E "^ +$command\) words" "$packaging/completion/ravnoves-cli.bash")
-        [zsh]=$(sed -n "/^    $command)\$/,/;;/p" "$packaging/completion/ravnoves-cli.zsh")
+        [bash]=$(grep -E "^ +$command\) words" "$packaging/ravnoves-cli.bash")
+        [zsh]=$(sed -n "/^    $command)\$/,/;;/p" "$packaging/ravnoves-cli.zsh")
         # With its dashes again.
-        [fish]=$(grep -E "_from [^']*\b$command\b" "$packaging/completion/ravnoves-cli.fish" |
+        [fish]=$(grep -E "_from [^']*\b$command\b" "$packaging/ravnoves-cli.fish" |
             sed 's/ -s / -/; s/ -l / --/')
     )
     for word in "$@"; do
@@ -88,7 +88,7 @@ if [ -n "$desktop" ]; then
 fi
 
 # The manual pages are what man and whatis expect.
-for page in "$packaging"/man/*.1; do
+for page in "$packaging"/*.1; do
     if command -v man >/dev/null; then
         said=$(MANWIDTH=80 man --warnings -E UTF-8 -l "$page" 2>&1 >/dev/null) || fault "man $page fails"
         [ -z "$said" ] || fault "man -l $page: $said"
@@ -100,7 +100,7 @@ for page in "$packaging"/man/*.1; do
         grep "^\.SH $section" "$page" >/dev/null || fault "$page has no section $section"
     done
 done
-for script in "$packaging"/completion/*.bash; do
+for script in "$packaging"/*.bash; do
     bash -n "$script" || fault "$script does not parse"
 done
 
@@ -114,7 +114,7 @@ offered() {
         COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
         "_${1//-/_}"
         printf "%s\n" "${COMPREPLY[@]}" | sort | paste -sd " "' \
-        bash "$folder" "$packaging/completion/$1.bash" "$@"
+        bash "$folder" "$packaging/$1.bash" "$@"
 }
 touch "$folder/a.case.json" "$folder/a.txt"
 # check EXPECTED PROGRAM WORD…

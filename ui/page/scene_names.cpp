@@ -2,6 +2,9 @@
 
 #include <QCoreApplication>
 
+#include "scenes/scenes.h"
+#include "text/message_text.h"
+
 namespace ravnoves {
 
 namespace {
@@ -13,28 +16,18 @@ QString translated(const char* text) {
 }  // namespace
 
 std::vector<SceneName> sceneNames() {
-    return {
-        {QStringLiteral("balance-shaft"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Balance shaft")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Where the balance shaft of a single-cylinder engine goes"))},
-        {QStringLiteral("elastic-hinge"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Spring guides that hold the crank speed constant"))},
-        {QStringLiteral("workshop"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Workshop")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "From the scale to the drilled crankshaft, plugs of a V-8 "
-                                      "included"))},
-        {QStringLiteral("inertia-moments"),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
-         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Forces and moments of VR5 and any other cylinder layout"))},
+    std::vector<SceneName> names;
+    for (const SceneSolver& scene : scene_solvers()) {
+        if (!scene.title.empty()) {
+            names.push_back({QString::fromUtf8(scene.name.data(), qsizetype(scene.name.size())),
+                             shownText(scene.title), shownText(scene.summary)});
+        }
+    }
+    names.push_back(
         {QStringLiteral("methods"), translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                                      "Speed against accuracy, and where methods fail"))},
-    };
+                                      "Numerical methods: speed, accuracy, limits"))});
+    return names;
 }
 
 QString sceneTitle(const QString& name) {

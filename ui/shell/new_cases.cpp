@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "case-file/json.h"
-#include "page/scene_names.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
 
@@ -61,23 +60,6 @@ QString listed(const NewCase& each) {
     return each.title;
 }
 
-namespace {
-
-/// The scenes that have a page; those of the command line alone have none.
-std::vector<SceneSolver> shownScenes() {
-    const std::vector<SceneName> pages = sceneNames();
-    std::vector<SceneSolver> shown;
-    for (const SceneSolver& solver : scene_solvers()) {
-        if (std::any_of(pages.begin(), pages.end(),
-                        [&](const SceneName& page) { return page.name == nameOf(solver); })) {
-            shown.push_back(solver);
-        }
-    }
-    return shown;
-}
-
-}  // namespace
-
 std::vector<NewCase> newExamples() {
     std::vector<NewCase> found;
     const QDir folder(QStringLiteral(":/examples"));
@@ -88,7 +70,7 @@ std::vector<NewCase> newExamples() {
                          shown(file.title.c_str()), [path] { return readInside(path); }});
     }
     std::vector<NewCase> list;
-    for (const SceneSolver& solver : shownScenes()) {
+    for (const SceneSolver& solver : scene_solvers()) {
         std::copy_if(found.begin(), found.end(), std::back_inserter(list),
                      [&](const NewCase& each) { return each.scene == nameOf(solver); });
     }
@@ -98,7 +80,10 @@ std::vector<NewCase> newExamples() {
 std::vector<NewCase> newCases() {
     const std::vector<NewCase> examples = newExamples();
     std::vector<NewCase> list;
-    for (const SceneSolver& solver : shownScenes()) {
+    for (const SceneSolver& solver : scene_solvers()) {
+        if (solver.title.empty()) {
+            continue;
+        }
         const QString scene = nameOf(solver);
         const QString path = QStringLiteral(":/templates/%1.case.json").arg(scene);
         if (QFile::exists(path)) {

@@ -20,8 +20,7 @@ struct SceneInfo : SceneName {
     ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const;
 };
 
-/// All scenes in the order of the navigation. To add a scene, add its line here, in scene_names.cpp
-/// and in core's scenes.cpp.
+/// All scenes in the order of the navigation, which is that of core's scenes.cpp.
 std::vector<SceneInfo> sceneList();
 
 }  // namespace ravnoves
