@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""words.py SOURCE-FOLDER: the documents that a person reads, against the language of this program.
+
+Phrases that no text may have, one term for one thing, at most 25 words a sentence.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# What no text says, and what it says instead.
+ENGLISH = {
+    r"(that|those) of": "repeat the noun",
+    r"what (is(?! this)|it|there|they|was|stands)": "a noun",
+    r"of it(?! is)": "name it",
+    r"is (none|nothing)": "say what there is",
+    r"(is|are) (told|said)|in words": "shows, warns, rejects",
+    r"stands?|stood": "is, shows",
+    r"least(?<!at least)": "minimum",
+    r"greatest": "maximum",
+    r"left over": "residual",
+    r"mend(s|ed|ing)?": "correct",
+    r"refus(e|es|ed|al|ing)": "reject, not accept",
+    r"anew": "again",
+    r"besides": "also",
+    r"throw(s|n)? away": "discard",
+    r"take(s|n)? over": "use",
+    r"go(es)? on": "continue",
+    r"as (it is|they are)": "unchanged",
+    r"(can(not)?|could) be built|be built": "feasible, fits",
+    r"amber": "yellow",
+    r"scenes?": "module",
+    r"for ever|for good": "permanently",
+    r"be rid of": "uninstall, remove",
+    r"makes? least": "minimise",
+    r"so (many|much|long)(?! as)": "name the number",
+    r"nobody|nowhere|nought": "say what there is",
+    r"as good as": "equal to",
+    r"(is|are) no more than": "is only",
+    r"paled?": "dimmed",
+    r"put right": "correct",
+}
+RUSSIAN = {
+    r"на замену": "заготовка",
+    r"в пути": "ещё вычисляется",
+    r"построить нельзя|нельзя построить|можно построить": "допустимо, недопустимо",
+    r"отверг\w*": "не принято",
+    r"наименее плох\w*": "лучший компромисс",
+    r"рука (покоится|отпущена)": "ползунок отпущен",
+    r"янтар\w*": "жёлтый",
+    r"раздел(а|у|ом|е|ы|ов|ам|ами|ах)?": "модуль",
+    r"перебалансировк\w*": "перебаланс",
+    r"выбросить": "отменить, удалить",
+    r"то ли это": "проверка",
+    r"ничего нет": "что есть",
+    r"не по листу": "результат устарел",
+}
+
+# Rows of four cells, made of the fields, whose texts are read where they are translated.
+FIELD_ROWS = r"^\| `" + 4 * r"(?:[^|\\\n]|\\\|)*\|" + "$"
+
+LONGEST_SENTENCE = 25  # words
+
+# Words of the trade and of contracts that contain a phrase.
+ALLOWED = re.compile(
+    r"`[^`]*`"  # keys and commands
+    r"|ravnoves\\?-cli solve|What[’']s [Tt]his|at least"
+)
+
+faults = 0
+
+
+def fault(place, text, reason):
+    global faults
+    faults += 1
+    print(f"FAULT: {place}: {reason}: {text[:160]!r}")
+
+
+def phrases(place, text, language):
+    plain = ALLOWED.sub(" ", text)
+    for phrase, instead in language.items():
+        for found in re.finditer(rf"(?<![\w-])(?:{phrase})(?![\w-])", plain, re.IGNORECASE):
+            around = plain[max(0, found.start() - 50) : found.end() + 40].replace("\n", " ")
+            fault(place, around, f"“{found.group(0)}” ({instead})")
+
+
+def sentences(text):
+    text = re.sub(r"\b(Fig|eq|e\.g|i\.e|рис|табл|см|макс|мин|ед)\.", r"\1", text)
+    return [s for s in re.split(r"(?<=[.!?;:])\s+|\n", text) if re.search(r"\w", s)]
+
+
+def words(sentence):
+    return [word for word in sentence.split() if re.search(r"[^\W\d_]", word)]
+
+
+def lengths(place, text):
+    for sentence in sentences(ALLOWED.sub(" ", text)):
+        if len(words(sentence)) > LONGEST_SENTENCE:
+            fault(place, sentence, f"{len(words(sentence))} words in a sentence")
+
+
+def paragraphs(markdown):
+    """Prose of a page: no code, no pictures, no tables of keys; a cell is a text of its own."""
+    markdown = re.sub(r"```.*?```|^    .*?$|<!--.*?-->|!\[|\]\([^)]*\)", " ", markdown, flags=re.S | re.M)
+    for paragraph in re.split(r"\n\s*\n|\n(?=\s*(?:[-|#]|\d+\. ))", markdown):
+        for cell in paragraph.split("|") if paragraph.lstrip().startswith("|") else [paragraph]:
+            if cell.strip():
+                yield " ".join(cell.split())
+
+
+def page(path, language, generated=None):
+    text = path.read_text(encoding="utf-8")
+    if generated:
+        text = re.sub(generated, "", text, flags=re.M)
+    count = 0
+    for paragraph in paragraphs(text):
+        count += 1
+        phrases(path.name, paragraph, language)
+        lengths(path.name, paragraph)
+    if not count:
+        fault(path.name, "", "no text was found")
+
+
+def main(source):
+    for path in sorted((source / "resources/help").glob("*.md")):
+        page(path, RUSSIAN if path.name.endswith(".ru.md") else ENGLISH, FIELD_ROWS)
+    page(source / "README.md", ENGLISH)
+    page(source / "resources/developing.md", {k: v for k, v in ENGLISH.items() if k != r"scenes?"})
+    for path in sorted((source / "packaging/man").glob("*.1")):
+        roff = re.sub(r"^\.\\\".*$|^\.[A-Z]+ ?|\\f[A-Z]|\\\||\\&", "", path.read_text(encoding="utf-8"), flags=re.M)
+        phrases(path.name, roff.replace("\\-", "-"), ENGLISH)
+
+    if faults:
+        print(f"{faults} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])))
