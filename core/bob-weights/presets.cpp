@@ -16,6 +16,7 @@ std::vector<Preset<Input>> presets() {
         {CORE_TEXT("bob-weights", "V-twin, 45°"), {EngineType::v, 2, 45 * degree, 2, 0.0}},
         {CORE_TEXT("bob-weights", "Flat twin, a crankpin for each rod"),
          {EngineType::boxer, 2, std::nullopt, 1, 0.0}},
+        {CORE_TEXT("bob-weights", "Four in line"), {EngineType::in_line, 4, std::nullopt, 1, 0.0}},
         {CORE_TEXT("bob-weights", "One cylinder"), {EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
     std::vector<Preset<Input>> list;
     for (const auto& [name, engine] : engines) {

@@ -31,13 +31,6 @@ struct KnownWeight {
     double sum;            ///< of the lines, kg
 };
 
-/// Statistics of a weighed column, and what to take off each part to match the lightest.
-struct Matching {
-    const PartField* part;
-    shop::ColumnStatistics statistics;
-    std::vector<shop::Weighed> take_off;  ///< kg
-};
-
 /// What is drilled into a plane and pressed in.
 struct Metal {
     std::vector<Hole> holes;
@@ -117,7 +110,6 @@ struct Result {
     std::optional<FirstOrder> first_order;
     std::optional<FirstOrder> first_order_bare;  ///< without counterweights
     std::vector<double> crankpins;  ///< each one's own bob weight, of the parts weighed; kg
-    std::vector<Matching> matching;
     std::optional<shop::Matched> placing;              ///< which set goes to which cylinder
     std::vector<double> placed_crankpins;              ///< then; kg
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m

@@ -178,11 +178,7 @@ void JobVisit::visit_correction() {
 }
 
 void JobVisit::visit_weigh_in() {
-    for (const Matching& each : result_.matching) {
-        const auto& column = (*input_.weigh_in)[*each.part->column];
-        shop::visit_column(visitor_, *each.part->column, each.statistics, column.mass,
-                           column.nominal);
-    }
+    shop::visit_columns(visitor_, *input_.weigh_in);
     const auto crankpins = [&](const std::vector<double>& masses) {
         visitor_.numbers(key::crankpins, withheld_.bob_weight ? std::vector<double>() : masses);
     };

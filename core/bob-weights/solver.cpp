@@ -132,21 +132,7 @@ std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, doubl
 }
 
 void solve_weigh_in(const Input& input, double factor, bool places_parts, Result& result) {
-    if (!input.weigh_in) {
-        return;
-    }
-    for (const PartField& part : part_fields()) {
-        if (!part.column) {
-            continue;
-        }
-        const auto& column = (*input.weigh_in)[*part.column];
-        const auto found = shop::statistics(column);
-        if (!found) {
-            continue;
-        }
-        result.matching.push_back({&part, *found, shop::take_off(column.mass)});
-    }
-    if (!places_parts || result.matching.empty() ||
+    if (!input.weigh_in || !places_parts || input.weigh_in->is_empty() ||
         input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }

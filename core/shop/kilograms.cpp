@@ -109,11 +109,14 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
     }
     const auto weighed = std::count_if(masses.begin(), masses.end(),
                                        [](const Weighed& mass) { return mass && *mass > 0.0; });
-    // More than a fifth of them are another kind of part, and no slips.
-    if (!found && !scattered.empty() && 5 * std::ssize(scattered) <= weighed) {
-        return *std::max_element(
-            scattered.begin(), scattered.end(),
-            [](const OddMass& a, const OddMass& b) { return *a.score < *b.score; });
+    // More than a third of them are another kind of part, and no slips.
+    if (!found && 3 * std::ssize(scattered) <= weighed) {
+        for (const OddMass& each : scattered) {
+            odd.push_back(each.cylinder);
+            if (!found || *each.score > *found->score) {
+                found = each;
+            }
+        }
     }
     if (found && weighed > 3) {
         std::erase(odd, found->cylinder);

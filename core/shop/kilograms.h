@@ -26,7 +26,8 @@ struct OddMass {
     /// How many times the usual scatter of the others it is away (a robust z-score); of four and
     /// more parts.
     std::optional<double> score{};
-    /// Cylinders that are unlike theirs as well; half of them and more where there are two kinds.
+    /// Cylinders that are unlike theirs as well, as an equal slip makes them; half of them and more
+    /// where there are two kinds.
     std::vector<std::size_t> also{};
 
     /// All of them, in order.
@@ -34,7 +35,7 @@ struct OddMass {
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
 /// engine differ by a few percent; of four or more also where it is by more than a hundredth and
-/// more than six times the scatter of the others, unless there are two kinds. Of two or three,
+/// more than six times the scatter of the others, unless more than a third are. Of two or three,
 /// whose median says little, by a factor of more than 3, as a decimal sign in the wrong place makes
 /// it; of two the one that is farther from the nominal mass, or the heavier one. Nothing where
 /// there is none; 0 is no mass.

@@ -226,6 +226,13 @@ bool moves_with_set(const MatchingRules& rules, Part part) {
     return true;
 }
 
+std::vector<int> part_numbers(const WeighIn& sheet, Part part) {
+    return whole_numbers(!moves_with_set(sheet.matching, part) ? SetNumbers()
+                         : is_of_piston(part)                  ? sheet.piston_sets
+                                                               : sheet.rod_sets,
+                         sheet[part].mass.size());
+}
+
 std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet) {
     std::array<std::span<const Weighed>, 6> masses;
     for (const Part part : all_parts) {

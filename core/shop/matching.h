@@ -103,6 +103,9 @@ std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules&
 
 /// Whether a part changes its cylinder with its set.
 bool moves_with_set(const MatchingRules& rules, Part part);
+/// By cylinder, the number of the part that is there: of the cylinder, from 1, that it was weighed
+/// in.
+std::vector<int> part_numbers(const WeighIn& sheet, Part part);
 
 /// The sheet with the parts moved; the sets keep their numbers.
 void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods);

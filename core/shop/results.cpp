@@ -45,23 +45,32 @@ std::vector<int> from_one(const std::vector<int>& cylinders) {
 
 }  // namespace
 
-void visit_column(ResultVisitor& visitor, Part part, const ColumnStatistics& statistics,
-                  std::span<const Weighed> masses, const std::optional<double>& nominal) {
-    visitor.object({.key = part_word(part).word, .label = part_word(part).label}, [&] {
-        visitor.number(key::mean, statistics.mean);
-        visitor.number(key::spread, statistics.spread);
-        visitor.integer(key::heaviest_cylinder, statistics.heaviest + 1);
-        visitor.integer(key::lightest_cylinder, statistics.lightest + 1);
-        visitor.flag(key::within_permitted_spread, statistics.within_permitted);
-        std::vector<double> off;
-        for (const Weighed& mass : take_off(masses)) {
-            off.push_back(mass.value_or(std::numeric_limits<double>::quiet_NaN()));
+void visit_columns(ResultVisitor& visitor, const WeighIn& sheet) {
+    for (const Part part : all_parts) {
+        const PartColumn& column = sheet[part];
+        const auto found = statistics(column);
+        if (!found) {
+            continue;
         }
-        visitor.numbers(key::take_off, off);
-        if (nominal) {
-            visitor.number(key::mean_deviation, statistics.mean - *nominal);
-        }
-    });
+        visitor.object({.key = part_word(part).word, .label = part_word(part).label}, [&] {
+            visitor.number(key::mean, found->mean);
+            visitor.number(key::spread, found->spread);
+            visitor.integer(key::heaviest_cylinder, found->heaviest + 1);
+            visitor.integer(key::lightest_cylinder, found->lightest + 1);
+            visitor.flag(key::within_permitted_spread, found->within_permitted);
+            if (sheet.is_moved()) {
+                visitor.integers(key::part_numbers, part_numbers(sheet, part));
+            }
+            std::vector<double> off;
+            for (const Weighed& mass : take_off(column.mass)) {
+                off.push_back(mass.value_or(std::numeric_limits<double>::quiet_NaN()));
+            }
+            visitor.numbers(key::take_off, off);
+            if (column.nominal) {
+                visitor.number(key::mean_deviation, found->mean - *column.nominal);
+            }
+        });
+    }
 }
 
 void visit_matched(ResultVisitor& visitor, const Matched& matched,

@@ -25,6 +25,8 @@ inline constexpr ResultField lightest_cylinder{
     .key = "lightest_cylinder", .label = CORE_TEXT("workshop", "Lightest, cylinder")};
 inline constexpr ResultField within_permitted_spread{
     .key = "within_permitted_spread", .label = CORE_TEXT("workshop", "Within permitted spread")};
+inline constexpr ResultField part_numbers{
+    .key = "part_numbers", .label = CORE_TEXT("workshop", "Number of the part")};
 inline constexpr ResultField take_off{"take_off_g", units::gram, 2,
                                       CORE_TEXT("workshop", "Take off")};
 inline constexpr ResultField mean_deviation{"mean_deviation_g", units::gram, 2,
@@ -70,9 +72,8 @@ inline constexpr ResultField mass{"mass_g", units::gram, 2, CORE_TEXT("workshop"
 inline constexpr ResultField product{"product_g", units::gram, 2, CORE_TEXT("workshop", "In all")};
 }  // namespace result_field
 
-/// A weighed column under the word of its part.
-void visit_column(ResultVisitor& visitor, Part part, const ColumnStatistics& statistics,
-                  std::span<const Weighed> masses, const std::optional<double>& nominal);
+/// The weighed columns under the words of their parts.
+void visit_columns(ResultVisitor& visitor, const WeighIn& sheet);
 
 /// The values of a placing, but for what the scene knows of the crankpins.
 /// @param crank_radius  m; without it there are no forces

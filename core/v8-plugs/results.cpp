@@ -133,12 +133,7 @@ void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_c
 
 void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& result,
                     double crank_radius) {
-    for (const Part part : all_parts) {
-        const PartColumn& column = (*input.weigh_in)[part];
-        if (const auto found = statistics(column)) {
-            shop::visit_column(visitor, part, *found, column.mass, column.nominal);
-        }
-    }
+    shop::visit_columns(visitor, *input.weigh_in);
     if (result.assignment) {
         visit_crankpins(visitor, *result.crankpin_excess, crank_radius);
         visitor.object(shop::result_field::assignment, [&] {

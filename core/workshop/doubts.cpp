@@ -118,14 +118,14 @@ Messages odd_mass(const DoubtCase& job) {
         if (!odd->also.empty()) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: cylinders %2 are unlike the others (%3 against %4). "
-                                        "Weigh them again."),
+                                        "Weigh them again or match the parts."),
                               name, cylinders(odd->cylinders()), grams(odd->mass),
                               grams(odd->usual));
         } else if (odd->score) {
             list.emplace_back(
                 CORE_TEXT("workshop",
                           "%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 "
-                          "times their scatter. Weigh it again."),
+                          "times their scatter. Weigh it again or match the parts."),
                 name, odd->cylinder + 1, grams(odd->mass), grams(odd->usual),
                 Number{*odd->score, units::none, -1});
         } else {
@@ -332,6 +332,48 @@ Messages unlike_halves(const DoubtCase& job) {
 
 // ---------------------------------------------------------------------------------- machine
 
+/// By how much the holes that were planned after a run would lengthen what it reads in a plane now,
+/// kg·m. What was measured is elsewhere than planned, and says nothing of it.
+double lengthened(const bob_weights::RunResult& run, const bob_weights::EarlierRun& earlier,
+                  std::size_t plane) {
+    double sum = 0.0;
+    const auto add = [&](const std::vector<bob_weights::Hole>& holes, double sign) {
+        for (const bob_weights::Hole& hole : holes) {
+            const auto state = (*earlier.drilled)[hole.deepens->hole].state;
+            const double side = state == bob_weights::HoleState::wrong_side ? -1.0 : 1.0;
+            if (state != bob_weights::HoleState::measured) {
+                sum += sign * side * hole.unbalance *
+                       std::cos(hole.angle - (*run.planes)[plane].angle);
+            }
+        }
+    };
+    add(run.drilled[plane].holes, -1.0);
+    add(run.drilled[plane].slugs, 1.0);
+    return sum;
+}
+
+/// Holes are planned at the heavy spot: where they are opposite it now, what the machine shows has
+/// been changed since.
+Messages drilled_at_light_spot(const DoubtCase& job) {
+    Messages list;
+    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
+        const bob_weights::RunResult& run = job.shaft.runs[at];
+        const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
+        // What was planned from another reading is no witness.
+        for (std::size_t i = 0; run.planes && earlier.drilled_by.empty() && i < 2; ++i) {
+            if (lengthened(run, earlier, i) > 0.0) {
+                const auto& read = (*run.planes)[i];
+                list.emplace_back(
+                    CORE_TEXT("workshop",
+                              "%1: the holes drilled after %2 are opposite this heavy spot. Check "
+                              "whether the machine shows the heavy or the light spot."),
+                    plane_name(job, i), at_angle(read.unbalance, read.angle));
+            }
+        }
+    }
+    return list;
+}
+
 Messages drilled_otherwise(const DoubtCase& job) {
     Messages list;
     for (std::size_t i = 0; job.shaft.newest() != nullptr && i < 2; ++i) {
@@ -462,6 +504,38 @@ Messages plane_radius(const DoubtCase& job) {
     return list;
 }
 
+/// The two planes where all that `has` asks for is known of both.
+const std::vector<bob_weights::Plane>* both_planes(const DoubtCase& job, auto has) {
+    const auto* planes = job.input.correction ? &job.input.correction->planes : nullptr;
+    return planes != nullptr && planes->size() == 2 && has((*planes)[0]) && has((*planes)[1])
+               ? planes
+               : nullptr;
+}
+
+/// Of two counterweights neither reaches twice as far as the other.
+Messages unlike_radii(const DoubtCase& job) {
+    const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
+    constexpr double most = 1.8;
+    if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, most) ||
+        !plane_radius(job).empty()) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "Drilling radii of %1 and %2: one looks like a diameter. Check both."),
+             millimetres(*(*planes)[0].radius), millimetres(*(*planes)[1].radius)}};
+}
+
+Messages plane_order(const DoubtCase& job) {
+    const auto* planes = both_planes(job, [](const auto& plane) { return plane.position; });
+    if (planes == nullptr || *(*planes)[0].position < *(*planes)[1].position) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "%1 at %2 is not before %3 at %4. Check the positions of the planes."),
+             plane_name(job, 0), millimetres(*(*planes)[0].position), plane_name(job, 1),
+             millimetres(*(*planes)[1].position)}};
+}
+
 Messages amplification(const DoubtCase& job) {
     const auto& times = job.shaft.amplification;
     if (!times || *times <= bob_weights::most_amplification) {
@@ -517,7 +591,6 @@ std::span<const DoubtRule> doubt_rules() {
     constexpr Severity warning = Severity::warning;
     // A bob weight that is wrong makes wrong readings, and these wrong holes and a wrong verdict.
     constexpr bob_weights::Withheld all{true, true, true};
-    constexpr bob_weights::Withheld holes{false, true, false};
     constexpr bob_weights::Withheld judged{false, true, true};
     constexpr bob_weights::Withheld verdict_alone{false, false, true};
     constexpr bob_weights::Withheld nothing{};
@@ -537,15 +610,19 @@ std::span<const DoubtRule> doubt_rules() {
         {Kind::rotor_mass, "rotor-mass", error, judged, "", rotor_mass},
         {Kind::service_speed, "service-speed", error, judged, "", service_speed},
         {Kind::bearings, "bearings", error, judged, "", bearings},
-        {Kind::drilled_otherwise, "drilled-otherwise", error, holes, drilled_act,
+        {Kind::drilled_at_light_spot, "drilled-at-light-spot", error, judged, "",
+         drilled_at_light_spot},
+        {Kind::drilled_otherwise, "drilled-otherwise", error, judged, drilled_act,
          drilled_otherwise},
-        {Kind::plane_radius, "plane-radius", error, holes, "", plane_radius},
+        {Kind::plane_radius, "plane-radius", error, judged, "", plane_radius},
         {Kind::paper_plug, "paper-plug", warning, nothing, "", paper_plug},
         {Kind::gear_against_parts, "gear-against-parts", warning, nothing, "", gear_against_parts},
         {Kind::plug_shift, "plug-shift", warning, nothing, "", plug_shift},
         {Kind::unequal_crankpins, "unequal-crankpins", warning, nothing, "", unequal_crankpins},
         {Kind::unlike_halves, "unlike-halves", warning, nothing, "", unlike_halves},
         {Kind::spread, "spread", warning, nothing, "", spread_of_parts},
+        {Kind::unlike_radii, "unlike-radii", warning, nothing, "", unlike_radii},
+        {Kind::plane_order, "plane-order", warning, nothing, "", plane_order},
         {Kind::amplification, "amplification", warning, nothing, "", amplification},
         {Kind::beyond_sector, "beyond-sector", warning, nothing, "", beyond_sector},
         {Kind::all_round, "all-round", Severity::note, nothing, "", all_round},

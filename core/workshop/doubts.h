@@ -21,6 +21,7 @@ enum class DoubtKind {
     share_of_one,
     gear_against_parts,
     plug_mass,
+    drilled_at_light_spot,
     drilled_otherwise,
     other_bob_weight,
     other_crankshaft,
@@ -34,6 +35,8 @@ enum class DoubtKind {
     unequal_crankpins,
     unlike_halves,
     spread,
+    unlike_radii,
+    plane_order,
     amplification,
     beyond_sector,
     all_round

@@ -4955,6 +4955,10 @@
         <source>No bob weights are needed: the crankpins balance one another. Where they are hung, each weighs %1.</source>
         <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их всё же навешивают, каждый весит %1.</translation>
     </message>
+    <message>
+        <source>Four in line</source>
+        <translation>Рядный четырёхцилиндровый</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -18395,12 +18399,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Масло</translation>
     </message>
     <message>
-        <source>%1: cylinders %2 are unlike the others (%3 against %4). Weigh them again.</source>
-        <translation>%1: цилиндры %2 отличаются от остальных (%3 против %4). Взвесьте их снова.</translation>
+        <source>%1: cylinders %2 are unlike the others (%3 against %4). Weigh them again or match the parts.</source>
+        <translation>%1: цилиндры %2 отличаются от остальных (%3 против %4). Взвесьте их снова или подберите детали.</translation>
     </message>
     <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение в %5 раза больше их разброса. Взвесьте снова.</translation>
+        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение в %5 раза больше их разброса. Взвесьте снова или подберите детали.</translation>
     </message>
     <message>
         <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
@@ -18597,6 +18601,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Reciprocating mass %1 and rotating mass %2 of a cylinder do not go together. Check the masses of the parts.</source>
         <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не подходят друг другу. Проверьте массы деталей.</translation>
+    </message>
+    <message>
+        <source>Number of the part</source>
+        <translation>Номер детали</translation>
+    </message>
+    <message>
+        <source>%1: the holes drilled after %2 are opposite this heavy spot. Check whether the machine shows the heavy or the light spot.</source>
+        <translation>%1: отверстия, просверленные после показания %2, лежат напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
+    </message>
+    <message>
+        <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>
+        <translation>Радиусы сверления %1 и %2: один похож на диаметр. Проверьте оба.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 is not before %3 at %4. Check the positions of the planes.</source>
+        <translation>%1 (%2) не впереди другой: %3 (%4). Проверьте положения плоскостей.</translation>
     </message>
 </context>
 </TS>

@@ -231,6 +231,9 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     EXPECT_EQ(read.weigh_in->piston_sets[0], 3);
     EXPECT_EQ(write_input(read).at("weigh_in").at("piston_sets"), input["weigh_in"]["piston_sets"]);
     EXPECT_FALSE(write_input(read).at("weigh_in").contains("rod_sets"));
+    const Json sheet = solved(input).at("weigh_in");
+    EXPECT_EQ(sheet.at("piston").at("part_numbers"), input["weigh_in"]["piston_sets"]);
+    EXPECT_EQ(sheet.at("rod_big_end").at("part_numbers"), (Json{1, 2, 3, 4, 5, 6, 7, 8}));
     input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
     EXPECT_THROW(read_input(input), InputError);
     // Moving the parts moves their numbers, from wherever they are.

@@ -127,6 +127,12 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     ASSERT_TRUE(one);
     EXPECT_EQ(one->cylinder, 5U);
     EXPECT_NEAR(*one->score, 30 / (1.4826 * 2), 1e-9) << "603 ± 2 g by the medians";
+    // The same slip twice, by 5 per cent: both are named. A third that is like them makes a kind.
+    EXPECT_EQ(odd_mass({}, grams({600, 602, 634, 606, 601, 633, 603, 605}))->cylinders(),
+              (std::vector<std::size_t>{2, 5}));
+    EXPECT_EQ(odd_mass({}, grams({600, 602, 633, 601, 632, 603}))->cylinders(),
+              (std::vector<std::size_t>{2, 4}));
+    EXPECT_FALSE(odd_mass({}, grams({600, 602, 634, 606, 601, 633, 603, 635})));
     // Sets as they come, two kinds of parts, and a scale's last digit are no slips.
     EXPECT_FALSE(odd_mass({}, grams({600, 602, 604, 606, 601, 609, 603, 605})));
     EXPECT_FALSE(odd_mass({}, grams({600, 600.1, 600.2, 600, 620, 620.1, 620, 620.2})));

@@ -125,6 +125,20 @@ inline const std::map<std::string_view, std::function<Json()>>& doubted() {
              input["tolerance"]["rear_bearing_mm"] = 20;
              return input;
          }},
+        {"drilled-at-light-spot",
+         [] {
+             // It was drilled and passes; then the machine is said to show the light spot.
+             Json input = card();
+             input["correction"]["earlier_runs"] = parse_json(R"([{
+                 "readings": [{"unbalance_g_mm": 1250, "angle_deg": 40},
+                              {"unbalance_g_mm": 0}],
+                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]
+                 }])");
+             input["correction"]["readings"] = parse_json(
+                 R"([{"unbalance_g_mm": 150, "angle_deg": 40}, {"unbalance_g_mm": 0}])");
+             input["machine"]["shows"] = "light";
+             return input;
+         }},
         {"drilled-otherwise",
          [] {
              Json input = card();
@@ -139,6 +153,19 @@ inline const std::map<std::string_view, std::function<Json()>>& doubted() {
          [] {
              Json input = plugs_card();
              input["correction"]["planes"][1]["radius_mm"] = 156;
+             return input;
+         }},
+        {"unlike-radii",
+         [] {
+             Json input = card();
+             input["correction"]["planes"][1]["radius_mm"] = 170;
+             return input;
+         }},
+        {"plane-order",
+         [] {
+             Json input = card();
+             input["correction"]["planes"][0]["position_mm"] = 480;
+             input["correction"]["planes"][1]["position_mm"] = 60;
              return input;
          }},
         {"gear-against-parts",

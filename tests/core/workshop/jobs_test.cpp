@@ -198,8 +198,16 @@ TEST(Job, GivesTheNumbersOfBobWeights) {
 
 TEST(Job, KeepsTheHolesThatTheOldFormatPlannedOfItself) {
     Json input = card();
-    input["correction"]["earlier_runs"] = parse_json(R"([{"readings": [
-        {"unbalance_g_mm": 4000, "angle_deg": 30}, {"unbalance_g_mm": 3000, "angle_deg": 200}]}])");
+    Json& readings = input["correction"]["readings"];
+    readings = parse_json(R"([
+        {"unbalance_g_mm": 4000, "angle_deg": 30}, {"unbalance_g_mm": 3000, "angle_deg": 200}])");
+    const Json planned = bob_weights::solve_scene(input, {}).at("correction").at("planes");
+    // The drilling did what it was to.
+    input["correction"]["earlier_runs"] = {{{"readings", readings}}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        readings[i] = {{"unbalance_g_mm", planned[i].at("remaining_g_mm")},
+                       {"angle_deg", planned[i].at("remaining_angle_deg")}};
+    }
     const Json was = bob_weights::solve_scene(input, {}).at("correction");
     const Json job = job_of("bob-weights", input);
     const Json is = solved(job).at("correction");
