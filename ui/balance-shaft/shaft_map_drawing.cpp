@@ -10,7 +10,6 @@
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
-#include "pictures/model/pixel.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
@@ -152,58 +151,16 @@ namespace {
 
 constexpr double apart = 7.0;  // lines of a hatch, pixels
 
-/// One period of a hatch in each direction on this ground; none where a pixel of the device does
-/// not divide it.
-QBrush hatchTile(double ratio, const QColor& ground) {
-    const double pixels = apart * ratio;
-    if (pixels != std::floor(pixels)) {
-        return {};
-    }
-    // Its middle has whole lines of all that reach into it.
-    QImage around(QSize(3, 3) * static_cast<int>(pixels), QImage::Format_ARGB32_Premultiplied);
-    around.setDevicePixelRatio(ratio);
-    around.fill(ground);
-    QPainter painter(&around);
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawHatch(painter, {0.0, 0.0, 3.0 * apart, 3.0 * apart});
-    painter.end();
-    const int side = static_cast<int>(pixels);
-    QImage tile = around.copy(side, side, side, side);
-    tile.setDevicePixelRatio(1.0);
-    QBrush brush(tile);
-    brush.setTransform(QTransform::fromScale(1.0 / ratio, 1.0 / ratio));
-    return brush;
-}
-
 }  // namespace
 
-void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
-                 const QColor& ground) {
-    const QBrush tile =
-        paintsPixels(painter) ? hatchTile(painter.deviceTransform().m11(), ground) : QBrush();
-    if (tile.style() != Qt::NoBrush) {
-        painter.fillPath(path, tile);
-        return;
-    }
-    painter.save();
+void fillHatched(QPainter& painter, const QPainterPath& path, const QColor& ground) {
     painter.fillPath(path, ground);
-    painter.setClipPath(path, Qt::IntersectClip);
-    drawHatch(painter, box);
-    painter.restore();
-}
-
-void drawHatch(QPainter& painter, const QRectF& box) {
     painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
-    const auto first = static_cast<int>(std::floor((box.left() - box.bottom()) / apart));
-    for (int i = first; i * apart < box.right() - box.top(); ++i) {
-        const double c = i * apart;
-        painter.drawLine(QPointF(box.top() + c, box.top()),
-                         QPointF(box.bottom() + c, box.bottom()));
-    }
+    painter.drawLines(hatchLines(path, apart, 1.0));
 }
 
-void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale,
-                 const QRectF& area) {
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
+                 const PlaceScale& scale) {
     const Theme& theme = Theme::instance();
     QPainterPath path;
     LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
@@ -218,7 +175,7 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
     if (path.isEmpty()) {
         return;
     }
-    fillHatched(painter, path, area, faint(theme.panel(), 0.38));
+    fillHatched(painter, path, faint(theme.panel(), 0.38));
     painter.setBrush(Qt::NoBrush);
     paintLines(painter, {edges});
 }

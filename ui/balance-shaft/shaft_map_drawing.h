@@ -57,17 +57,12 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
                   const std::vector<double>& levels);
 /// A marker's sign.
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
-void drawHatch(QPainter& painter, const QRectF& box);
-/// What of a box lies in a path, hatched on this ground.
-void fillHatched(QPainter& painter, const QPainterPath& path, const QRectF& box,
-                 const QColor& ground);
+void fillHatched(QPainter& painter, const QPainterPath& path, const QColor& ground);
 
 // Over the colours, what rests while the shaft moves.
 
 /// Where the shaft cannot be built: hatched.
-/// @param area  the chart's, pixels
-void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale,
-                 const QRectF& area);
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale);
 /// Of a reference: what cannot be built, no change and the best places by a criterion, pale.
 void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
                    const PlaceScale& scale);

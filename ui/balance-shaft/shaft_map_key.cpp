@@ -46,10 +46,9 @@ std::vector<ShaftMapKey::Entry> ShaftMapKey::entries() const {
     if (map_.map() != nullptr && !map_.map()->blocked.empty()) {
         shown.push_back({tr("cannot be built"), [&theme](QPainter& painter, const QPointF& middle) {
                              const QRectF box(middle - QPointF(8, 5), QSizeF(16, 10));
-                             painter.save();
-                             painter.setClipRect(box);
-                             drawHatch(painter, box);
-                             painter.restore();
+                             QPainterPath path;
+                             path.addRect(box);
+                             fillHatched(painter, path, Qt::transparent);
                              painter.setPen(QPen(faint(theme.text(), 0.6), 1.0));
                              painter.setBrush(Qt::NoBrush);
                              painter.drawRect(box);

@@ -114,7 +114,7 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     const PlaceScale scale(*this);
     painter.save();
     painter.setClipRect(plotArea());
-    drawBlocked(painter, map_->map()->blocked, scale, plotArea());
+    drawBlocked(painter, map_->map()->blocked, scale);
     if (const ShaftMapModel* other = referenceMap()) {
         drawReference(painter, *other, map_->criterion(), scale);
     }

@@ -5,6 +5,7 @@
 #include <QSvgGenerator>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pictures/model/clip_shape.h"
 
@@ -51,7 +52,7 @@ class ClippedSvg::Engine : public QPaintEngine {
     Type type() const override { return SVG; }
 
     bool begin(QPaintDevice* /*device*/) override {
-        clip_.clear();
+        clip_.reset();
         return painter_.begin(generator_.get());
     }
     bool end() override { return painter_.end(); }
@@ -85,12 +86,10 @@ class ClippedSvg::Engine : public QPaintEngine {
             isClipping_ = state.isClipEnabled();
         }
         if (dirty.testFlag(DirtyClipRegion)) {
-            QPainterPath shape;
-            shape.addRegion(state.clipRegion());
-            clipTo(shape.simplified(), state);
+            clipTo(QRectF(state.clipRegion().boundingRect()), state);
         }
         if (dirty.testFlag(DirtyClipPath)) {
-            clipTo(state.clipPath(), state);
+            clipTo(state.clipPath().boundingRect(), state);
         }
     }
 
@@ -189,7 +188,7 @@ class ClippedSvg::Engine : public QPaintEngine {
         if (!meets(device) || target.isEmpty()) {
             return;
         }
-        const QRectF seen = transform().inverted().mapRect(device & clip_.bounds()) & target;
+        const QRectF seen = transform().inverted().mapRect(device & clip_->bounds()) & target;
         if (seen.isEmpty()) {
             return;
         }
@@ -204,70 +203,34 @@ class ClippedSvg::Engine : public QPaintEngine {
             constexpr double most = 4096.0;
             return static_cast<int>(std::ceil(std::clamp(std::max(dense * shown, own), 1.0, most)));
         };
-        QImage cut(pixels(seen.width(), part.width()), pixels(seen.height(), part.height()),
-                   image.hasAlphaChannel() || !isRectangle() ? QImage::Format_ARGB32_Premultiplied
-                                                             : QImage::Format_RGB32);
+        QImage cut(
+            pixels(seen.width(), part.width()), pixels(seen.height(), part.height()),
+            image.hasAlphaChannel() ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
         cut.fill(Qt::transparent);
         QPainter painter(&cut);
         painter.setRenderHint(QPainter::SmoothPixmapTransform,
                               painter_.testRenderHint(QPainter::SmoothPixmapTransform));
         painter.drawImage(QRectF(cut.rect()), image, part);
-        if (!isRectangle()) {
-            QTransform toCut;
-            toCut.scale(cut.width() / seen.width(), cut.height() / seen.height());
-            toCut.translate(-seen.left(), -seen.top());
-            QPainterPath all;
-            all.addRect(transform().mapRect(seen));
-            QImage mask(cut.size(), QImage::Format_ARGB32_Premultiplied);
-            mask.fill(Qt::transparent);
-            QPainter onMask(&mask);
-            onMask.setRenderHint(QPainter::Antialiasing);
-            onMask.fillPath((transform().inverted() * toCut).map(clip_.cutArea(all)), Qt::black);
-            onMask.end();
-            painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
-            painter.drawImage(0, 0, mask);
-        }
         painter.end();
         painter_.drawImage(seen, cut, QRectF(cut.rect()), flags);
     }
     void drawTextItem(const QPointF& at, const QTextItem& item) override {
-        QFont font = item.font();
-        if (!isClipping()) {
-            drawWhole(at, item);
-            return;
-        }
         const QRectF line(at.x(), at.y() - item.ascent(), item.width(),
                           item.ascent() + item.descent());
-        if (clip_.contains(transform().mapRect(line))) {
-            drawWhole(at, item);
-            return;
-        }
-        font.setUnderline(false);  // lines are drawn as such
-        font.setOverline(false);
-        font.setStrikeOut(false);
-        QPainterPath letters;
-        letters.addText(at, font, item.text());
-        const QRectF ink = transform().mapRect(letters.boundingRect());
-        constexpr double hairs = 0.5;
-        if (clip_.contains(ink.adjusted(hairs, hairs, -hairs, -hairs))) {
-            drawWhole(at, item);
-        } else if (clip_.meets(ink)) {
-            letters.setFillRule(Qt::WindingFill);
-            const QPen pen = painter_.pen();
-            fillCut(letters, pen.style() == Qt::NoPen ? QBrush(Qt::NoBrush) : pen.brush());
+        if (!isClipping() || clip_->meets(transform().mapRect(line))) {
+            painter_.drawTextItem(at, item);
         }
     }
 
   private:
     QTransform transform() const { return painter_.transform(); }
-    bool isClipping() const { return isClipping_ && clip_.isSet(); }
-    bool isRectangle() const { return clip_.isRectangle(); }
-    bool isWhole(const QRectF& device) const { return !isClipping() || clip_.contains(device); }
+    bool isClipping() const { return isClipping_ && clip_; }
+    bool isWhole(const QRectF& device) const { return !isClipping() || clip_->contains(device); }
 
     /// With the width of its line.
     bool meets(const QRectF& device) const {
         const double half = 0.5 * lineWidth() + 0.01;
-        return clip_.meets(device.adjusted(-half, -half, half, half));
+        return clip_->meets(device.adjusted(-half, -half, half, half));
     }
     /// In the device's pixels.
     double lineWidth() const {
@@ -280,57 +243,29 @@ class ClippedSvg::Engine : public QPaintEngine {
         return mode == WindingMode ? Qt::WindingFill : Qt::OddEvenFill;
     }
 
-    void clipTo(const QPainterPath& shape, const QPaintEngineState& state) {
+    void clipTo(const QRectF& box, const QPaintEngineState& state) {
+        const QRectF onDevice = state.transform().mapRect(box);
         switch (state.clipOperation()) {
             case Qt::NoClip:
-                clip_.clear();
+                clip_.reset();
                 break;
             case Qt::ReplaceClip:
-                clip_.set(state.transform().map(shape));
+                clip_.emplace(onDevice);
                 break;
             case Qt::IntersectClip:
-                clip_.intersect(state.transform().map(shape));
+                clip_.emplace(clip_ ? clip_->bounds() & onDevice : onDevice);
                 break;
         }
-    }
-
-    void drawWhole(const QPointF& at, const QTextItem& item) {
-        const QFont& font = item.font();
-        if (!font.underline() && !font.overline() && !font.strikeOut()) {
-            painter_.drawTextItem(at, item);
-            return;
-        }
-        // The painter before has drawn the lines already.
-        const QFont before = painter_.font();
-        QFont plain = font;
-        plain.setUnderline(false);
-        plain.setOverline(false);
-        plain.setStrikeOut(false);
-        painter_.setFont(plain);
-        painter_.drawText(at, item.text());
-        painter_.setFont(before);
     }
 
     void drawCut(const QPainterPath& path) {
-        if (painter_.brush().style() != Qt::NoBrush) {
-            fillCut(path, painter_.brush());
-        }
+        const QPen pen = painter_.pen();
+        painter_.setPen(Qt::NoPen);
+        painter_.drawPath(transform().inverted().map(clip_->cutArea(transform().map(path))));
+        painter_.setPen(pen);
         for (const QPolygonF& line : flattened(transform().map(path))) {
             strokeCut(line);
         }
-    }
-    void fillCut(const QPainterPath& path, const QBrush& brush) {
-        const QPainterPath seen = clip_.cutArea(transform().map(path));
-        if (seen.isEmpty() || brush.style() == Qt::NoBrush) {
-            return;
-        }
-        const QPen pen = painter_.pen();
-        const QBrush before = painter_.brush();
-        painter_.setPen(Qt::NoPen);
-        painter_.setBrush(brush);
-        painter_.drawPath(transform().inverted().map(seen));
-        painter_.setPen(pen);
-        painter_.setBrush(before);
     }
     /// @param line  in the device's pixels
     void strokeCut(const QPolygonF& line) {
@@ -339,7 +274,7 @@ class ClippedSvg::Engine : public QPaintEngine {
             return;
         }
         const QTransform back = transform().inverted();
-        for (const ClipShape::Stretch& stretch : clip_.cutLine(line)) {
+        for (const ClipShape::Stretch& stretch : clip_->cutLine(line)) {
             QPen cut = pen;
             if (stretch.points.size() < line.size() || stretch.points.last() != line.last()) {
                 cut.setCapStyle(Qt::FlatCap);
@@ -355,7 +290,7 @@ class ClippedSvg::Engine : public QPaintEngine {
 
     std::unique_ptr<Generator> generator_;
     QPainter painter_;
-    ClipShape clip_;
+    std::optional<ClipShape> clip_;
     bool isClipping_ = false;
 };
 

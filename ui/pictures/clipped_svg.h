@@ -10,8 +10,8 @@ class QIODevice;
 namespace ravnoves {
 
 /// A device that writes SVG. QSvgGenerator leaves clipping out: what is hidden on the screen would
-/// cover the whole sheet. This one cuts lines, areas and pictures to the painter's clip, leaves
-/// out what lies outside, and writes all else as it is. A text that is cut becomes outlines.
+/// cover the whole sheet. This one cuts lines, areas and pictures to the box of the painter's clip
+/// and leaves out what lies outside. All else, a text at its edge too, it writes whole.
 class ClippedSvg : public QPaintDevice {
   public:
     /// One unit of the drawing is a pixel of a screen with 96 to the inch.

@@ -22,7 +22,9 @@
 #include "balance-shaft/shaft_map_view.h"
 #include "events.h"
 #include "model/background_job.h"
+#include "numerics/constants.h"
 #include "page/part_views.h"
+#include "pictures/model/stroke.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/value_slider.h"
@@ -277,42 +279,20 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     EXPECT_EQ(view->words()->text(), shaft_map_text::best(*map));
 }
 
-/// Tiles of a period where the device's pixels divide it, else lines in a clip.
-TEST(Hatch, TilesShowTheLinesThatTheyStandFor) {
-    const QRectF box(0.0, 0.0, 120.0, 90.0);
-    QPainterPath path;
-    path.addEllipse(box.adjusted(5.3, 4.1, -9.2, -3.7));
-    const QColor ground(255, 255, 255, 97);
-    for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
-        const auto painted = [&](const auto& draw) {
-            QImage image((box.size() * ratio).toSize(), QImage::Format_RGB32);
-            image.setDevicePixelRatio(ratio);
-            image.fill(QColor(40, 120, 200));
-            QPainter painter(&image);
-            painter.setRenderHint(QPainter::Antialiasing);
-            draw(painter);
-            painter.end();
-            return image;
-        };
-        const QImage tiled =
-            painted([&](QPainter& painter) { fillHatched(painter, path, box, ground); });
-        const QImage lines = painted([&](QPainter& painter) {
-            painter.fillPath(path, ground);
-            painter.setClipPath(path);
-            drawHatch(painter, box);
-        });
-        int most = 0;
-        double sum = 0.0;
-        for (int y = 0; y < tiled.height(); ++y) {
-            for (int x = 0; x < tiled.width(); ++x) {
-                const int apart = std::abs(qGray(tiled.pixel(x, y)) - qGray(lines.pixel(x, y)));
-                most = std::max(most, apart);
-                sum += apart;
-            }
+TEST(Hatch, FillsItsAreaAndLeavesOutItsHoles) {
+    QPainterPath ring;
+    ring.addEllipse(QPointF(60, 40), 45.0, 30.0);
+    ring.addRect(QRectF(40, 30, 30, 20));
+    for (const double fall : {1.0, -1.0}) {
+        double length = 0.0;
+        for (const QLineF& line : hatchLines(ring, 0.5, fall)) {
+            EXPECT_NEAR(std::remainder(line.x1() - fall * line.y1(), 0.5), 0.0, 1e-9);
+            EXPECT_NEAR(line.dx(), fall * line.dy(), 1e-9);
+            EXPECT_TRUE(ring.contains(line.center())) << line.x1() << ' ' << line.y1();
+            length += line.length();
         }
-        EXPECT_LT(sum / (tiled.width() * tiled.height()), 0.6) << ratio;
-        EXPECT_LT(most, 60) << ratio;  // at the path's edge
-        EXPECT_NE(tiled, painted([](QPainter&) {})) << ratio;
+        const double area = pi * 45.0 * 30.0 - 30.0 * 20.0;
+        EXPECT_NEAR(length * 0.5 / std::sqrt(2.0), area, 0.01 * area);
     }
 }
 

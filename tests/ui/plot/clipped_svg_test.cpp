@@ -115,40 +115,14 @@ TEST(ClippedSvg, ShowsWhatThePainterShows) {
     const auto rectangle = [](QPainter& painter) {
         painter.setClipRect(QRectF(20.5, 15.25, 72.0, 50.5));
     };
-    const auto disc = [](QPainter& painter) {
-        QPainterPath path;
-        path.addEllipse(QPointF(60, 40), 45.0, 30.0);
-        painter.setClipPath(path);
-    };
-    const auto ring = [](QPainter& painter) {
-        QPainterPath path;
-        path.addEllipse(QPointF(60, 40), 45.0, 30.0);
-        path.addRect(QRectF(40, 30, 30, 20));
-        painter.setClipPath(path);
-    };
     const auto both = [](QPainter& painter) {
         painter.setClipRect(QRectF(30, 10, 100, 100));
-        QPainterPath path;
-        path.addEllipse(QPointF(60, 40), 45.0, 30.0);
-        painter.setClipPath(path, Qt::IntersectClip);
+        painter.setClipRect(QRectF(-10, 20.5, 105, 50), Qt::IntersectClip);
     };
-    const auto turned = [](QPainter& painter) {
-        painter.save();
-        painter.translate(60, 40);
-        painter.rotate(30);
-        QPainterPath path;
-        path.addRect(-40, -20, 80, 40);
-        path = painter.transform().map(path);
-        painter.restore();
-        painter.setClipPath(painter.transform().inverted().map(path));
-    };
-    const auto region = [](QPainter& painter) {
-        painter.setClipRegion(QRegion(10, 10, 40, 60) + QRegion(60, 20, 50, 30));
-    };
+    const auto region = [](QPainter& painter) { painter.setClipRegion(QRect(10, 10, 90, 60)); };
     using Clip = std::function<void(QPainter&)>;
     int number = 0;
-    for (const Clip& clip :
-         {Clip(rectangle), Clip(disc), Clip(ring), Clip(both), Clip(turned), Clip(region)}) {
+    for (const Clip& clip : {Clip(rectangle), Clip(both), Clip(region)}) {
         const auto draw = [&](QPainter& painter) {
             clip(painter);
             drawMuch(painter);
@@ -241,10 +215,7 @@ TEST(ClippedSvg, DashesGoOnWhereTheyWere) {
 }
 
 TEST(ClipShape, DoesNotBreakAClosedLineAtItsFirstPoint) {
-    QPainterPath box;
-    box.addRect(0, 0, 10, 10);
-    ClipShape clip;
-    clip.set(box);
+    const ClipShape clip({0.0, 0.0, 10.0, 10.0});
     const auto seen = clip.cutLine(QPolygonF{{5, 5}, {20, 5}, {20, 8}, {5, 8}, {5, 5}});
     ASSERT_EQ(seen.size(), 1U);
     EXPECT_EQ(seen[0].points.size(), 4);

@@ -8,8 +8,8 @@
 
 namespace ravnoves {
 
-/// What a painter lets be seen, for a device that does not clip: cuts what is drawn to it. All is
-/// in the device's pixels, the y axis downwards.
+/// The rectangle that a painter lets be seen, for a device that does not clip: cuts what is drawn
+/// to it. All is in the device's pixels, the y axis downwards.
 class ClipShape {
   public:
     /// A stretch of a polyline that is seen.
@@ -18,16 +18,12 @@ class ClipShape {
         double before = 0.0;  ///< length of the polyline up to it, pixels
     };
 
-    void clear();
-    void set(const QPainterPath& shape);
-    void intersect(const QPainterPath& shape);
-    bool isSet() const { return isSet_; }
-    bool isRectangle() const { return !shape_; }
+    explicit ClipShape(const QRectF& box) : bounds_(box) {}
 
     /// With a hundredth of a pixel to spare, so that rounding cuts nothing.
     bool contains(const QRectF& box) const;
     bool meets(const QRectF& box) const;
-    QRectF bounds() const { return bounds_; }
+    const QRectF& bounds() const { return bounds_; }
 
     /// What of an area is seen; of straight lines.
     QPainterPath cutArea(const QPainterPath& area) const;
@@ -35,13 +31,10 @@ class ClipShape {
     std::vector<Stretch> cutLine(const QPolygonF& line) const;
 
   private:
-    /// Where a straight line from 0 to 1 enters and leaves what is seen, in turn.
-    std::vector<double> crossings(const QLineF& line) const;
+    /// Where a straight line from 0 to 1 enters and leaves what is seen.
+    std::optional<std::pair<double, double>> crossings(const QLineF& line) const;
 
-    bool isSet_ = false;
     QRectF bounds_;
-    std::optional<QPainterPath> shape_;  ///< nothing: the bounds
-    std::vector<QLineF> edges_;          ///< of the shape
 };
 
 /// The subpaths of a path as polygons that are true to an eighth of a pixel.

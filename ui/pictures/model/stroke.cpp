@@ -1,7 +1,9 @@
 #include "pictures/model/stroke.h"
 
 #include <QImage>
+#include <QMap>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -196,6 +198,35 @@ void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
         }
     }
     painter.restore();
+}
+
+QList<QLineF> hatchLines(const QPainterPath& area, double apart, double fall) {
+    const QList<QPolygonF> outlines = area.toSubpathPolygons();
+    const auto lineOf = [&](const QPointF& at) { return (at.x() - fall * at.y()) / apart; };
+    QMap<int, std::vector<double>> heights;  // of the points of each line on outlines
+    for (const QPolygonF& outline : outlines) {
+        for (qsizetype i = 0; i < outline.size(); ++i) {
+            QPointF from = outline[i];
+            QPointF to = outline[(i + 1) % outline.size()];
+            if (lineOf(to) < lineOf(from)) {
+                std::swap(from, to);
+            }
+            for (int n = static_cast<int>(std::ceil(lineOf(from))); n < lineOf(to); ++n) {
+                const double part = (n - lineOf(from)) / (lineOf(to) - lineOf(from));
+                heights[n].push_back(std::lerp(from.y(), to.y(), part));
+            }
+        }
+    }
+    QList<QLineF> lines;
+    for (auto line = heights.begin(); line != heights.end(); ++line) {
+        std::vector<double>& y = line.value();
+        std::sort(y.begin(), y.end());
+        for (std::size_t i = 0; i + 1 < y.size(); i += 2) {
+            const double x = line.key() * apart;
+            lines.append({x + fall * y[i], y[i], x + fall * y[i + 1], y[i + 1]});
+        }
+    }
+    return lines;
 }
 
 }  // namespace ravnoves

@@ -7,6 +7,7 @@
 #include <vector>
 
 class QPainter;
+class QPainterPath;
 
 namespace ravnoves {
 
@@ -29,5 +30,10 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
 /// Lines along the axes, with the painter's pen: each pixel darkened by what of it they cover.
 void paintGridLines(QPainter& painter, const QList<QLineF>& lines);
+
+/// Lines at 45° that fill an area.
+/// @param apart  from one to the next, across the page
+/// @param fall  1: they fall to the right, −1: to the left
+QList<QLineF> hatchLines(const QPainterPath& area, double apart, double fall);
 
 }  // namespace ravnoves

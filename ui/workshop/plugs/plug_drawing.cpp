@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pictures/model/stroke.h"
 #include "text/shown_units.h"
 #include "workshop/plugs/model/v8_text.h"
 
@@ -105,18 +106,8 @@ class Sketch {
             removed = removed.subtracted(bore).intersected(metal);
         }
         // Hatching of the section, drawn line by line so that it is the same on every device.
-        painter_.save();
-        painter_.setClipPath(metal.subtracted(removed));
         painter_.setPen(pen(style_.thin, style_.lineWidth * 0.4));
-        const double step = 0.45 * em_;
-        const double reach = section_.height() + section_.width();
-        const int hatches = static_cast<int>(std::ceil(reach / step)) - 1;
-        for (int hatch = 1; hatch <= hatches; ++hatch) {
-            const double d = hatch * step;
-            painter_.drawLine(QPointF(section_.left() + d, section_.top()),
-                              QPointF(section_.left() + d - section_.height(), section_.bottom()));
-        }
-        painter_.restore();
+        painter_.drawLines(hatchLines(metal.subtracted(removed), 0.45 * em_, -1.0));
         if (!removed.isEmpty()) {
             QColor fill = style_.cut;
             fill.setAlphaF(0.25F);
