@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
@@ -53,13 +55,44 @@ double meanDifference(const QImage& a, const QImage& b) {
     return count > 0 ? sum / count : 0.0;
 }
 
-QImage byQt(const QPolygonF& line, double width, Qt::PenStyle style) {
-    QImage image = paper();
+/// Of any channel of any pixel.
+int mostDifference(const QImage& a, const QImage& b) {
+    int most = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor one = a.pixelColor(x, y);
+            const QColor two = b.pixelColor(x, y);
+            most =
+                std::max({most, std::abs(one.red() - two.red()),
+                          std::abs(one.green() - two.green()), std::abs(one.blue() - two.blue())});
+        }
+    }
+    return most;
+}
+
+/// By a painter, with so many pixels to a unit of the paper.
+template <typename Draw>
+QImage onPaper(Draw&& draw, double scale = 1.0) {
+    QImage image((QSizeF(paper().size()) * scale).toSize(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    image.setDevicePixelRatio(scale);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(Qt::black, width, style, Qt::FlatCap, Qt::BevelJoin));
-    painter.drawPolyline(line);
+    draw(painter);
+    painter.end();
     return image;
+}
+
+/// With a pen and a brush, as Qt does it.
+template <typename Draw>
+QImage onPaper(const QPen& pen, const QBrush& brush, Draw&& draw, double scale = 1.0) {
+    return onPaper(
+        [&](QPainter& painter) {
+            painter.setPen(pen);
+            painter.setBrush(brush);
+            draw(painter);
+        },
+        scale);
 }
 
 QImage byBrush(const QPolygonF& line, double width, Qt::PenStyle style, double scale = 1.0) {
@@ -72,7 +105,9 @@ TEST(LineBrush, DrawsWhatQtDraws) {
     // Dashes of one pixel are others to Qt.
     for (const double width : {1.6, 2.2, 4.0}) {
         for (const Qt::PenStyle style : {Qt::SolidLine, Qt::DashLine, Qt::DotLine}) {
-            const QImage qt = byQt(wave(), width, style);
+            const QPen pen(Qt::black, width, style, Qt::FlatCap, Qt::BevelJoin);
+            const QImage qt =
+                onPaper(pen, {}, [](QPainter& painter) { painter.drawPolyline(wave()); });
             const QImage ours = byBrush(wave(), width, style);
             EXPECT_LT(meanDifference(qt, ours), 8.0) << width << ", style " << style;
             EXPECT_NEAR(inkOf(ours) / inkOf(qt), 1.0, 0.02) << width << ", style " << style;
@@ -114,23 +149,6 @@ TEST(LineBrush, ASharpBendIsRoundAndWhole) {
     }
 }
 
-TEST(LineBrush, APaintedLineIsThatOfQt) {
-    for (const Qt::PenCapStyle cap : {Qt::FlatCap, Qt::SquareCap, Qt::RoundCap}) {
-        const auto painted = [&](const auto& draw) {
-            QImage image = paper();
-            QPainter painter(&image);
-            painter.setRenderHint(QPainter::Antialiasing);
-            painter.setPen(QPen(QColor(0, 60, 0, 200), 2.6, Qt::SolidLine, cap));
-            draw(painter);
-            return image;
-        };
-        const QImage ours = painted([](QPainter& painter) { paintLine(painter, wave()); });
-        const QImage qt = painted([](QPainter& painter) { painter.drawPolyline(wave()); });
-        EXPECT_LT(meanDifference(qt, ours), 8.0) << cap;
-        EXPECT_NEAR(inkOf(ours) / inkOf(qt), 1.0, 0.02) << cap;
-    }
-}
-
 TEST(LineBrush, PaintedLinesStayInTheirClipAndCrossNoDarker) {
     const std::vector<QPolygonF> lines{{{0, 0}, {240, 160}}, {{0, 160}, {240, 0}}, {{5, 5}}, {}};
     for (const bool clipped : {false, true}) {
@@ -167,148 +185,131 @@ TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
     const std::vector<LinesOfPen> all{{QPen(QColor(0, 0, 0, 90), 1.0), {wave()}},
                                       {QPen(Qt::red, 2.4), {{{0, 30}, {240, 120}}}},
                                       {QPen(QColor(0, 0, 255, 90), 3.0), {{{0, 120}, {240, 30}}}}};
-    const auto painted = [&](const auto& draw) {
-        QImage image = paper();
-        QPainter painter(&image);
-        painter.setRenderHint(QPainter::Antialiasing);
-        draw(painter);
-        painter.end();
-        return image;
-    };
-    const QImage together = painted([&](QPainter& painter) { paintLines(painter, all); });
-    const QImage apart = painted([&](QPainter& painter) {
+    const QImage together = onPaper([&](QPainter& painter) { paintLines(painter, all); });
+    const QImage apart = onPaper([&](QPainter& painter) {
         for (const LinesOfPen& each : all) {
             paintLines(painter, {each});
         }
     });
-    for (int y = 0; y < together.height(); ++y) {
-        for (int x = 0; x < together.width(); ++x) {
-            const QColor one = together.pixelColor(x, y);
-            const QColor other = apart.pixelColor(x, y);
-            ASSERT_LE(std::abs(one.red() - other.red()), 2) << x << ' ' << y;
-            ASSERT_LE(std::abs(one.blue() - other.blue()), 2) << x << ' ' << y;
-        }
-    }
+    EXPECT_LE(mostDifference(together, apart), 2);
     EXPECT_GT(together.pixelColor(120, 75).blue(), 60);  // the last one over the red one
     EXPECT_GT(meanDifference(together, paper()), 20.0);
 }
 
-TEST(LineBrush, GridLinesCoverWhatQtsDo) {
-    const QList<QLineF> lines{{20.0, 30.0, 220.0, 30.0},   {20.5, 40.25, 219.7, 40.25},
-                              {30.0, 20.0, 30.0, 140.0},   {60.3, 20.2, 60.3, 140.9},
-                              {200.5, 140.0, 200.5, 20.0}, {-50.0, 90.6, 400.0, 90.6}};
-    for (const double scale : {1.0, 1.5, 2.0}) {
-        for (const double width : {1.0, 1.4}) {
-            const auto painted = [&](const auto& draw) {
-                QImage image((QSizeF(paper().size()) * scale).toSize(), QImage::Format_RGB32);
-                image.fill(Qt::white);
-                image.setDevicePixelRatio(scale);
-                QPainter painter(&image);
-                painter.setRenderHint(QPainter::Antialiasing);
-                painter.setPen(QPen(QColor(40, 40, 40, 180), width));
-                draw(painter);
-                painter.end();
-                return image;
-            };
-            const QImage ours = painted([&](QPainter& painter) { paintGridLines(painter, lines); });
-            const QImage qts = painted([&](QPainter& painter) { painter.drawLines(lines); });
-            EXPECT_LT(meanDifference(qts, ours), 4.0) << scale << ' ' << width;
-            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.01) << scale << ' ' << width;
-        }
-    }
-}
+/// A shape as it is painted here and by Qt, with how far the two may differ.
+struct AsQt {
+    const char* name;
+    QPen pen;
+    QBrush brush;
+    std::function<void(QPainter&)> ours;
+    std::function<void(QPainter&)> qts;
+    double difference;  ///< the mean of the pixels painted, of 255 shades
+    double ink;         ///< share
+};
 
-TEST(LineBrush, PolygonsLookAsQtsDo) {
+std::vector<AsQt> shapes() {
+    std::vector<AsQt> all;
+    for (const Qt::PenCapStyle cap : {Qt::FlatCap, Qt::SquareCap, Qt::RoundCap}) {
+        all.push_back({"line", QPen(QColor(0, 60, 0, 200), 2.6, Qt::SolidLine, cap), Qt::NoBrush,
+                       [](QPainter& painter) { paintLine(painter, wave()); },
+                       [](QPainter& painter) { painter.drawPolyline(wave()); }, 8.0, 0.02});
+    }
+    all.push_back({"dashes with square ends", QPen(Qt::black, 1.4, Qt::DashDotLine), Qt::NoBrush,
+                   [](QPainter& painter) {
+                       paintLine(painter, {20, 30}, {210, 120});
+                   },
+                   [](QPainter& painter) { painter.drawLine(QPointF(20, 30), QPointF(210, 120)); },
+                   15.0, 0.02});
+    const QList<QLineF> grid{{20.0, 30.0, 220.0, 30.0},   {20.5, 40.25, 219.7, 40.25},
+                             {30.0, 20.0, 30.0, 140.0},   {60.3, 20.2, 60.3, 140.9},
+                             {200.5, 140.0, 200.5, 20.0}, {-50.0, 90.6, 400.0, 90.6}};
+    for (const double width : {1.0, 1.4}) {
+        all.push_back({"grid", QPen(QColor(40, 40, 40, 180), width), Qt::NoBrush,
+                       [grid](QPainter& painter) { paintGridLines(painter, grid); },
+                       [grid](QPainter& painter) { painter.drawLines(grid); }, 4.0, 0.01});
+    }
+    // Qt's narrowest lines are thinner aslant.
     const QPolygonF bar{{40, 20}, {200, 90}, {194, 104}, {34, 34}};
-    for (const double scale : {1.0, 2.0}) {
-        const auto painted = [&](const auto& draw) {
-            QImage image = QImage(paper().size() * scale, QImage::Format_RGB32);
-            image.fill(Qt::white);
-            image.setDevicePixelRatio(scale);
-            QPainter painter(&image);
-            painter.setRenderHint(QPainter::Antialiasing);
-            painter.setPen(QPen(Qt::black, 1.0));
-            painter.setBrush(QColor(200, 120, 0, 220));
-            draw(painter);
-            painter.end();
-            return image;
-        };
-        const QImage ours = painted([&](QPainter& painter) { paintPolygon(painter, bar); });
-        const QImage qts = painted([&](QPainter& painter) { painter.drawConvexPolygon(bar); });
-        EXPECT_LT(meanDifference(qts, ours), 4.0 / scale) << scale;
-        // Qt's narrowest lines are thinner aslant.
-        EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, scale > 1.0 ? 0.01 : 0.02) << scale;
-        QPolygonF turned = bar.mid(2);
-        turned << bar[0] << bar[1];
-        const QPolygonF reversed(bar.rbegin(), bar.rend());
-        for (const QPolygonF& same : {turned, reversed}) {
-            EXPECT_LT(meanDifference(
-                          ours, painted([&](QPainter& painter) { paintPolygon(painter, same); })),
-                      0.05);
-        }
+    all.push_back({"polygon", QPen(Qt::black, 1.0), QColor(200, 120, 0, 220),
+                   [bar](QPainter& painter) { paintPolygon(painter, bar); },
+                   [bar](QPainter& painter) { painter.drawConvexPolygon(bar); }, 4.0, 0.02});
+    const QRectF block(QPointF(30.3, 20.6), QPointF(180.2, 110.9));
+    for (const double corner : {0.0, 3.0, 20.0, 90.0}) {
+        const double round = std::min(corner, 0.5 * block.height());
+        all.push_back({"block", QPen(Qt::black, 1.4), Qt::gray,
+                       [=](QPainter& painter) {
+                           paintBlock(painter, {block.bottomRight(), block.topLeft()}, corner);
+                       },
+                       [=](QPainter& painter) { painter.drawRoundedRect(block, round, round); },
+                       8.0, 0.005});
     }
-}
-
-TEST(PaintBlock, IsARectangleWithRoundCorners) {
-    for (const double scale : {1.0, 2.0}) {
-        for (const double corner : {0.0, 3.0, 20.0, 90.0}) {
-            const auto painted = [&](const auto& draw) {
-                QImage image(paper().size() * scale, QImage::Format_RGB32);
-                image.fill(Qt::white);
-                image.setDevicePixelRatio(scale);
-                QPainter painter(&image);
-                painter.setRenderHint(QPainter::Antialiasing);
-                painter.setPen(QPen(Qt::black, 1.4));
-                painter.setBrush(Qt::gray);
-                draw(painter, QRectF(QPointF(30.3, 20.6), QPointF(180.2, 110.9)));
-                painter.end();
-                return image;
-            };
-            const QImage ours = painted([&](QPainter& painter, const QRectF& block) {
-                paintBlock(painter, {block.bottomRight(), block.topLeft()}, corner);
-            });
-            const QImage qts = painted([&](QPainter& painter, const QRectF& block) {
-                const double round = std::min(corner, 0.5 * block.height());
-                painter.drawRoundedRect(block, round, round);
-            });
-            EXPECT_LT(meanDifference(qts, ours), 8.0) << scale << ' ' << corner;
-            EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.005) << scale << ' ' << corner;
-        }
+    const QPointF from(60, 40);
+    for (const QPointF& to : {QPointF(190, 120), QPointF(60, 120), QPointF(190, 40), from}) {
+        all.push_back(
+            {"bar", QPen(Qt::black, 1.0), Qt::gray,
+             [=](QPainter& painter) { paintBar(painter, from, to, 5.5); },
+             [=](QPainter& painter) {
+                 for (const auto& [ink, width] : {std::pair(Qt::black, 12.0), {Qt::gray, 10.0}}) {
+                     painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));
+                     // Qt draws no line that is a point.
+                     to == from ? painter.drawPoint(to) : painter.drawLine(from, to);
+                 }
+             },
+             8.0, 0.02});
     }
-}
-
-TEST(PaintBar, IsALineWithRoundEnds) {
-    for (const QPointF& to :
-         {QPointF(190, 120), QPointF(60, 120), QPointF(190, 40), QPointF(60, 40)}) {
-        const auto painted = [&](const auto& draw) {
-            QImage image = paper();
-            QPainter painter(&image);
-            painter.setRenderHint(QPainter::Antialiasing);
-            draw(painter);
-            painter.end();
-            return image;
-        };
-        const QImage qts = painted([&](QPainter& painter) {
-            painter.setPen(QPen(Qt::black, 12.0, Qt::SolidLine, Qt::RoundCap));
-            painter.drawLine(QPointF(60, 40), to);
-            painter.setPen(QPen(Qt::gray, 10.0, Qt::SolidLine, Qt::RoundCap));
-            painter.drawLine(QPointF(60, 40), to);
-            // Qt draws no line that is a point.
-            if (to == QPointF(60, 40)) {
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(Qt::black);
-                painter.drawEllipse(to, 6.0, 6.0);
-                painter.setBrush(Qt::gray);
-                painter.drawEllipse(to, 5.0, 5.0);
+    // Qt's circles have corners: the smaller, the more it shows.
+    const QPointF middle(80.3, 77.7);
+    for (const double radius : {3.6, 7.0, 41.3}) {
+        for (const QBrush& brush : {QBrush(Qt::NoBrush), QBrush(QColor(90, 120, 30, 200))}) {
+            for (const double width : {0.0, 1.2, 2.0}) {
+                all.push_back(
+                    {"disc", width > 0.0 ? QPen(Qt::black, width) : QPen(Qt::NoPen), brush,
+                     [=](QPainter& painter) { paintDisc(painter, middle, radius); },
+                     [=](QPainter& painter) { painter.drawEllipse(middle, radius, radius); },
+                     radius < 10.0 ? 20.0 : 10.0, 0.07});
             }
-        });
-        const QImage ours = painted([&](QPainter& painter) {
-            painter.setPen(QPen(Qt::black, 1.0));
-            painter.setBrush(Qt::gray);
-            paintBar(painter, {60, 40}, to, 5.5);
-        });
-        EXPECT_LT(meanDifference(qts, ours), 8.0) << to.x() << ' ' << to.y();
-        EXPECT_NEAR(inkOf(ours) / inkOf(qts), 1.0, 0.02) << to.x() << ' ' << to.y();
+        }
+    }
+    return all;
+}
+
+TEST(PaintShapes, LookAsQtsDo) {
+    for (const AsQt& each : shapes()) {
+        for (const double scale : {1.0, 1.5, 2.0}) {
+            const QImage ours = onPaper(each.pen, each.brush, each.ours, scale);
+            const QImage qts = onPaper(each.pen, each.brush, each.qts, scale);
+            EXPECT_LT(meanDifference(qts, ours), each.difference) << each.name << ' ' << scale;
+            EXPECT_LE(std::abs(inkOf(ours) - inkOf(qts)), each.ink * inkOf(qts))
+                << each.name << ' ' << scale;
+        }
+    }
+}
+
+TEST(PaintPolygon, ItsFirstCornerAndItsTurnDoNotMatter) {
+    const QPolygonF bar{{40, 20}, {200, 90}, {194, 104}, {34, 34}};
+    QPolygonF turned = bar.mid(2);
+    turned << bar[0] << bar[1];
+    const QPolygonF reversed(bar.rbegin(), bar.rend());
+    const auto drawn = [](const QPolygonF& polygon) {
+        return onPaper(QPen(Qt::black, 1.0), QColor(200, 120, 0, 220),
+                       [&](QPainter& painter) { paintPolygon(painter, polygon); });
+    };
+    for (const QPolygonF& same : {turned, reversed}) {
+        EXPECT_LT(meanDifference(drawn(bar), drawn(same)), 0.05);
+    }
+}
+
+TEST(PaintDisc, ItsRingCoversAsMuchAsItIsWide) {
+    for (const double radius : {3.6, 7.0, 41.3}) {
+        for (const double width : {1.2, 2.0}) {
+            const double area = 6.283185307179586 * radius * width;
+            EXPECT_NEAR(inkOf(onPaper(QPen(Qt::black, width), Qt::NoBrush,
+                                      [&](QPainter& painter) {
+                                          paintDisc(painter, {80.3, 77.7}, radius);
+                                      })),
+                        area, 0.01 * area)
+                << radius << ' ' << width;
+        }
     }
 }
 
@@ -340,35 +341,9 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
             };
             const QImage onto = painted(false);
             const QImage layer = painted(true);
-            int most = 0;
-            for (int y = 0; y < onto.height(); ++y) {
-                for (int x = 0; x < onto.width(); ++x) {
-                    const QColor one = onto.pixelColor(x, y);
-                    const QColor two = layer.pixelColor(x, y);
-                    most = std::max({most, std::abs(one.red() - two.red()),
-                                     std::abs(one.green() - two.green()),
-                                     std::abs(one.blue() - two.blue())});
-                    EXPECT_EQ(one.alpha(), 255);
-                }
-            }
-            EXPECT_LE(most, 2) << scale << ' ' << alpha;
+            EXPECT_LE(mostDifference(onto, layer), 2) << scale << ' ' << alpha;
         }
     }
-}
-
-TEST(LineBrush, DashesWithSquareEndsAreQts) {
-    const auto painted = [&](bool qt) {
-        QImage image = paper();
-        QPainter painter(&image);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(Qt::black, 1.4, Qt::DashDotLine));
-        qt ? painter.drawLine(QPointF(20, 30), QPointF(210, 120))
-           : paintLine(painter, {20, 30}, {210, 120});
-        painter.end();
-        return image;
-    };
-    EXPECT_LT(meanDifference(painted(true), painted(false)), 15.0);
-    EXPECT_NEAR(inkOf(painted(false)) / inkOf(painted(true)), 1.0, 0.02);
 }
 
 TEST(LineBrush, DashesAreAsLongAsAsked) {
@@ -419,44 +394,13 @@ TEST(LineBrush, AScaleIsOfPlacesAndWidthIsOfPixels) {
     EXPECT_EQ(byBrush(line, 2.0, Qt::SolidLine, 2.0), byBrush(twice, 2.0, Qt::SolidLine));
 }
 
-TEST(PaintDisc, IsTheCircleThatQtDraws) {
-    for (const double radius : {3.6, 7.0, 41.3}) {
-        for (const QBrush& brush : {QBrush(Qt::NoBrush), QBrush(QColor(90, 120, 30, 200))}) {
-            for (const double width : {0.0, 1.2, 2.0}) {
-                const auto drawn = [&](bool qt) {
-                    QImage image = paper();
-                    QPainter painter(&image);
-                    painter.setRenderHint(QPainter::Antialiasing);
-                    painter.setPen(width > 0.0 ? QPen(Qt::black, width) : QPen(Qt::NoPen));
-                    painter.setBrush(brush);
-                    const QPointF middle(80.3, 77.7);
-                    qt ? painter.drawEllipse(middle, radius, radius)
-                       : paintDisc(painter, middle, radius);
-                    return image;
-                };
-                // Qt's circles have corners: the smaller, the more it shows.
-                const QImage ours = drawn(false);
-                EXPECT_LT(meanDifference(drawn(true), ours), radius < 10.0 ? 20.0 : 10.0)
-                    << radius << ' ' << width << ' ' << brush.style();
-                if (brush.style() == Qt::NoBrush && width > 0.0) {
-                    const double area = 6.283185307179586 * radius * width;
-                    EXPECT_NEAR(inkOf(ours), area, 0.01 * area) << radius << ' ' << width;
-                }
-            }
-        }
-    }
-}
-
 TEST(PaintDisc, WhatItCannotMeasureIsQts) {
-    const auto drawn = [&](bool qt) {
-        QImage image = paper();
-        QPainter painter(&image);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(Qt::black, 1.4, Qt::DashLine));
-        painter.translate(60, 10);
-        painter.rotate(30);
-        qt ? painter.drawEllipse(QPointF(70, 20), 30, 30) : paintDisc(painter, {70, 20}, 30);
-        return image;
+    const auto drawn = [](bool qt) {
+        return onPaper(QPen(Qt::black, 1.4, Qt::DashLine), Qt::NoBrush, [&](QPainter& painter) {
+            painter.translate(60, 10);
+            painter.rotate(30);
+            qt ? painter.drawEllipse(QPointF(70, 20), 30, 30) : paintDisc(painter, {70, 20}, 30);
+        });
     };
     EXPECT_EQ(drawn(true), drawn(false));
 }
