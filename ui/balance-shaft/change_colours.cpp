@@ -36,23 +36,42 @@ void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<Bar
     painter.setPen(QPen(theme.border(), 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
-    const QFontMetricsF metrics(painter.font());
-    const double row = std::ceil(metrics.height()) + 1.0;
+    // In smaller type where they would meet.
+    const auto boxOf = [&bar](const BarNumber& number, const QFontMetricsF& metrics) {
+        const double wide =
+            metrics.horizontalAdvance(number.text) + 0.6 * metrics.averageCharWidth() + 2.0;
+        return QRectF(bar.left() + number.part * bar.width() - wide / 2.0, bar.bottom() + 1.0, wide,
+                      std::ceil(metrics.height()) + 1.0);
+    };
+    const auto meet = [&](const QFontMetricsF& metrics) {
+        return std::any_of(numbers.begin(), numbers.end(), [&](const BarNumber& number) {
+            return std::any_of(numbers.begin(), numbers.end(), [&](const BarNumber& other) {
+                return number.part < other.part &&
+                       boxOf(number, metrics).intersects(boxOf(other, metrics));
+            });
+        });
+    };
+    const QFont before = painter.font();
+    QFont font = before;
+    constexpr int least = 8;  // pixels
+    while (font.pixelSize() > least && meet(QFontMetricsF(font))) {
+        font.setPixelSize(font.pixelSize() - 1);
+    }
+    painter.setFont(font);
     std::vector<QRectF> taken;
     for (const BarNumber& number : numbers) {
         const double x = bar.left() + number.part * bar.width();
         painter.setPen(QPen(theme.text(), number.isNoChange ? 2.4 : 1.0));
         painter.drawLine(QPointF(x, number.isNoChange ? bar.top() - 1.0 : bar.bottom() - 3.0),
                          QPointF(x, bar.bottom() + (number.isNoChange ? 2.0 : 1.0)));
-        const double wide =
-            metrics.horizontalAdvance(number.text) + metrics.averageCharWidth() + 6.0;
-        const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
+        const QRectF box = boxOf(number, QFontMetricsF(font));
         if (std::none_of(taken.begin(), taken.end(),
                          [&](const QRectF& other) { return other.intersects(box); })) {
             taken.push_back(box);
             painter.drawText(box, Qt::AlignCenter, number.text);
         }
     }
+    painter.setFont(before);
 }
 
 }  // namespace ravnoves

@@ -30,8 +30,8 @@ struct BarNumber {
     QString text;
     bool isNoChange = false;  ///< its line is broad
 };
-/// Frames a bar and writes its numbers, in the painter's font. One that would meet those before it
-/// in the list has its line alone.
+/// Frames a bar and writes its numbers, in the painter's font or, where two would meet, in
+/// a smaller one; what meets those before it in the list even so has its line alone.
 void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<BarNumber>& numbers);
 
 /// From one colour to another, 0…1.
