@@ -86,7 +86,10 @@ std::optional<ShownDifference> ResultCell::from(const ResultCell& reference) con
         pattern != reference.pattern) {
         return std::nullopt;
     }
-    const auto first = difference(numbers.front(), reference.numbers.front());
+    auto first = difference(numbers.front(), reference.numbers.front());
+    if (numbers.size() == 1 && first && asShown(numbers[0]) == asShown(reference.numbers[0])) {
+        first->percent.clear();  // "0" says it
+    }
     const auto second = difference(numbers.back(), reference.numbers.back());
     if (numbers.size() == 1 || !first || !second) {
         return numbers.size() == 1 ? first : std::nullopt;

@@ -255,7 +255,7 @@ TEST(ResultCells, DifferByTheNumbersThatAreShown) {
     check(number(-893, u"\u2212893.0"), number(-900, u"\u2212900.0"), u"+7.0"_s, u"+0.8\u00A0%"_s);
     check(number(0.65, u"0.65"), number(0.658, u"0.6580"), u"\u22120.0080"_s,
           u"\u22121.2\u00A0%"_s);
-    check(number(5.04, u"5"), number(4.96, u"5"), u"0"_s, u"0\u00A0%"_s);
+    check(number(5.04, u"5"), number(4.96, u"5"), u"0"_s, u""_s);
     check(number(5, u"5"), number(0, u"0"), u"+5"_s, u"–"_s);
     check(number(32.1, u"+32.1\u00A0%", Kind::Percent), number(30, u"+30.0\u00A0%", Kind::Percent),
           u"+2.1"_s, {});
