@@ -9923,10 +9923,6 @@ but nothing can be built</source>
         <translation>Размах и СКЗ от α</translation>
     </message>
     <message>
-        <source>mean Mₛ, N·m</source>
-        <translation>среднее Mₛ, Н·м</translation>
-    </message>
-    <message>
         <source>Range of Mᵤₚₛ, max − min</source>
         <translation>Размах Mᵤₚₛ, наибольшее минус наименьшее</translation>
     </message>
@@ -9939,18 +9935,6 @@ but nothing can be built</source>
         <translation>Среднее квадратическое отклонение Mᵤₚₛ от среднего</translation>
     </message>
     <message>
-        <source>Mₛ mean</source>
-        <translation>Mₛ среднее</translation>
-    </message>
-    <message>
-        <source>Cycle mean of Mₛ: 0 at every α</source>
-        <translation>Среднее Mₛ за цикл: 0 при любом α</translation>
-    </message>
-    <message>
-        <source>Mₛ mean (paper)</source>
-        <translation>Mₛ среднее (статья)</translation>
-    </message>
-    <message>
         <source>Mean of 25 nodes, the end counted twice</source>
         <translation>Среднее по 25 узлам, конец учтён дважды</translation>
     </message>
@@ -9959,28 +9943,12 @@ but nothing can be built</source>
         <translation>Средние от α</translation>
     </message>
     <message>
-        <source>Mₛₘ</source>
-        <translation>Mₛₘ</translation>
-    </message>
-    <message>
         <source>Cycle mean of Mₛ</source>
         <translation>Среднее Mₛ за цикл</translation>
     </message>
     <message>
-        <source>Mᵤₚₛₘ</source>
-        <translation>Mᵤₚₛₘ</translation>
-    </message>
-    <message>
         <source>Cycle mean of Mᵤₚₛ</source>
         <translation>Среднее Mᵤₚₛ за цикл</translation>
-    </message>
-    <message>
-        <source>Mₛₘ (paper)</source>
-        <translation>Mₛₘ (статья)</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛₘ (paper)</source>
-        <translation>Mᵤₚₛₘ (статья)</translation>
     </message>
     <message>
         <source>Node mean of Mᵤₚ plus that of Mₛ</source>
@@ -10053,6 +10021,38 @@ but nothing can be built</source>
     <message>
         <source>&amp;Use the best feasible α</source>
         <translation>Применит&amp;ь лучший допустимый α</translation>
+    </message>
+    <message>
+        <source>without shaft (Mᵤₚ)</source>
+        <translation>без вала (Mᵤₚ)</translation>
+    </message>
+    <message>
+        <source>shaft (Mₛ)</source>
+        <translation>вал (Mₛ)</translation>
+    </message>
+    <message>
+        <source>with shaft (Mᵤₚₛ)</source>
+        <translation>с валом (Mᵤₚₛ)</translation>
+    </message>
+    <message>
+        <source>range (ΔMᵤₚₛ)</source>
+        <translation>размах (ΔMᵤₚₛ)</translation>
+    </message>
+    <message>
+        <source>shaft (Mₛₘ)</source>
+        <translation>вал (Mₛₘ)</translation>
+    </message>
+    <message>
+        <source>with shaft (Mᵤₚₛₘ)</source>
+        <translation>с валом (Mᵤₚₛₘ)</translation>
+    </message>
+    <message>
+        <source>shaft, paper (Mₛₘ)</source>
+        <translation>вал, статья (Mₛₘ)</translation>
+    </message>
+    <message>
+        <source>with shaft, paper (Mᵤₚₛₘ)</source>
+        <translation>с валом, статья (Mᵤₚₛₘ)</translation>
     </message>
 </context>
 <context>
@@ -11262,16 +11262,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>поперёк, кН</translation>
     </message>
     <message>
-        <source>crank only, 1st + 2nd</source>
-        <translation>без вала, 1-й + 2-й</translation>
-    </message>
-    <message>
         <source>First and second order without a shaft</source>
         <translation>Первый и второй порядок без балансирного вала</translation>
-    </message>
-    <message>
-        <source>crank only, 1st</source>
-        <translation>без вала, 1-й</translation>
     </message>
     <message>
         <source>First order without a shaft: an ellipse</source>
@@ -11352,6 +11344,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>along, kN</source>
         <translation>вдоль, кН</translation>
+    </message>
+    <message>
+        <source>without shaft, 1st + 2nd order</source>
+        <translation>без вала, 1-й + 2-й порядок</translation>
+    </message>
+    <message>
+        <source>without shaft, 1st order</source>
+        <translation>без вала, 1-й порядок</translation>
     </message>
 </context>
 <context>
@@ -11715,10 +11715,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Н·м</translation>
     </message>
     <message>
-        <source>M₁₂</source>
-        <translation>M₁₂</translation>
-    </message>
-    <message>
         <source>Moment on the rod that makes the side force zero, (4), with a counterweight (9)</source>
         <translation>Момент на шатуне, при котором боковая сила равна нулю, (4), с противовесом (9)</translation>
     </message>
@@ -11767,16 +11763,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Момент, сохраняющий скорость кривошипа</translation>
     </message>
     <message>
-        <source>M</source>
-        <translation>M</translation>
-    </message>
-    <message>
         <source>Without the rod&apos;s hinge, d(T + V)/dφ</source>
         <translation>Без шарнира шатуна, d(T + V)/dφ</translation>
-    </message>
-    <message>
-        <source>M₁</source>
-        <translation>M₁</translation>
     </message>
     <message>
         <source>With the rod&apos;s hinge, M + M₁₂ (1 + ψ′), (8); with a counterweight M₁*, (11)</source>
@@ -11871,10 +11859,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>точно</translation>
     </message>
     <message>
-        <source>M₁*</source>
-        <translation>M₁*</translation>
-    </message>
-    <message>
         <source>M₁* at several ω</source>
         <translation>M₁* при нескольких ω</translation>
     </message>
@@ -11889,6 +11873,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>At the λ and ω of the case</source>
         <translation>При λ и ω задачи</translation>
+    </message>
+    <message>
+        <source>moment on rod (M₁₂)</source>
+        <translation>момент на шатуне (M₁₂)</translation>
+    </message>
+    <message>
+        <source>without hinge (M)</source>
+        <translation>без шарнира (M)</translation>
+    </message>
+    <message>
+        <source>with hinge (M₁*)</source>
+        <translation>с шарниром (M₁*)</translation>
+    </message>
+    <message>
+        <source>with hinge (M₁)</source>
+        <translation>с шарниром (M₁)</translation>
     </message>
 </context>
 <context>
@@ -12159,48 +12159,24 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>M, Н·м</translation>
     </message>
     <message>
-        <source>My 2-term</source>
-        <translation>My, 2 члена</translation>
-    </message>
-    <message>
         <source>Vertical plane, the paper&apos;s formulas (1) and (2), Fig. 6</source>
         <translation>Вертикальная плоскость, формулы статьи (1) и (2), рис. 6</translation>
-    </message>
-    <message>
-        <source>Mx 2-term</source>
-        <translation>Mx, 2 члена</translation>
     </message>
     <message>
         <source>Horizontal plane, the paper&apos;s formulas (3) and (4), Fig. 6</source>
         <translation>Горизонтальная плоскость, формулы статьи (3) и (4), рис. 6</translation>
     </message>
     <message>
-        <source>My</source>
-        <translation>My</translation>
-    </message>
-    <message>
         <source>In the vertical plane, exact</source>
         <translation>В вертикальной плоскости, точно</translation>
-    </message>
-    <message>
-        <source>Mx</source>
-        <translation>Mx</translation>
     </message>
     <message>
         <source>In the horizontal plane, exact</source>
         <translation>В горизонтальной плоскости, точно</translation>
     </message>
     <message>
-        <source>My left</source>
-        <translation>My остаток</translation>
-    </message>
-    <message>
         <source>Vertical plane, with rotating masses and with the counterweights and shafts that are on</source>
         <translation>Вертикальная плоскость, с вращающимися массами и включёнными противовесами и валами</translation>
-    </message>
-    <message>
-        <source>Mx left</source>
-        <translation>Mx остаток</translation>
     </message>
     <message>
         <source>Horizontal plane, likewise</source>
@@ -12231,32 +12207,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>My, Н·м</translation>
     </message>
     <message>
-        <source>1st</source>
-        <translation>1-й</translation>
-    </message>
-    <message>
         <source>Exact first order (Fig. 5)</source>
         <translation>Точный первый порядок (рис. 5)</translation>
-    </message>
-    <message>
-        <source>2nd</source>
-        <translation>2-й</translation>
     </message>
     <message>
         <source>Exact second order (Fig. 5)</source>
         <translation>Точный второй порядок (рис. 5)</translation>
     </message>
     <message>
-        <source>all</source>
-        <translation>все</translation>
-    </message>
-    <message>
         <source>All orders of the reciprocating parts</source>
         <translation>Все порядки возвратно-поступательно движущихся масс</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>остаток</translation>
     </message>
     <message>
         <source>All orders with rotating masses, and with the counterweights and shafts that are on</source>
@@ -12285,10 +12245,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>N·m</source>
         <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Mz</source>
-        <translation>Mz</translation>
     </message>
     <message>
         <source>Roll moment on the engine: the sum of the two</source>
@@ -12327,30 +12283,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>F, Н</translation>
     </message>
     <message>
-        <source>Fy 2-term</source>
-        <translation>Fy, 2 члена</translation>
-    </message>
-    <message>
-        <source>Fx 2-term</source>
-        <translation>Fx, 2 члена</translation>
-    </message>
-    <message>
-        <source>Fy</source>
-        <translation>Fy</translation>
-    </message>
-    <message>
-        <source>Fx</source>
-        <translation>Fx</translation>
-    </message>
-    <message>
-        <source>Fy left</source>
-        <translation>Fy остаток</translation>
-    </message>
-    <message>
-        <source>Fx left</source>
-        <translation>Fx остаток</translation>
-    </message>
-    <message>
         <source>Forces over φ</source>
         <translation>Силы от φ</translation>
     </message>
@@ -12383,16 +12315,84 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Опрокидывающий момент на двигатель, от самого двигателя</translation>
     </message>
     <message>
-        <source>Mz left</source>
-        <translation>Mz остаток</translation>
-    </message>
-    <message>
         <source>Orders 1, 2</source>
         <translation>Порядки 1, 2</translation>
     </message>
     <message>
         <source>Moments of orders 1 and 2 over two turns</source>
         <translation>Моменты 1-го и 2-го порядков за два оборота</translation>
+    </message>
+    <message>
+        <source>vertical (My)</source>
+        <translation>вертикальный (My)</translation>
+    </message>
+    <message>
+        <source>vertical (Fy)</source>
+        <translation>вертикальная (Fy)</translation>
+    </message>
+    <message>
+        <source>horizontal (Mx)</source>
+        <translation>горизонтальный (Mx)</translation>
+    </message>
+    <message>
+        <source>horizontal (Fx)</source>
+        <translation>горизонтальная (Fx)</translation>
+    </message>
+    <message>
+        <source>two-term (My)</source>
+        <translation>два члена (My)</translation>
+    </message>
+    <message>
+        <source>two-term (Fy)</source>
+        <translation>два члена (Fy)</translation>
+    </message>
+    <message>
+        <source>two-term (Mx)</source>
+        <translation>два члена (Mx)</translation>
+    </message>
+    <message>
+        <source>two-term (Fx)</source>
+        <translation>два члена (Fx)</translation>
+    </message>
+    <message>
+        <source>residual (My)</source>
+        <translation>остаток (My)</translation>
+    </message>
+    <message>
+        <source>residual (Fy)</source>
+        <translation>остаток (Fy)</translation>
+    </message>
+    <message>
+        <source>residual (Mx)</source>
+        <translation>остаток (Mx)</translation>
+    </message>
+    <message>
+        <source>residual (Fx)</source>
+        <translation>остаток (Fx)</translation>
+    </message>
+    <message>
+        <source>roll (Mz)</source>
+        <translation>опрокидывающий (Mz)</translation>
+    </message>
+    <message>
+        <source>residual (Mz)</source>
+        <translation>остаток (Mz)</translation>
+    </message>
+    <message>
+        <source>1st order</source>
+        <translation>1-й порядок</translation>
+    </message>
+    <message>
+        <source>2nd order</source>
+        <translation>2-й порядок</translation>
+    </message>
+    <message>
+        <source>all orders</source>
+        <translation>все порядки</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>остаток</translation>
     </message>
 </context>
 <context>
@@ -13510,20 +13510,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>φ = %1°</translation>
     </message>
     <message>
-        <source>Pⱼ₁</source>
-        <translation>Pⱼ₁</translation>
-    </message>
-    <message>
-        <source>P₁ crank</source>
-        <translation>P₁ кривошип</translation>
-    </message>
-    <message>
-        <source>P₁ shaft</source>
-        <translation>P₁ вал</translation>
-    </message>
-    <message>
         <source>cannot be built</source>
         <translation>построить нельзя</translation>
+    </message>
+    <message>
+        <source>piston (Pⱼ₁)</source>
+        <translation>поршень (Pⱼ₁)</translation>
+    </message>
+    <message>
+        <source>crank weight (P₁)</source>
+        <translation>противовес кривошипа (P₁)</translation>
+    </message>
+    <message>
+        <source>shaft weight (P₁)</source>
+        <translation>противовес вала (P₁)</translation>
     </message>
 </context>
 <context>
@@ -13997,10 +13997,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>2 члена</translation>
     </message>
     <message>
-        <source>left over</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
         <source>F, N</source>
         <translation>F, Н</translation>
     </message>
@@ -14021,16 +14017,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>нет ни одного порядка</translation>
     </message>
     <message>
-        <source>Order %1: exact %2, two-term %3, left over %4</source>
-        <translation>Порядок %1: точно %2, два члена %3, остаток %4</translation>
-    </message>
-    <message>
         <source>Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
         <translation>Наибольшие: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
     </message>
     <message>
         <source>order</source>
         <translation>порядок</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>Order %1: exact %2, two-term %3, residual %4</source>
+        <translation>Порядок %1: точно %2, два члена %3, остаток %4</translation>
     </message>
 </context>
 <context>
@@ -14094,6 +14094,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Of the moment to the left: amplitude × sin(kφ + phase)</source>
         <translation>Момента слева: амплитуда × sin(kφ + фаза)</translation>
+    </message>
+    <message>
+        <source>without shaft (Mᵤₚ)</source>
+        <translation>без вала (Mᵤₚ)</translation>
+    </message>
+    <message>
+        <source>with shaft (Mᵤₚₛ)</source>
+        <translation>с валом (Mᵤₚₛ)</translation>
     </message>
 </context>
 <context>

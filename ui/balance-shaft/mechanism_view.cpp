@@ -176,10 +176,10 @@ void MechanismView::paintPicture(QPainter& painter) {
 
     // Counterweights.
     painter.setPen(QPen(line, 1.2));
-    painter.setBrush(drawing::frontWeight());
+    painter.setBrush(drawing::weightFill(Role::CrankWeight));
     painter.drawPath(weight(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius * k,
                             0.22 * sizes.crank_radius * k));
-    painter.setBrush(drawing::rearWeight());
+    painter.setBrush(drawing::weightFill(Role::ShaftWeight));
     painter.drawPath(weight(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius * k,
                             0.22 * sizes.counterweight_radius * k));
 
@@ -202,16 +202,16 @@ void MechanismView::paintPicture(QPainter& painter) {
             QRectF(rect()).adjusted(arrowMargin, arrowMargin, -arrowMargin, -arrowMargin));
         drawing::drawArrow(painter, arrow.p1(), arrow.p2(), colour);
     };
-    drawForce(piston, pose.inertia_force_1, theme.error());
+    drawForce(piston, pose.inertia_force_1, theme.colour(Role::Reciprocating));
     // A force acts along its line: it is drawn from inside the weight.
     const auto inside = [](const QPointF& axis, const QPointF& mass, double radius, double rho) {
         return rho > 0.8 * radius ? axis + (mass - axis) * (0.8 * radius / rho) : mass;
     };
     const double rho = sizes.counterweight_radius;
     drawForce(inside(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius, rho),
-              pose.crank_counterweight_force, theme.curve(1));
+              pose.crank_counterweight_force, theme.colour(Role::CrankWeight));
     drawForce(inside(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius, rho),
-              pose.shaft_counterweight_force, theme.curve(2));
+              pose.shaft_counterweight_force, theme.colour(Role::ShaftWeight));
 
     // α between the cylinder axis and the line of centres, positive clockwise.
     const double alpha = model_->shaftAngleDeg();
@@ -243,14 +243,20 @@ void MechanismView::paintPicture(QPainter& painter) {
                               Qt::AlignTop | Qt::AlignRight, tr("cannot be built"));
     }
     // Legend of the arrows.
-    const std::vector<std::pair<QString, QColor>> names{{tr("Pⱼ₁"), theme.error()},
-                                                        {tr("P₁ crank"), theme.curve(1)},
-                                                        {tr("P₁ shaft"), theme.curve(2)}};
-    double x = 8.0;
+    const std::vector<std::pair<QString, QColor>> names{
+        {tr("piston (Pⱼ₁)"), theme.colour(Role::Reciprocating)},
+        {tr("crank weight (P₁)"), theme.colour(Role::CrankWeight)},
+        {tr("shaft weight (P₁)"), theme.colour(Role::ShaftWeight)}};
+    const QFontMetrics metrics = painter.fontMetrics();
+    QPoint at(8, height() - 8);  // in rows from the lower edge up
     for (const auto& [text, colour] : names) {
-        painter.setPen(colour);
-        painter.drawText(QPointF(x, height() - 8.0), text);
-        x += painter.fontMetrics().horizontalAdvance(text) + 12.0;
+        const int wide = metrics.horizontalAdvance(text);
+        if (at.x() > 8 && at.x() + wide > width() - 8) {
+            at = QPoint(8, at.y() - metrics.height());
+        }
+        painter.setPen(theme.readable(colour));
+        painter.drawText(at, text);
+        at.rx() += wide + 12;
     }
 }
 

@@ -143,8 +143,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     };
     const QPen outline(theme.text(), 1.6);
     const QPen axis(theme.mutedText(), 1.0, Qt::DashDotLine);
-    const QPen removed(theme.curve(1), 1.2, Qt::DashLine);
-    QColor steel = theme.curve(0);
+    const QPen removed(theme.colour(Role::Shaft), 1.2, Qt::DashLine);
+    QColor steel = theme.colour(Role::Neutral);
     steel.setAlpha(60);
 
     painter.setPen(outline);

@@ -207,7 +207,7 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
 
     const QColor line = theme.text();
     const QColor metal = drawing::metal();
-    const QColor weight = drawing::frontWeight();
+    const QColor weight = drawing::weightFill(Role::CrankWeight);
     const QColor block = drawing::brightMetal();
     const QPointF axis = map.at(0, 0);
     const QPointF pin = map.at(pose.crankpin);
@@ -235,7 +235,8 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
         const double start = guide.shape->spring().start_radius(guide.branch);
         const double roller = shownRoller(model_->input().roller_radius, start);
         // Each end of the spring has a track of its own, half a turn apart.
-        const QColor colour = theme.curve(guide.branch == Branch::compressed ? 2 : 1);
+        const QColor colour =
+            theme.colour(guide.branch == Branch::compressed ? Role::Compressed : Role::Stretched);
         for (const bool second : {true, false}) {
             QColor shade = colour;
             shade.setAlphaF(second ? 0.3F : 1.0F);
@@ -299,7 +300,7 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
             spiral << pin + radius * QPointF(std::cos(turn + pose.rod_angle),
                                              -std::sin(turn + pose.rod_angle));
         }
-        painter.setPen(QPen(theme.curve(4), 1.4));
+        painter.setPen(QPen(theme.colour(Role::Hinge), 1.4));
         paintLine(painter, spiral);
     }
     painter.setPen(QPen(line, 1.2));

@@ -184,10 +184,10 @@ void HingeTabs::showAngle() {
     }
     const GuidePicture picture(model_->shownGuide(), model_->exaggeration());
     std::vector<PlotView::Mark> marks;
-    for (const auto& [branch, colour] :
-         {std::pair(Branch::compressed, 2), std::pair(Branch::stretched, 1)}) {
+    for (const auto& [branch, role] : {std::pair(Branch::compressed, Role::Compressed),
+                                       std::pair(Branch::stretched, Role::Stretched)}) {
         if (const auto at = picture.centre(branch, model_->crank()->degrees() * degree)) {
-            marks.push_back({at->x, at->y, {}, colour});
+            marks.push_back({at->x, at->y, {}, role});
         }
     }
     guides_->setMarks(std::move(marks));

@@ -80,8 +80,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
                                     radius * (0.45 + 0.4 * share), colour,
                                     on ? theme.text() : theme.mutedText());
             };
-            weight(design.rear, drawing::rearWeight());
-            weight(design.front, drawing::frontWeight());
+            weight(design.rear, drawing::weightFill(Role::RearWeight));
+            weight(design.front, drawing::weightFill(Role::CrankWeight));
         }
         painter.setPen(QPen(theme.grid(), 1.2));
         painter.setBrush(Qt::NoBrush);
@@ -98,12 +98,14 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
                     painter.drawLine(centre, place(std::arg(v), 0.8 * radius));
                 }
             };
-            ghost(was.rotating.force_factor, was.rotating.force_scale, theme.error());
-            ghost(was.rotating.moment_factor, was.rotating.moment_scale, theme.curve(4));
+            ghost(was.rotating.force_factor, was.rotating.force_scale,
+                  theme.colour(Role::Rotating));
+            ghost(was.rotating.moment_factor, was.rotating.moment_scale,
+                  theme.colour(Role::RotatingMoment));
             if (was.counterweights) {
                 const auto& design = *was.counterweights;
-                ghost(design.front.unbalance, design.scale, drawing::frontWeight());
-                ghost(design.rear.unbalance, design.scale, drawing::rearWeight());
+                ghost(design.front.unbalance, design.scale, drawing::weightFill(Role::CrankWeight));
+                ghost(design.rear.unbalance, design.scale, drawing::weightFill(Role::RearWeight));
             }
             const double room = Theme::margin;
             sayReference(painter, QRectF(room, room, width() - textWidth - 2.0 * room, 0.0));
@@ -133,8 +135,10 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
                 drawing::drawArrow(painter, centre, place(std::arg(v), 0.8 * radius), colour, 2.4);
             }
         };
-        vector(result.rotating.force_factor, result.rotating.force_scale, theme.error());
-        vector(result.rotating.moment_factor, result.rotating.moment_scale, theme.curve(4));
+        vector(result.rotating.force_factor, result.rotating.force_scale,
+               theme.colour(Role::Rotating));
+        vector(result.rotating.moment_factor, result.rotating.moment_scale,
+               theme.colour(Role::RotatingMoment));
         painter.setPen(QPen(theme.text(), 1.2));
         painter.setBrush(theme.panel());
         painter.drawEllipse(centre, 4.0, 4.0);
@@ -167,11 +171,11 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     const QString force = fixedNumber(std::abs(rotating.force_factor), 3, QLocale());
     line(tr("force Σ exp(iκ) = %1")
              .arg(withAngles(force, rotating.force_factor, rotating.force_scale)),
-         theme.error(), true);
+         theme.colour(Role::Rotating), true);
     const QString moment = shownNumber(std::abs(rotating.moment_factor), units::mm, 1);
     line(tr("moment Σ z exp(iκ) = %1")
              .arg(withAngles(moment, rotating.moment_factor, rotating.moment_scale)),
-         theme.curve(4), true);
+         theme.colour(Role::RotatingMoment), true);
     if (result.counterweights) {
         const auto& design = *result.counterweights;
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
@@ -188,8 +192,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
             }
             line(text, colour, true);
         };
-        weight(tr("front web"), design.front, drawing::frontWeight());
-        weight(tr("rear web"), design.rear, drawing::rearWeight());
+        weight(tr("front web"), design.front, drawing::weightFill(Role::CrankWeight));
+        weight(tr("rear web"), design.rear, drawing::weightFill(Role::RearWeight));
         if (!model_->input().end_webs->enabled) {
             line(tr("(switched off)"), {}, false);
         }

@@ -402,7 +402,8 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     }
     painter.setPen(QPen(theme.border(), 1.0));
     paintLine(painter, at(high, 0), at(low, 0));
-    const std::array colours{drawing::frontWeight(), drawing::rearWeight()};
+    const std::array colours{drawing::weightFill(Role::CrankWeight),
+                             drawing::weightFill(Role::RearWeight)};
     for (std::size_t i = 0; i < colours.size(); ++i) {
         if (const auto* weight = sideWeight(*model_, i)) {
             const double y = weight->radius * at.height(std::arg(weight->unbalance));

@@ -181,8 +181,8 @@ void InertiaMomentsCharts::showCursor() {
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
         const auto first = vectorAt(engine.order(1), i == 0, phi);
         const auto second = vectorAt(engine.order(2), i == 0, 2.0 * phi);
-        hodographs_[i]->setMarks(
-            {{first.real(), first.imag(), {}, 2}, {second.real(), second.imag(), {}, 1}});
+        hodographs_[i]->setMarks({{first.real(), first.imag(), {}, Role::FirstOrder},
+                                  {second.real(), second.imag(), {}, Role::SecondOrder}});
     }
 }
 

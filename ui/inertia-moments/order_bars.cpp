@@ -10,6 +10,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "model/reference_case.h"
 #include "pictures/figure.h"
+#include "plot/painter_parts.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -107,7 +108,7 @@ QString OrderBars::table(const CsvFormat& format) const {
     const auto addHeadings = [&](const QString& name) {
         for (const QString& panel : {shownTitle(tr("F, N")).text, shownTitle(tr("M, N·m")).text,
                                      shownTitle(tr("Mz, N·m")).text}) {
-            for (const QString& kind : {tr("exact"), tr("two-term"), tr("left over")}) {
+            for (const QString& kind : {tr("exact"), tr("two-term"), tr("residual")}) {
                 head << name + panel + QStringLiteral(": ") + kind;
             }
         }
@@ -162,9 +163,8 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(Theme::font(Theme::smallSize));
     const QFontMetricsF metrics(painter.font());
 
-    const QColor exactColour = theme.curve(2);
-    const QColor twoTermColour = theme.curve(1);
-    const QColor leftColour = theme.curve(3);
+    constexpr std::array roles{Role::Exact, Role::TwoTerm, Role::Residual};
+    const std::array roleNames{tr("exact"), tr("two-term"), tr("residual")};
     const double swatch = Theme::withText(10);
     const double row = metrics.height();
     const double legend = 0.5 * Theme::withText(20) + 1.0;  // its middle
@@ -177,9 +177,10 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(QPointF(x + swatch + 4.0, legend + 0.35 * metrics.ascent()), text);
         x += metrics.horizontalAdvance(text) + swatch + 16.0;
     };
-    entry(tr("exact"), Qt::NoPen, exactColour);
-    entry(tr("two-term"), Qt::NoPen, twoTermColour);
-    entry(tr("left over"), Qt::NoPen, leftColour);
+    for (std::size_t b = 0; b < roles.size(); ++b) {
+        const painter_parts::BarFill fill(roles[b]);
+        entry(roleNames[b], fill.edge, fill.inside);
+    }
     const auto all = groups();
     const auto before = ghosts();
     if (!before.empty()) {
@@ -235,7 +236,6 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
             const Group ghost = i < before.size() ? before[i][p] : Group();
             const std::array values{group.exact, group.twoTerm, group.left};
             const std::array were{ghost.exact, ghost.twoTerm, ghost.left};
-            const std::array colours{exactColour, twoTermColour, leftColour};
             double tallest = 0.0;
             for (std::size_t b = 0; b < values.size(); ++b) {
                 const double h = area.height() * fraction(values[b]);
@@ -243,7 +243,10 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                 const double left = middle + (static_cast<double>(b) - 1.5) * bar;
                 tallest = std::max({tallest, h, was});
                 if (h > 0.0) {
-                    painter.fillRect(QRectF(left, area.bottom() - h, bar - 1.0, h), colours[b]);
+                    const painter_parts::BarFill fill(roles[b]);
+                    painter.setPen(fill.edge);
+                    painter.setBrush(fill.inside);
+                    painter.drawRect(QRectF(left, area.bottom() - h, bar - 1.0, h));
                 }
                 if (was >= 1.0) {
                     painter.setPen(QPen(theme.text(), 1.0, Qt::DashLine));
@@ -255,7 +258,7 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
             const auto highest = std::max_element(values.begin(), values.end());
             if (*highest > 0.02 * most) {
                 const auto of = static_cast<std::size_t>(highest - values.begin());
-                painter.setPen(theme.readable(colours[of]));
+                painter.setPen(theme.readable(theme.colour(roles[of])));
                 const QString text = valueText(*highest);
                 const double w = metrics.horizontalAdvance(text) + 2.0;
                 if (w < slot * 1.3) {
@@ -293,7 +296,7 @@ bool OrderBars::event(QEvent* event) {
                                                     static_cast<double>(all.size()) - 1.0));
             const QString unit = shownUnit(panel == 0 ? units::newton : units::N_m).name;
             const auto inWords = [&](const Group& group) {
-                return tr("Order %1: exact %2, two-term %3, left over %4")
+                return tr("Order %1: exact %2, two-term %3, residual %4")
                     .arg(QString::number(i + 1), valueText(group.exact), valueText(group.twoTerm),
                          withUnit(valueText(group.left), unit));
             };

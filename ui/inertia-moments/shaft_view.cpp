@@ -209,12 +209,12 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     if (design.phase) {
         const double weight = *design.phase + turned;
         const double size = 0.62 * radius;
-        QColor faint = drawing::rearWeight();
+        QColor faint = drawing::weightFill(Role::ShaftWeight);
         if (moment) {
             faint.setAlphaF(0.45F);
             drawing::drawWeight(painter, centre, weight + pi, 0.8 * size, faint, theme.mutedText());
         }
-        QColor front = drawing::frontWeight();
+        QColor front = drawing::weightFill(Role::ShaftWeight);
         front.setAlphaF(on ? 1.0F : 0.45F);
         drawing::drawWeight(painter, centre, weight, size, front,
                             on ? theme.text() : theme.mutedText());

@@ -193,9 +193,7 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
                 style.name = shownText(info.title);
                 style.toolTip = shownText(info.limits);
             }
-            style.colour = static_cast<int>(method) % Theme::curveColours;
-            // The ninth method has the first one's colour.
-            style.pen = method < Theme::curveColours ? Qt::SolidLine : Qt::DashLine;
+            style.role = series(static_cast<int>(method));
             style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
             style.inLegend = numbers;
             style.gaps = true;
@@ -212,13 +210,13 @@ std::vector<PlotView::Line> MethodPlots::errorLines(const Kernel& kernel,
     std::vector<PlotView::Line> lines;
     PlotView::Line tolerance;
     tolerance.at = kernel.choice.tolerance;
-    tolerance.colour = static_cast<int>(kernel.chosen_method()) % Theme::curveColours;
+    tolerance.role = Role::Present;
     tolerance.text = tr("tolerance of the scene, %1").arg(errorNumber(kernel.choice.tolerance));
     lines.push_back(tolerance);
     const auto row = [&](double at, const QString& text) {
         PlotView::Line line;
         line.at = at;
-        line.colour = plot::MutedInk;
+        line.role = Role::Limit;
         line.text = text;
         lines.push_back(line);
     };
@@ -311,7 +309,7 @@ void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& sca
                     PlotView::Mark ring;
                     ring.x = x.back();
                     ring.y = y.back();
-                    ring.colour = static_cast<int>(method) % Theme::curveColours;
+                    ring.role = series(static_cast<int>(method));
                     ring.text = tr("in use");
                     ring.ring = true;
                     marks.push_back(ring);
@@ -365,7 +363,7 @@ void MethodPlots::showFailing() {
     PlotView::Band beyond;  // a curve in here fails
     beyond.from = tolerance;
     beyond.to = scale_.ceiling * 2.0;
-    beyond.colour = plot::ErrorInk;
+    beyond.role = Role::Forbidden;
     beyond.strength = 0.5 * shadeAlpha;
     beyond.orientation = Qt::Vertical;
     bands.push_back(beyond);
@@ -376,7 +374,6 @@ void MethodPlots::showFailing() {
         PlotView::Band band;
         band.from = from;
         band.to = to;
-        band.colour = plot::MutedInk;
         band.strength = 1.6 * shadeAlpha;
         band.text = tr("not in the scene");
         bands.push_back(band);
@@ -396,7 +393,7 @@ void MethodPlots::showFailing() {
         for (const auto& span : curve.failing(tolerance)) {
             PlotView::Band band;
             std::tie(band.from, band.to) = around(sweep, shown->map->values, span);
-            band.colour = static_cast<int>(method) % Theme::curveColours;
+            band.role = series(static_cast<int>(method));
             band.strength = 1.8 * shadeAlpha;
             band.text = tr("%1 fails").arg(shownText(shown->kernel().methods[method].title));
             for (PlotView::Band& other : bands) {
@@ -424,7 +421,7 @@ void MethodPlots::showValue() {
         PlotView::Line line;
         line.at = present.value_or(sweep.present);
         line.orientation = Qt::Vertical;
-        line.colour = plot::MutedInk;
+        line.role = Role::Limit;
         line.text = present ? tr("open case") : tr("preset");
         if (line.at >= sweep.from && line.at <= sweep.to) {
             lines.push_back(line);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "plot/plot_painter.h"
+#include "plot/painter_parts.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 
@@ -27,10 +27,20 @@ constexpr int wrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 /// A stroke whose dashes fill the short sample evenly; Qt's own end in a sliver.
 QPen samplePen(const QColor& colour, Qt::PenStyle style) {
     QPen pen(colour, strokeWidth(), style, Qt::FlatCap);
+    const auto fill = [&pen](QList<qreal> pixels) {  // of 18
+        for (qreal& each : pixels) {
+            each /= 2.6;
+        }
+        pen.setDashPattern(pixels);
+    };
     if (style == Qt::DashLine) {
-        pen.setDashPattern({7.0 / 2.6, 4.0 / 2.6});  // 7 + 4 + 7 of 18
+        fill({7.0, 4.0});
     } else if (style == Qt::DotLine) {
-        pen.setDashPattern({2.4 / 2.6, 2.8 / 2.6});  // four dots
+        fill({2.4, 2.8});
+    } else if (style == Qt::DashDotLine) {
+        fill({6.5, 2.0, 2.0, 2.0});
+    } else if (style == Qt::DashDotDotLine) {
+        fill({6.0, 2.0, 2.0, 2.0, 2.0, 2.0});
     }
     return pen;
 }
@@ -54,9 +64,8 @@ void LegendItem::setName(const QString& name) {
     }
 }
 
-void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape) {
-    colour_ = colour;
-    pen_ = pen;
+void LegendItem::setSwatch(std::optional<Role> role, plot::Shape shape) {
+    role_ = role;
     shape_ = shape;
     update();
 }
@@ -88,31 +97,34 @@ bool LegendItem::isElided() const {
 }
 
 void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
-    QColor stroke = colour_;
-    if (!isChecked()) {
-        stroke.setAlphaF(0.35F);
-    }
     // In the first line of several.
     const double middle = rect.width() < sizeHint().width()
                               ? rect.top() + 0.5 * (Theme::gap + QFontMetricsF(itemFont()).height())
                               : rect.center().y();
     painter.setRenderHint(QPainter::Antialiasing);
-    if (shape_ == plot::Shape::Points || shape_ == plot::Shape::Rings) {
-        const bool hollow = shape_ == plot::Shape::Rings;
-        painter.setPen(hollow ? QPen(stroke, 1.6 * strokeScale()) : QPen(Qt::NoPen));
-        painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(stroke));
-        const double radius = strokeScale() * (hollow ? 4.6 : 3.6);
-        painter.drawEllipse(QPointF(rect.left() + inset + strokeLength() / 2.0, middle), radius,
-                            radius);
-    } else if (pen_ == Qt::NoPen) {
-        painter.fillRect(QRectF(rect.left() + inset, middle - 0.275 * strokeLength(),
-                                strokeLength(), 0.55 * strokeLength()),
-                         stroke);
-    } else {
-        painter.setPen(samplePen(stroke, pen_));
-        painter.drawLine(QPointF(rect.left() + inset, middle),
-                         QPointF(rect.left() + inset + strokeLength(), middle));
+    painter.setOpacity(!isChecked() ? 0.35 : role_ ? 1.0 : 0.4);
+    const RoleLook look = lookOf(role_.value_or(Role::Limit));
+    const QColor colour = Theme::instance().colour(look.role);
+    const QPointF left(rect.left() + inset, middle);
+    const QPointF centre = left + QPointF(strokeLength() / 2.0, 0.0);
+    if (shape_ == plot::Shape::Line || shape_ == plot::Shape::LineAndPoints) {
+        painter.setPen(samplePen(colour, role_ ? look.pen : Qt::SolidLine));
+        painter.drawLine(left, left + QPointF(strokeLength(), 0.0));
     }
+    if (shape_ == plot::Shape::Bars) {
+        const painter_parts::BarFill fill(look.role);
+        painter.setPen(role_ ? fill.edge : Qt::NoPen);
+        painter.setBrush(role_ ? fill.inside : colour);
+        painter.drawRect(QRectF(left - QPointF(0.0, 0.275 * strokeLength()),
+                                QSizeF(strokeLength(), 0.55 * strokeLength())));
+    } else if (shape_ != plot::Shape::Line) {
+        const bool hollow = shape_ == plot::Shape::Rings;
+        painter_parts::paintMarker(painter, look.marker, centre,
+                                   strokeScale() * (hollow ? 4.6 : 3.6),
+                                   hollow ? QPen(colour, 1.6 * strokeScale()) : QPen(Qt::NoPen),
+                                   hollow ? QBrush(Qt::NoBrush) : QBrush(colour));
+    }
+    painter.setOpacity(1.0);
     QFont font = itemFont();
     font.setStrikeOut(!isChecked());
     painter.setFont(font);

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <QAbstractButton>
-#include <QColor>
+#include <optional>
 
 #include "plot/model/plot_data.h"
 
 namespace ravnoves {
 
-/// One entry of a legend: a stroke or a point in the curve's colour and its name; a click switches
-/// the curve.
+/// One entry of a legend: the look of the curve's role and its name; a click switches the curve.
 class LegendItem : public QAbstractButton {
     Q_OBJECT
 
@@ -18,8 +17,8 @@ class LegendItem : public QAbstractButton {
     /// Of the curve, or of a variant: an & in it is one. A button's text would be a key by it.
     void setName(const QString& name);
     const QString& name() const { return name_; }
-    /// @param pen  none: a shade
-    void setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape);
+    /// @param role  none: a pale layer of all curves, a stroke or (bars) a shade
+    void setSwatch(std::optional<Role> role, plot::Shape shape);
     /// Draws the entry into a rectangle, for pictures that hold no widgets.
     void draw(QPainter& painter, const QRectF& rect) const;
 
@@ -37,8 +36,7 @@ class LegendItem : public QAbstractButton {
 
   private:
     QString name_;
-    QColor colour_;
-    Qt::PenStyle pen_ = Qt::SolidLine;
+    std::optional<Role> role_;
     plot::Shape shape_ = plot::Shape::Line;
 };
 

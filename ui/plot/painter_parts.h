@@ -29,7 +29,19 @@ inline void dot(QPainter& painter, const QPointF& at, double radius, const QPen&
     paintDisc(painter, at, radius);
 }
 
-/// Of the dots of points; rings leave room for a dot in them.
+/// A point in the shape that tells its role from others without colours.
+void paintMarker(QPainter& painter, Marker marker, const QPointF& at, double radius,
+                 const QPen& pen, const QBrush& fill);
+
+/// Bars whose role has no solid line are pale with an edge.
+struct BarFill {
+    explicit BarFill(Role role);
+
+    QPen edge = Qt::NoPen;
+    QBrush inside;
+};
+
+/// Of the markers of points; rings leave room for a dot in them.
 inline double pointRadius(plot::Shape shape) {
     return strokeScale() * (shape == plot::Shape::Rings ? 5.4 : 3.6);
 }

@@ -222,7 +222,7 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
             continue;
         }
         // Wide and pale: dashes and dots are styles of curves.
-        const QColor ink = Theme::instance().curve(curve.style.colour);
+        const QColor ink = Theme::instance().colour(curve.style.role);
         const QColor colour = veil(ink, 0.55F);
         painter.setPen(QPen(veil(ink, 0.32F),
                             strokeScale() * std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
@@ -236,8 +236,8 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
         // Those of bars stand over them: a lower one would be out of sight below.
         if (ghost->style.shape != Shape::Line && ghost->style.shape != Shape::Bars) {
             for (std::size_t i = 0; i < ghost->x.size(); ++i) {
-                dot(painter, pixel(*ghost, i), pointRadius(ghost->style.shape), QPen(colour, 1.2),
-                    Qt::NoBrush);
+                paintMarker(painter, lookOf(curve.style.role).marker, pixel(*ghost, i),
+                            pointRadius(ghost->style.shape), QPen(colour, 1.2), Qt::NoBrush);
             }
         }
     }
@@ -257,13 +257,8 @@ QRectF PlotPainter::shadeOf(const plot::Band& band) const {
 }
 
 void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
-    const Theme& theme = Theme::instance();
-    QColor colour = band.colour == plot::ErrorInk    ? theme.error()
-                    : band.colour == plot::AccentInk ? theme.accent()
-                    : band.colour == plot::MutedInk  ? theme.mutedText()
-                                                     : theme.curve(band.colour);
-    colour.setAlphaF(static_cast<float>(band.strength));
-    painter.fillRect(shadeOf(band), colour);
+    painter.fillRect(shadeOf(band),
+                     veil(Theme::instance().colour(band.role), static_cast<float>(band.strength)));
 }
 
 void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,

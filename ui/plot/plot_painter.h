@@ -102,7 +102,6 @@ class PlotPainter {
     void labelBeyond(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
     bool isSeen(const plot::Mark& mark) const;
     static double radiusOf(const plot::Mark& mark);
-    static QColor colourOf(const plot::Line& line);
     QLineF strokeOf(const plot::Line& line) const;
     void paintReadout(QPainter& painter) const;
     void paintPointReadout(QPainter& painter) const;

@@ -3,7 +3,9 @@
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
+#include "numerics/constants.h"
 #include "pictures/model/line_brush.h"
 #include "plot/painter_parts.h"
 #include "plot/plot_painter.h"
@@ -24,6 +26,31 @@ constexpr double dashOnAnother = 5.0;
 
 }  // namespace
 
+void painter_parts::paintMarker(QPainter& painter, Marker marker, const QPointF& at, double radius,
+                                const QPen& pen, const QBrush& fill) {
+    if (marker == Marker::Disc) {
+        dot(painter, at, radius, pen, fill);
+        return;
+    }
+    const int corners = marker == Marker::Triangle ? 3 : 4;
+    const double start = marker == Marker::Square ? pi / 4.0 : 0.0;
+    QPolygonF outline;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = start + two_pi * i / corners;
+        outline << at + 1.25 * radius * QPointF(std::sin(angle), -std::cos(angle));
+    }
+    painter.setPen(pen);
+    painter.setBrush(fill);
+    painter.drawPolygon(outline);
+}
+
+painter_parts::BarFill::BarFill(Role role) : inside(Theme::instance().colour(role)) {
+    if (lookOf(role).pen != Qt::SolidLine) {
+        edge = QPen(inside.color(), 1.2 * strokeScale());
+        inside.setColor(veil(inside.color(), 0.3F));
+    }
+}
+
 void PlotPainter::paintCurves(QPainter& painter) const {
     paintShades(painter);
     painter.save();
@@ -34,8 +61,8 @@ void PlotPainter::paintCurves(QPainter& painter) const {
         if (curve.shown) {
             // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
             // a smooth curve.
-            QPen pen(Theme::instance().curve(curve.style.colour), strokeScale() * curve.style.width,
-                     curve.style.pen, Qt::FlatCap, Qt::BevelJoin);
+            QPen pen(Theme::instance().colour(curve.style.role), strokeScale() * curve.style.width,
+                     curve.pen(), Qt::FlatCap, Qt::BevelJoin);
             if (data_.liesOnAnother(curve)) {
                 QPen ground(Theme::instance().panel(), cleared * pen.widthF(), Qt::SolidLine,
                             Qt::FlatCap, Qt::BevelJoin);
@@ -70,14 +97,14 @@ void PlotPainter::paintCurves(QImage& picture) const {
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown && !curve.stretches.empty()) {
             const double width = strokeScale() * curve.style.width * ratio;
-            const QColor colour = Theme::instance().curve(curve.style.colour);
+            const QColor colour = Theme::instance().colour(curve.style.role);
             if (data_.liesOnAnother(curve)) {
                 const QList<qreal> dashes{dashOnAnother * width, dashOnAnother * width};
                 brush.draw(curve.stretches, ratio, Theme::instance().panel(), cleared * width,
                            dashes);
                 brush.draw(curve.stretches, ratio, colour, width, dashes);
             } else {
-                brush.draw(curve.stretches, ratio, colour, width, curve.style.pen);
+                brush.draw(curve.stretches, ratio, colour, width, curve.pen());
             }
         }
     }
@@ -97,7 +124,7 @@ void PlotPainter::paintShades(QPainter& painter) const {
     painter.setPen(Qt::NoPen);
     for (const PlotCurve& curve : data_.curves) {
         if (data_.showsSpread(curve)) {
-            painter.setBrush(veil(Theme::instance().curve(curve.style.colour), 0.26F));
+            painter.setBrush(veil(Theme::instance().colour(curve.style.role), 0.26F));
             for (const QPolygonF& shade : curve.shades) {
                 painter.drawPolygon(shade);
             }
@@ -116,10 +143,11 @@ void PlotPainter::paintPoints(QPainter& painter) const {
         if (!curve.shown) {
             continue;
         }
-        const QColor colour = theme.curve(curve.style.colour);
+        const QColor colour = theme.colour(curve.style.role);
         paintErrorBars(painter, curve);
         if (curve.style.shape == Shape::Bars) {
-            paintBars(painter, curve, Qt::NoPen, colour);
+            const BarFill fill(curve.style.role);
+            paintBars(painter, curve, fill.edge, fill.inside);
             if (const PlotCurve* ghost = data_.ghostOf(curve)) {
                 const double width = strokeScale() * 1.2;
                 paintBars(painter, *ghost, QPen(theme.panel(), 2.0 * width), Qt::NoBrush);
@@ -131,8 +159,8 @@ void PlotPainter::paintPoints(QPainter& painter) const {
             const QPen pen(hollow ? colour : theme.panel(), strokeScale() * (hollow ? 1.6 : 1.0));
             paintSpreads(painter, curve);
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
-                dot(painter, pixel(curve, i), pointRadius(curve.style.shape), pen,
-                    hollow ? theme.panel() : colour);
+                paintMarker(painter, lookOf(curve.style.role).marker, pixel(curve, i),
+                            pointRadius(curve.style.shape), pen, hollow ? theme.panel() : colour);
             }
         } else if (const auto at = shrunkTo(curve)) {
             dot(painter, *at, strokeScale() * 3.0, Qt::NoPen, colour);
@@ -180,7 +208,7 @@ void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const 
     }
     const Theme& theme = Theme::instance();
     const bool onBar = curve.style.shape == Shape::Bars;
-    painter.setPen(QPen(onBar ? theme.text() : theme.curve(curve.style.colour), 1.2));
+    painter.setPen(QPen(onBar ? theme.text() : theme.colour(curve.style.role), 1.2));
     const QPointF cap(3, 0);
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const auto [low, high] = data_.spreadAt(curve, i);
@@ -200,7 +228,7 @@ void PlotPainter::paintErrorBars(QPainter& painter, const PlotCurve& curve) cons
     if (curve.low.size() != curve.x.size() || curve.high.size() != curve.x.size()) {
         return;
     }
-    painter.setPen(QPen(Theme::instance().curve(curve.style.colour), 1.0));
+    painter.setPen(QPen(Theme::instance().colour(curve.style.role), 1.0));
     const bool upright = curve.bars == Qt::Vertical;
     const QPointF cap = upright ? QPointF(3, 0) : QPointF(0, 3);
     for (std::size_t i = 0; i < curve.x.size(); ++i) {

@@ -37,7 +37,7 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
             if (y) {
                 dot(painter, data_.toPixel(*data_.presentX, *y, curve.style.side),
                     strokeScale() * 4.5, QPen(theme.panel(), strokeScale() * 1.5),
-                    theme.curve(curve.style.colour));
+                    theme.colour(curve.style.role));
             }
         }
     }
@@ -63,16 +63,10 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
 
 void PlotPainter::paintLines(QPainter& painter) const {
     for (const plot::Line& line : data_.lines) {
-        const bool muted = line.colour == plot::MutedInk;
         painter.setPen(
-            QPen(colourOf(line), strokeScale() * 1.2, muted ? Qt::DotLine : Qt::DashLine));
+            QPen(Theme::instance().colour(line.role), strokeScale() * 1.2, lookOf(line.role).pen));
         painter.drawLine(strokeOf(line));
     }
-}
-
-QColor PlotPainter::colourOf(const plot::Line& line) {
-    const Theme& theme = Theme::instance();
-    return line.colour == plot::MutedInk ? theme.mutedText() : theme.curve(line.colour);
 }
 
 QLineF PlotPainter::strokeOf(const plot::Line& line) const {
@@ -186,7 +180,7 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
     const QRectF box = places.place(candidates);
     painter.setFont(font);
     drawVeil(painter, box);
-    painter.setPen(Theme::instance().readable(colourOf(line)));
+    painter.setPen(Theme::instance().readable(Theme::instance().colour(line.role)));
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
@@ -229,14 +223,14 @@ void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
     const QRectF box = places.place(candidates);
     painter.setFont(font);
     drawVeil(painter, box);
-    painter.setBrush(colourOf(line));
+    painter.setBrush(Theme::instance().colour(line.role));
     const QPointF ahead = flat ? QPointF(0.0, -sign) : QPointF(sign, 0.0);
     const QPointF across(ahead.y(), ahead.x());
     const QPointF tip = flat ? QPointF(box.center().x(), sign > 0.0 ? area.top() : area.bottom())
                              : QPointF(sign > 0.0 ? area.right() : area.left(), box.center().y());
     painter.drawPolygon(QPolygonF{tip, tip - arrow * ahead + 0.5 * arrow * across,
                                   tip - arrow * ahead - 0.5 * arrow * across});
-    painter.setPen(Theme::instance().readable(colourOf(line)));
+    painter.setPen(Theme::instance().readable(Theme::instance().colour(line.role)));
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
@@ -254,7 +248,7 @@ void PlotPainter::paintMarks(QPainter& painter) const {
     const Theme& theme = Theme::instance();
     for (const plot::Mark& mark : data_.marks) {
         if (isSeen(mark)) {
-            const QColor colour = theme.curve(mark.colour);
+            const QColor colour = theme.colour(mark.role);
             dot(painter, data_.toPixel(mark.x, mark.y, mark.side), radiusOf(mark),
                 QPen(mark.ring ? colour : theme.panel(), strokeScale() * (mark.ring ? 2.0 : 1.2)),
                 mark.ring ? QBrush() : QBrush(colour));
@@ -286,7 +280,7 @@ void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlac
         }
     }
     const QRectF box = places.place(candidates);
-    const QColor colour = Theme::instance().curve(mark.colour);
+    const QColor colour = Theme::instance().colour(mark.role);
     // A line to the point that it is far from.
     const QPointF edge(std::clamp(at.x(), box.left(), box.right()),
                        std::clamp(at.y(), box.top(), box.bottom()));
@@ -321,7 +315,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
         if (!y) {
             continue;
         }
-        const QColor colour = theme.curve(curve.style.colour);
+        const QColor colour = theme.colour(curve.style.role);
         const auto shown = [&](double value) {
             return data_.scale(curve.style.side).readout(value, data_.locale);
         };
@@ -366,7 +360,7 @@ std::vector<PlotPainter::Row> PlotPainter::rowsOfPath(const PlotCurve& curve,
                    theme.text()};
     };
     const PlotCurve& other = both ? *ghost : curve;
-    return {{curve.style.name, theme.readable(theme.curve(curve.style.colour))},
+    return {{curve.style.name, theme.readable(theme.colour(curve.style.role))},
             {QStringLiteral("φ = %1°").arg(fixedNumber(curve.angleOf(point), 1, data_.locale)),
              theme.text()},
             line(data_.x, curve.x[point], other.x[point]),
@@ -380,7 +374,7 @@ void PlotPainter::paintPointReadout(QPainter& painter) const {
     if (!data_.area.adjusted(-1, -1, 1, 1).contains(at)) {
         return;
     }
-    dot(painter, at, strokeScale() * 5.0, QPen(theme.text(), 1.6), theme.curve(curve.style.colour));
+    dot(painter, at, strokeScale() * 5.0, QPen(theme.text(), 1.6), theme.colour(curve.style.role));
     std::vector<Row> rows;
     if (curve.style.turn > 0.0) {
         rows = rowsOfPath(curve, data_.pointRead->second);

@@ -17,17 +17,6 @@
 
 namespace ravnoves {
 
-namespace {
-
-/// Pale, as the curves of a reference are.
-QColor ghostSwatch() {
-    QColor colour = Theme::instance().mutedText();
-    colour.setAlphaF(0.4F);
-    return colour;
-}
-
-}  // namespace
-
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     makePlotsAccessible();
@@ -41,7 +30,7 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     menu_->setData([this](const CsvFormat& format) { return csv(format); });
     menu_->setFirst(tr("Reset zoom"), [this] { resetZoom(); });
     setTitle(title);
-    connect(&Theme::instance(), &Theme::changed, this, &PlotView::showTheme);
+    connect(&Theme::instance(), &Theme::changed, this, &PlotView::chartChanged);
 }
 
 PlotView::~PlotView() {
@@ -73,7 +62,7 @@ void PlotView::nameReference(const QString& name) {
     referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
     referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
     referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
-    referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
+    referenceItem_->setSwatch({}, Shape::Line);
 }
 
 QList<LegendItem*> PlotView::shownLegend() const {
@@ -169,7 +158,7 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
         item->setAccessibleName(tr("Show %1").arg(style.name));
         item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
                                                  : style.toolTip);
-        item->setSwatch(Theme::instance().curve(style.colour), style.pen, style.shape);
+        item->setSwatch(style.role, style.shape);
     }
     showLegend();
     chartChanged();
@@ -230,7 +219,7 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
         spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
         spreadItem_->setToolTip(
             tr("Range from 5 % to 95 % of the curve, with the tolerances of the case."));
-        spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
+        spreadItem_->setSwatch({}, Shape::Bars);
         connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
             data_.spreadShown = on;
             data_.makeStale();
@@ -334,19 +323,6 @@ void PlotView::chartChanged() {
     axesStale_ = true;
     curvesChanged();
     update();
-}
-
-void PlotView::showTheme() {
-    for (int curve = 0; curve < curveCount(); ++curve) {
-        setCurveStyle(curve, data_.curve(curve).style);
-    }
-    if (referenceItem_ != nullptr) {
-        referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
-    }
-    if (spreadItem_ != nullptr) {
-        spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
-    }
-    chartChanged();
 }
 
 void PlotView::layoutHeader() {

@@ -141,11 +141,6 @@ class PlotView : public QWidget {
     /// Draws title, legend, chart and marks onto any device; used for pictures, SVG, PDF and print.
     /// What only follows the mouse is left out.
     void renderTo(QPainter& painter, const QRectF& target);
-    /// Writes a PNG, SVG or PDF, or the data as CSV with decimal points, by the file's ending.
-    /// @param pixels  width of a PNG; 0: 300 to the inch that is 96 on screen
-    /// @return an empty string, or what went wrong
-    QString exportTo(const QString& path, int pixels = 0);
-    QString exportPicture(const QString& path, int pixels = 0);
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override;
 
@@ -226,7 +221,6 @@ class PlotView : public QWidget {
     /// What moves, the mark of the focus last.
     void paintMoving(QPainter& painter);
     void drawChart(QPainter& painter);
-    void showTheme();
     void zoom(double factorX, double factorY, const QPointF& about);
     void moveCursor(const QPointF& position);
     void moveCursorTo(double x);

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "pictures/figure.h"
-#include "pictures/picture_file.h"
 #include "plot/legend_item.h"
 #include "plot/plot_painter.h"
 #include "plot/plot_view.h"
@@ -72,17 +71,6 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
 
 QString PlotView::dataAsCsv() const {
     return csv(CsvFormat());
-}
-
-QString PlotView::exportPicture(const QString& path, int pixels) {
-    const auto draw = [this](QPainter& painter, double scale) {
-        renderTo(painter, QRectF(QPointF(), QSizeF(size()) * scale));
-    };
-    return writePicture(path, size(), data_.title, draw, pixels);
-}
-
-QString PlotView::exportTo(const QString& path, int pixels) {
-    return menu_->write(path, data_.title, pixels);
 }
 
 }  // namespace ravnoves

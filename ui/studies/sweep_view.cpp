@@ -66,11 +66,10 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     progress_->setTextVisible(false);
     progress_->hide();
     plot_ = new PlotView({}, this);
-    plot_->addCurve({.name = tr("mean"), .colour = 2, .width = 2.0, .gaps = true});
+    plot_->addCurve({.name = tr("mean"), .role = Role::Value, .width = 2.0, .gaps = true});
     plot_->addCurve({.name = tr("can be built"),
-                     .colour = 3,
+                     .role = Role::OtherQuantity,
                      .side = plot::Side::Right,
-                     .pen = Qt::DashLine,
                      .toolTip = tr("Share of the samples that can be built.")});
     column->addWidget(plot_, 1);
     auto* below = new QHBoxLayout;
@@ -224,8 +223,7 @@ void SweepView::showCurves() {
     const double nominal = input.factor * sweep.nominal;
     if (sweep.half > 0.0) {
         const double half = input.factor * sweep.half;
-        bands.push_back(
-            {nominal - half, nominal + half, plot::AccentInk, 0.12, QStringLiteral("±")});
+        bands.push_back({nominal - half, nominal + half, Role::Present, 0.12, QStringLiteral("±")});
     }
     plot_->setBands(std::move(bands));
     const auto shown = [&](double value) {
@@ -233,12 +231,12 @@ void SweepView::showCurves() {
     };
     std::vector<PlotView::Mark> marks;
     if (sweep.nominalResult) {
-        marks.push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult), 0});
+        marks.push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult)});
     }
     if (sweep.best) {
         marks.push_back({input.factor * sweep.best->x, sweep.best->high,
-                         QStringLiteral("95 %: ") + shown(sweep.best->high), 2, plot::Side::Left,
-                         true});
+                         QStringLiteral("95 %: ") + shown(sweep.best->high), Role::Best,
+                         plot::Side::Left, true});
     }
     plot_->setMarks(std::move(marks));
     std::vector<PlotView::Line> lines;
@@ -248,7 +246,7 @@ void SweepView::showCurves() {
                  {std::pair(watched.min, tr("at least")), std::pair(watched.max, tr("at most"))}) {
                 if (limit) {
                     lines.push_back(
-                        {.at = *limit, .colour = plot::MutedInk, .text = text, .keptAtEdge = true});
+                        {.at = *limit, .role = Role::Limit, .text = text, .keptAtEdge = true});
                 }
             }
         }

@@ -557,7 +557,7 @@ void ToleranceWindow::showChosen() {
         if (at) {
             lines.push_back({.at = *at,
                              .orientation = Qt::Vertical,
-                             .colour = plot::MutedInk,
+                             .role = Role::Limit,
                              .text = text,
                              .keptAtEdge = true});
         }

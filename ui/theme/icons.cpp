@@ -96,9 +96,10 @@ QByteArray themedSvg(const QString& path) {
     set("grid", theme.grid());
     set("muted", theme.mutedText());
     set("accent", theme.accent());
-    set("error", theme.error());
-    for (int i = 0; i < Theme::curveColours; ++i) {
-        set("curve-" + QByteArray::number(i), theme.curve(i));
+    set("warning", theme.warning());
+    set("good", theme.good());
+    for (const RoleLook& look : roleLooks()) {
+        set(look.word, theme.colour(look.role));
     }
     return svg;
 }

@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QPalette>
 
+#include "theme/model/role.h"
+
 namespace ravnoves {
 
 /// The look of the program: palette, colours of curves, type and spacing scale.
@@ -40,7 +42,8 @@ class Theme : public QObject {
     QColor warning() const;
     QColor good() const;
 
-    /// Colour number i of the curves: distinguishable with colour-blind eyes, light and dark.
+    QColor colour(Role role) const;
+    /// Ink number i of the roles: distinguishable with colour-blind eyes, light and dark.
     QColor curve(int i) const;
     static constexpr int curveColours = 8;
     /// A colour for small letters on a panel: the same, or nearer to that of the text until they

@@ -127,8 +127,7 @@ void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QStrin
 }
 
 QColor bankColour(int bank) {
-    constexpr int colours[] = {2, 1, 3, 4};
-    return Theme::instance().curve(colours[bank % 4]);
+    return Theme::instance().colour(series(bank % 4));
 }
 
 QColor metal() {
@@ -139,12 +138,13 @@ QColor brightMetal() {
     return Theme::instance().isDark() ? QColor(0x5a636e) : QColor(0xeef1f4);
 }
 
-QColor frontWeight() {
-    return Theme::instance().isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
-}
-
-QColor rearWeight() {
-    return Theme::instance().isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
+QColor weightFill(Role role) {
+    constexpr float share = 0.34F;
+    const QColor of = Theme::instance().colour(role);
+    const QColor ground = Theme::instance().panel();
+    const auto mixed = [](float a, float b) { return a + share * (b - a); };
+    return QColor::fromRgbF(mixed(ground.redF(), of.redF()), mixed(ground.greenF(), of.greenF()),
+                            mixed(ground.blueF(), of.blueF()));
 }
 
 }  // namespace ravnoves::drawing

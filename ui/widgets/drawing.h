@@ -7,6 +7,8 @@
 #include <QPointF>
 #include <complex>
 
+#include "theme/model/role.h"
+
 namespace ravnoves::drawing {
 
 /// A point of the front view (x right, y up) in a widget's pixels.
@@ -66,7 +68,7 @@ void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QStrin
 QColor bankColour(int bank);
 QColor metal();
 QColor brightMetal();
-QColor frontWeight();
-QColor rearWeight();
+/// Of a counterweight: its role's colour, pale.
+QColor weightFill(Role role);
 
 }  // namespace ravnoves::drawing

@@ -92,7 +92,7 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
                .thin = theme.grid(),
                .text = theme.mutedText(),
                .hole = theme.warning(),
-               .slug = theme.curve(4),
+               .slug = theme.colour(Role::CrankWeight),
                .reading = theme.accent(),
                .limit = theme.good(),
                .fits = theme.good(),

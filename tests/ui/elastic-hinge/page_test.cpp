@@ -325,7 +325,7 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     // With a counterweight the moment is M₁*.
     QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
     bringPlots("crank-moment");
-    EXPECT_EQ(plotOf("crank-moment")->curveName(1), QStringLiteral("M₁*"));
+    EXPECT_EQ(plotOf("crank-moment")->curveName(1), QStringLiteral("with hinge (M₁*)"));
     // Nothing is left of the side force, and the axis does not enlarge the rounding.
     bringPlots("side-force");
     const auto [low, high] = plotOf("side-force-lambdas")->yInterval(PlotView::Side::Left);

@@ -293,7 +293,7 @@ TEST_F(Change, ACurveOfAnotherColourIsSeen) {
                 continue;  // an edge of something else
             }
             auto other = style;
-            other.colour = (style.colour + 1) % Theme::curveColours;
+            other.role = Role::Forbidden;
             plot->setCurveStyle(curve, other);
             EXPECT_FALSE(now().isSame()) << plot->curveName(curve).toStdString();
             plot->setCurveStyle(curve, style);

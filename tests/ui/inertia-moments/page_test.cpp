@@ -500,14 +500,14 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     for (const int order : {1, 2}) {
         PlotView* plot = ofOrder(order);
         EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
-        EXPECT_EQ(plot->curveName(0), QStringLiteral("Fy"));
+        EXPECT_EQ(plot->curveName(0), QStringLiteral("vertical (Fy)"));
         EXPECT_NEAR(*plot->valueAt(0, 30.0),
                     model->result().unbalanced.order(order).force.at(order * 30.0 * degree).imag(),
                     1e-6);
     }
     model->chooseLayout(QStringLiteral("vw-vr5"));
     EXPECT_EQ(ofOrder(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("Mx"));
+    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("horizontal (Mx)"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {

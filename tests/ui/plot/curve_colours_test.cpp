@@ -113,6 +113,9 @@ TEST_P(CurveColours, StandOutFromThePanel) {
         EXPECT_GE(contrast(theme.curve(i), theme.panel()), graphical) << i;
         EXPECT_GE(contrast(theme.readable(theme.curve(i)), theme.panel()), 4.5) << i;
     }
+    for (const RoleLook& look : roleLooks()) {
+        EXPECT_GE(contrast(theme.colour(look.role), theme.panel()), graphical) << look.word;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, CurveColours,

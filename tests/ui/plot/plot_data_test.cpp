@@ -352,7 +352,7 @@ TEST_F(PlotDataTest, KnowsDashesOverAWiderCurve) {
     dashed.style.width = 1.4;
     data.thinCurves();
     EXPECT_FALSE(data.liesOnAnother(dashed));
-    dashed.style.pen = Qt::DashLine;
+    dashed.style.role = Role::Engine;
     EXPECT_TRUE(data.liesOnAnother(dashed));
     EXPECT_FALSE(data.liesOnAnother(wide));
     wide.shown = false;

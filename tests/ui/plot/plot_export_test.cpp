@@ -40,12 +40,15 @@ class PlotExportTest : public ::testing::Test {
         plot.setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
         plot.setYAxis(PlotView::Side::Left, {QStringLiteral("M, N·m")});
         const int first = plot.addCurve({.name = QStringLiteral("first")});
-        const int second = plot.addCurve({.name = QStringLiteral("second"), .colour = 1});
+        const int second = plot.addCurve({.name = QStringLiteral("second"), .role = Role::Sum});
         plot.setCurve(first, {0.0, 360.0, 720.0}, {1.5, 2.5, 1.5});
         plot.setCurve(second, {0.0, 180.0, 360.0}, {-1.0, -2.0, 1e-3});
         test::showAt(plot, {600, 360});
     }
     QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
+    QString write(const QString& path, int pixels = 0) {
+        return plot.findChild<FigureMenu*>()->write(path, plot.title(), pixels);
+    }
     QImage drawn() {
         QImage image(plot.size(), QImage::Format_RGB32);
         QPainter painter(&image);
@@ -78,7 +81,7 @@ class PlotExportTest : public ::testing::Test {
         fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString&,
                                   QString*) { return path; };
         savePictureWithDialog(of, {}, {}, of->size(), {}, [of](const QString& to, int pixels) {
-            return of->exportTo(to, pixels);
+            return of->findChild<FigureMenu*>()->write(to, of->title(), pixels);
         });
         fileChoosers() = before;
     }
@@ -102,19 +105,19 @@ TEST_F(PlotExportTest, AFileHasItsNumbersWhereTheWindowHasItsLines) {
 
 TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
     for (const char* name : {"график.pdf", "график.png", "график.SVG", "график.csv"}) {
-        ASSERT_EQ(plot.exportTo(file(name)), QString()) << name;
+        ASSERT_EQ(write(file(name)), QString()) << name;
     }
     EXPECT_TRUE(contents(file("график.pdf")).startsWith("%PDF-"));
     EXPECT_TRUE(contents(file("график.png")).startsWith("\x89PNG\r\n"));
     EXPECT_TRUE(contents(file("график.SVG")).startsWith("<?xml"));
     EXPECT_TRUE(contents(file("график.csv")).startsWith("\"φ, °\",\"first, N·m\","));
     for (const char* name : {"plot.jpg", "plot.eps", "plot"}) {
-        EXPECT_TRUE(plot.exportTo(file(name)).contains(QStringLiteral(".svg"))) << name;
+        EXPECT_TRUE(write(file(name)).contains(QStringLiteral(".svg"))) << name;
         EXPECT_FALSE(QFile::exists(file(name))) << name;
     }
     for (const char* name :
          {"/dev/null/x.pdf", "/dev/null/x.svg", "/dev/null/x.png", "/dev/null/x.csv"}) {
-        EXPECT_NE(plot.exportTo(QString::fromUtf8(name)), QString()) << name;
+        EXPECT_NE(write(QString::fromUtf8(name)), QString()) << name;
     }
 }
 
@@ -130,7 +133,7 @@ TEST_F(PlotExportTest, AFailedWriteIsSaidAndTheOldFileStays) {
         old.close();
         const rlimit few{16, before.rlim_max};
         ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
-        const QString trouble = plot.exportTo(file(name));
+        const QString trouble = write(file(name));
         ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
         EXPECT_TRUE(trouble.contains(QString::fromUtf8(name))) << trouble.toStdString();
         EXPECT_EQ(contents(file(name)), "old") << name;
@@ -139,7 +142,7 @@ TEST_F(PlotExportTest, AFailedWriteIsSaidAndTheOldFileStays) {
 }
 
 TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {
-    ASSERT_EQ(plot.exportTo(file("plot.pdf")), QString());
+    ASSERT_EQ(write(file("plot.pdf")), QString());
     EXPECT_FALSE(contents(file("plot.pdf")).contains("/Subtype /Image"));
     const QString program = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
     if (program.isEmpty()) {
@@ -157,22 +160,22 @@ TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {
 }
 
 TEST_F(PlotExportTest, APngHasThreeHundredDotsToTheInchOrThePixelsChosen) {
-    ASSERT_EQ(plot.exportTo(file("a.png")), QString());
+    ASSERT_EQ(write(file("a.png")), QString());
     const QImage printed(file("a.png"));
     EXPECT_EQ(printed.width(), 1875);
     EXPECT_EQ(printed.height(), 1125);
     EXPECT_NEAR(printed.dotsPerMeterX() * 0.0254, 300.0, 0.1);
-    ASSERT_EQ(plot.exportTo(file("b.png"), 1000), QString());
+    ASSERT_EQ(write(file("b.png"), 1000), QString());
     EXPECT_EQ(QImage(file("b.png")).size(), QSize(1000, 600));
 }
 
 TEST_F(PlotExportTest, NothingOfTheMouseIsInAnyPicture) {
     const QImage before = drawn();
     const QString lines = plot.dataAsCsv();
-    plot.exportTo(file("before.svg"));
+    write(file("before.svg"));
     plot.setCursorX(200.0);
     EXPECT_EQ(drawn(), before);
-    plot.exportTo(file("after.svg"));
+    write(file("after.svg"));
     EXPECT_EQ(contents(file("before.svg")), contents(file("after.svg")));
     EXPECT_EQ(plot.dataAsCsv(), lines);
     // Nor the line that goes with it, which a value of its own keeps.

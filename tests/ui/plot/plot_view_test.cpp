@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QFile>
 #include <QScrollArea>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -16,7 +14,6 @@
 
 #include "events.h"
 #include "painted.h"
-#include "pictures/picture_file.h"
 #include "plot/legend_item.h"
 #include "plot/model/figure.h"
 #include "plot/model/ticks.h"
@@ -297,7 +294,7 @@ TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
 }
 
 TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
-    plot.setMarks({{90, 100, QStringLiteral("greatest"), 1}, {180, 0, QStringLiteral("none"), 1}});
+    plot.setMarks({{90, 100, QStringLiteral("greatest")}, {180, 0, QStringLiteral("none")}});
     plot.setLines({{.at = 40.0, .text = QStringLiteral("limit")}});
     plot.grab();
     int found = 0;
@@ -316,7 +313,7 @@ TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
 }
 
 TEST_F(PlotViewTest, AWordStandsOverTheLineOfThePresentValue) {
-    plot.setBands({{300.0, 420.0, plot::ErrorInk, 0.16, QStringLiteral("forbidden")}});
+    plot.setBands({{300.0, 420.0, Role::Forbidden, 0.16, QStringLiteral("forbidden")}});
     plot.setPresentX(360.0);
     QRectF ink;
     for (const test::PaintedText& each : test::painted(plot).texts) {
@@ -402,7 +399,7 @@ TEST_F(PlotViewTest, ChartsBesideEachOtherBeginAtOneHeight) {
     other.setGeometry(250, 0, 250, 300);
     one.addCurve({.name = QStringLiteral("a")});
     for (const char* name : {"a rather long name", "and another one", "and a third"}) {
-        other.addCurve({.name = QString::fromLatin1(name), .colour = 1});
+        other.addCurve({.name = QString::fromLatin1(name), .role = Role::Sum});
     }
     test::showAt(page, {500, 300});
     page.grab();
@@ -501,22 +498,6 @@ TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     QSignalSpy moved(&plot, &PlotView::cursorMoved);
     QTest::keyClick(&plot, Qt::Key_Right);
     EXPECT_EQ(moved.size(), 1);
-}
-
-TEST_F(PlotViewTest, ExportsPictureAndData) {
-    const QTemporaryDir folder;
-    const QString svg = folder.filePath(QStringLiteral("plot.svg"));
-    const QString png = folder.filePath(QStringLiteral("plot.png"));
-    EXPECT_EQ(plot.exportPicture(svg), QString());
-    EXPECT_EQ(plot.exportPicture(png), QString());
-    QFile file(svg);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(file.readAll().contains("<text"));
-    EXPECT_EQ(QImage(png).width(), printedWidth(plot.size()));
-    EXPECT_NE(plot.exportPicture(QStringLiteral("/dev/null/x.png")), QString());
-    const QString csv = plot.dataAsCsv();
-    EXPECT_TRUE(csv.startsWith(QStringLiteral("\"φ, °\",\"sine\"\n0,0\n")));
-    EXPECT_EQ(csv.count(QLatin1Char('\n')), 721 + 1);
 }
 
 TEST_F(PlotViewTest, EqualScaleKeepsCirclesRound) {

@@ -126,6 +126,40 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
 /// With a history and a file.
 class EveryCase : public EveryPage {};
 
+/// Where all colours are one, as in print, two curves of a legend differ by dash, marker or width.
+TEST_P(EveryPage, CurvesAreToldApartWithoutColours) {
+    using plot::Shape;
+    test::openExample(model());
+    int pairs = 0;
+    onEveryTab([&] {
+        for (const PlotView* plot : reachable<PlotView>()) {
+            const auto& curves = plot->data().curves;
+            const auto isNamed = [](const PlotCurve& curve) {
+                return curve.style.inLegend && !curve.style.name.isEmpty();
+            };
+            for (std::size_t i = 0; i < curves.size(); ++i) {
+                for (std::size_t k = 0; isNamed(curves[i]) && k < i; ++k) {
+                    if (!isNamed(curves[k])) {
+                        continue;
+                    }
+                    ++pairs;
+                    const plot::CurveStyle& one = curves[i].style;
+                    const plot::CurveStyle& other = curves[k].style;
+                    const RoleLook look = lookOf(one.role);
+                    const RoleLook than = lookOf(other.role);
+                    const auto [thin, thick] = std::minmax(one.width, other.width);
+                    const bool hasMarker = one.shape != Shape::Line && one.shape != Shape::Bars;
+                    EXPECT_TRUE(one.shape != other.shape || look.pen != than.pen ||
+                                (hasMarker ? look.marker != than.marker : thick > 1.9 * thin))
+                        << plot->title().toStdString() << ": " << other.name.toStdString() << ", "
+                        << one.name.toStdString();
+                }
+            }
+        }
+    });
+    EXPECT_EQ(pairs > 0, !page->findChildren<PlotView*>().isEmpty());
+}
+
 /// A page that was there when the theme changed says it in the colours of one that is made anew.
 TEST_P(EveryPage, LabelsFollowTheTheme) {
     const auto fill = [](ScenePage& of) {

@@ -50,20 +50,19 @@ Figure forceLocus(const BalanceShaftModel& model) {
         figure.add(id, std::move(style), std::move(locus.x), std::move(locus.y));
     };
     add("both",
-        {.name = ForceWords::tr("crank only, 1st + 2nd"),
-         .colour = 4,
-         .pen = Qt::DashLine,
+        {.name = ForceWords::tr("without shaft, 1st + 2nd order"),
+         .role = Role::AllOrders,
          .toolTip = ForceWords::tr("First and second order without a shaft")},
         balance_shaft::crank_only_locus_with_second_order(balance));
     add("first",
-        {.name = ForceWords::tr("crank only, 1st"),
-         .colour = 1,
+        {.name = ForceWords::tr("without shaft, 1st order"),
+         .role = Role::Engine,
          .width = 2.0,
          .toolTip = ForceWords::tr("First order without a shaft: an ellipse")},
         balance_shaft::crank_only_locus(balance));
     add("shaft",
         {.name = ForceWords::tr("with shaft"),
-         .colour = 2,
+         .role = Role::Sum,
          .width = 2.0,
          .toolTip = ForceWords::tr("With the shaft the first order is a point; the second order "
                                    "along the cylinder stays")},
@@ -100,8 +99,7 @@ Figure gearMoment(const BalanceShaftModel& model) {
     Figure figure = overCycle(model, ForceWords::tr("Mᵤₚₛ with gear error"), ForceWords::tr("N·m"));
     figure.leftRange = std::pair(result.M_up.min - result.moment_amplitude,
                                  result.M_up.max + result.moment_amplitude);
-    plot::CurveStyle play{
-        .name = ForceWords::tr("play, low"), .colour = 3, .width = 1.0, .pen = Qt::DotLine};
+    plot::CurveStyle play{.name = ForceWords::tr("play, low"), .role = Role::Limit, .width = 1.0};
     if (error.play > 0.0) {
         play.inLegend = false;
         figure.add("low", play, error.crank_angle_deg, error.M_ups_low);
@@ -112,15 +110,14 @@ Figure gearMoment(const BalanceShaftModel& model) {
     }
     figure.add("right",
                {.name = ForceWords::tr("right"),
-                .colour = 0,
+                .role = Role::Sum,
                 .width = 2.4,
                 .toolTip = ForceWords::tr("Shaft in its right place")},
                result.curves.crank_angle_deg, result.curves.M_ups);
     figure.add("wrong",
                {.name = ForceWords::tr("k teeth out"),
-                .colour = 7,
+                .role = Role::Comparison,
                 .width = 1.6,
-                .pen = Qt::DashLine,
                 .toolTip = ForceWords::tr("Shaft k teeth out")},
                error.crank_angle_deg, error.M_ups);
     return figure;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -88,13 +89,13 @@ Figure distances(const BalanceShaftModel& model) {
     constexpr Measure rms = &ShaftMap::Criteria::rms;
     add("range",
         {.name = MapWords::tr("least range"),
-         .colour = 2,
+         .role = Role::Range,
          .width = 1.2,
          .toolTip = MapWords::tr("At its best α")},
         valuesOf(of.range, range));
     add("RMS",
         {.name = MapWords::tr("least RMS"),
-         .colour = 3,
+         .role = Role::Rms,
          .width = 1.2,
          .toolTip = MapWords::tr("At its best α")},
         valuesOf(of.rms, rms));
@@ -107,31 +108,43 @@ Figure distances(const BalanceShaftModel& model) {
     }
     add("size",
         {.name = MapWords::tr("size"),
-         .colour = 4,
+         .role = Role::OtherQuantity,
          .side = plot::Side::Right,
          .width = 1.2,
-         .pen = Qt::DashLine,
          .toolTip = MapWords::tr("Width × height of the box, right axis")},
         valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
-    const auto addBuilt = [&](const char* id, const QString& name, int colour,
+    // Both axes from 0, on one line.
+    const auto fromZero = [&](const char* id) {
+        double most = 0.0;
+        for (const Figure::Curve& curve : figure.curves) {
+            for (std::size_t i = 0; curve.id == id && i < curve.y.size(); ++i) {
+                most = std::max(most, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
+            }
+        }
+        return most > 0.0 ? std::optional(std::pair(0.0, most)) : std::nullopt;
+    };
+    figure.leftRange = fromZero("range");
+    figure.rightRange = fromZero("size");
+    const auto addBuilt = [&](const char* id, const QString& name, Role role,
                               const std::vector<Place>& built, Measure measure) {
-        add(id, {.name = name, .colour = colour, .width = 3.4, .inLegend = false, .gaps = true},
+        add(id, {.name = name, .role = role, .width = 3.4, .inLegend = false, .gaps = true},
             valuesOf(built, measure));
     };
-    addBuilt("range-built", MapWords::tr("least range, can be built"), 2, of.rangeBuilt, range);
-    addBuilt("RMS-built", MapWords::tr("least RMS, can be built"), 3, of.rmsBuilt, rms);
-    const auto mark = [&](const Place& built, const Place& all, Measure measure, int colour) {
+    addBuilt("range-built", MapWords::tr("least range, can be built"), Role::Range, of.rangeBuilt,
+             range);
+    addBuilt("RMS-built", MapWords::tr("least RMS, can be built"), Role::Rms, of.rmsBuilt, rms);
+    const auto mark = [&](const Place& built, const Place& all, Measure measure, Role role) {
         if (const Place& found = built ? built : all) {
             const double l = found->position.centre_distance();
             figure.marks->push_back({.x = l / units::mm,
                                      .y = found->criteria.*measure,
                                      .text = shownDigits(l, units::mm, 1),
-                                     .colour = colour,
+                                     .role = role,
                                      .ring = true});
         }
     };
-    mark(map->buildable.range, map->best.range, range, 2);
-    mark(map->buildable.rms, map->best.rms, rms, 3);
+    mark(map->buildable.range, map->best.range, range, Role::Range);
+    mark(map->buildable.rms, map->best.rms, rms, Role::Rms);
     return figure;
 }
 
@@ -182,7 +195,7 @@ Figure front(const BalanceShaftModel& model) {
     figure.x.max = std::max(high, area) + pad;
     Figure::Curve& shown = figure.add("front",
                                       {.name = MapWords::tr("nothing better"),
-                                       .colour = 0,
+                                       .role = Role::Neutral,
                                        .shape = plot::Shape::Rings,
                                        .toolTip = MapWords::tr("In range, RMS and size at once")},
                                       std::move(all.x), std::move(all.y));
@@ -191,13 +204,13 @@ Figure front(const BalanceShaftModel& model) {
     };
     figure.add("efficient",
                {.name = MapWords::tr("by this criterion"),
-                .colour = 3,
+                .role = Role::Best,
                 .shape = plot::Shape::Points,
                 .toolTip = MapWords::tr("Nothing better in this criterion and in size")},
                std::move(efficient.x), std::move(efficient.y));
     figure.add("present",
                {.name = MapWords::tr("present place"),
-                .colour = 7,
+                .role = Role::Present,
                 .shape = result.is_buildable ? plot::Shape::Points : plot::Shape::Rings},
                {area}, {change(now)});
     return figure;

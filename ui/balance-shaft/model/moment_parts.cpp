@@ -36,31 +36,31 @@ Figure moments(const BalanceShaftModel& model) {
     // Room for every α, so that the axis rests while the shaft moves.
     figure.leftRange = std::pair(result.M_up.min - result.moment_amplitude,
                                  result.M_up.max + result.moment_amplitude);
-    const auto add = [&](const char* id, const QString& name, int colour, double width,
+    const auto add = [&](const char* id, const QString& name, Role role, double width,
                          const QString& tip, const std::vector<double>& moment) {
-        figure.add(id, {.name = name, .colour = colour, .width = width, .toolTip = tip},
+        figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
                    result.curves.crank_angle_deg, moment);
     };
-    add("M_up", QStringLiteral("Mᵤₚ"), 0, 1.4,
+    add("M_up", MomentWords::tr("without shaft (Mᵤₚ)"), Role::Engine, 1.4,
         MomentWords::tr("Tipping moment: the reaction to the engine torque"), result.curves.M_up);
-    add("M_s", QStringLiteral("Mₛ"), 1, 1.4,
+    add("M_s", MomentWords::tr("shaft (Mₛ)"), Role::Shaft, 1.4,
         MomentWords::tr("Moment of the balance shaft, P₁ l sin(α + φ), (4)"), result.curves.M_s);
-    add("M_ups", QStringLiteral("Mᵤₚₛ"), 2, 2.0,
+    add("M_ups", MomentWords::tr("with shaft (Mᵤₚₛ)"), Role::Sum, 2.0,
         MomentWords::tr("Moment on the mounts, Mᵤₚ + Mₛ, (5)"), result.curves.M_ups);
     auto& marks = figure.marks.emplace();
-    const auto mark = [&](const char* curve, const MomentMetrics& metrics, int colour) {
+    const auto mark = [&](const char* curve, const MomentMetrics& metrics, Role role) {
         for (const auto& [angle, moment] : {std::pair(metrics.max_angle, metrics.max),
                                             std::pair(metrics.min_angle, metrics.min)}) {
             marks.push_back({.x = angle / degree,
                              .y = moment,
                              .text = shownDigits(moment, units::N_m, 0),
-                             .colour = colour,
+                             .role = role,
                              .curve = curve});
         }
     };
-    mark("M_ups", result.M_ups, 2);
-    mark("M_up", result.M_up, 0);
-    mark("M_s", result.M_s, 1);
+    mark("M_ups", result.M_ups, Role::Sum);
+    mark("M_up", result.M_up, Role::Engine);
+    mark("M_s", result.M_s, Role::Shaft);
     return figure;
 }
 
@@ -69,74 +69,51 @@ Figure range(const BalanceShaftModel& model) {
     const std::vector<double>& alpha = sweep.shaft_angle_deg;
     Figure figure =
         overAngle(model, MomentWords::tr("Range and RMS over α"), MomentWords::tr("N·m"));
-    figure.right.title = MomentWords::tr("mean Mₛ, N·m");
     figure.add("range",
-               {.name = QStringLiteral("ΔMᵤₚₛ"),
-                .colour = 2,
+               {.name = MomentWords::tr("range (ΔMᵤₚₛ)"),
+                .role = Role::Range,
                 .width = 1.8,
                 .toolTip = MomentWords::tr("Range of Mᵤₚₛ, max − min")},
                alpha, sweep.range);
     figure.add("RMS",
                {.name = MomentWords::tr("RMS"),
-                .colour = 3,
+                .role = Role::Rms,
                 .toolTip = MomentWords::tr("RMS of Mᵤₚₛ about its mean")},
                alpha, sweep.rms);
-    if (model.means() != Means::PrintedNodes) {
-        figure.add("mean",
-                   {.name = MomentWords::tr("Mₛ mean"),
-                    .colour = 1,
-                    .side = plot::Side::Right,
-                    .toolTip = MomentWords::tr("Cycle mean of Mₛ: 0 at every α")},
-                   alpha, sweep.mean_M_s);
-    }
-    if (model.means() != Means::CycleIntegral) {
-        figure.add("printed-mean",
-                   {.name = MomentWords::tr("Mₛ mean (paper)"),
-                    .colour = 4,
-                    .side = plot::Side::Right,
-                    .pen = Qt::DashLine,
-                    .toolTip = MomentWords::tr("Mean of 25 nodes, the end counted twice")},
-                   alpha, sweep.printed_mean_M_s);
-    }
     auto& marks = figure.marks.emplace();
-    const auto add = [&](const balance_shaft::Optimum& best, int colour) {
+    const auto add = [&](const balance_shaft::Optimum& best, Role role) {
         if (best.shaft_angle) {
             const double at = *best.shaft_angle / degree;
             marks.push_back({.x = at,
                              .y = best.value,
                              .text = fixedNumber(at, 2, QLocale()) + QStringLiteral("°"),
-                             .colour = colour,
+                             .role = role,
                              .ring = true});
         }
     };
-    add(model.bestRange(), 2);
-    add(model.bestRms(), 3);
+    add(model.bestRange(), Role::Range);
+    add(model.bestRms(), Role::Rms);
     return figure;
 }
 
 Figure means(const BalanceShaftModel& model) {
     const balance_shaft::AngleSweep& sweep = model.result().sweep;
     Figure figure = overAngle(model, MomentWords::tr("Means over α"), MomentWords::tr("N·m"));
-    const auto add = [&](const char* id, const QString& name, int colour, bool isPrinted,
+    const auto add = [&](const char* id, const QString& name, Role role, double width,
                          const QString& tip, const std::vector<double>& values) {
-        figure.add(id,
-                   {.name = name,
-                    .colour = colour,
-                    .width = isPrinted ? 1.6 : 1.8,
-                    .pen = isPrinted ? Qt::DashLine : Qt::SolidLine,
-                    .toolTip = tip},
+        figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
                    sweep.shaft_angle_deg, values);
     };
     if (model.means() != Means::PrintedNodes) {
-        add("M_s", MomentWords::tr("Mₛₘ"), 1, false, MomentWords::tr("Cycle mean of Mₛ"),
-            sweep.mean_M_s);
-        add("M_ups", MomentWords::tr("Mᵤₚₛₘ"), 2, false, MomentWords::tr("Cycle mean of Mᵤₚₛ"),
-            sweep.mean_M_ups);
+        add("M_s", MomentWords::tr("shaft (Mₛₘ)"), Role::Shaft, 1.8,
+            MomentWords::tr("Cycle mean of Mₛ"), sweep.mean_M_s);
+        add("M_ups", MomentWords::tr("with shaft (Mᵤₚₛₘ)"), Role::Sum, 1.8,
+            MomentWords::tr("Cycle mean of Mᵤₚₛ"), sweep.mean_M_ups);
     }
     if (model.means() != Means::CycleIntegral) {
-        add("printed-M_s", MomentWords::tr("Mₛₘ (paper)"), 4, true,
+        add("printed-M_s", MomentWords::tr("shaft, paper (Mₛₘ)"), Role::Printed, 1.6,
             MomentWords::tr("Mean of 25 nodes, the end counted twice"), sweep.printed_mean_M_s);
-        add("printed-M_ups", MomentWords::tr("Mᵤₚₛₘ (paper)"), 5, true,
+        add("printed-M_ups", MomentWords::tr("with shaft, paper (Mᵤₚₛₘ)"), Role::PrintedSum, 1.6,
             MomentWords::tr("Node mean of Mᵤₚ plus that of Mₛ"), sweep.printed_mean_M_ups);
     }
     return figure;

@@ -39,7 +39,7 @@ std::vector<plot::Band> unbuildableBands(const balance_shaft::BuildableAngles& b
     std::vector<plot::Band> bands;
     for (const balance_shaft::AngleStretch& gap : buildable.gaps()) {
         bands.push_back(
-            {gap.from / degree, gap.to / degree, plot::ErrorInk, 0.13, text, orientation});
+            {gap.from / degree, gap.to / degree, Role::Forbidden, 0.13, text, orientation});
     }
     return bands;
 }

@@ -30,10 +30,10 @@ Figure sizes(const BalanceShaftModel& model) {
     const balance_shaft::EnvelopeStudy& study = model.envelopeStudy();
     const std::vector<double> angle = closedTurn(study.shaft_angle_deg, units::none, 360.0);
     Figure figure = overAngle(model, SizeWords::tr("Overall size over α"), SizeWords::tr("mm"));
-    figure.add("width", {.name = SizeWords::tr("width"), .colour = 2, .width = 1.8}, angle,
-               closedTurn(study.width, units::mm));
-    figure.add("height", {.name = SizeWords::tr("height"), .colour = 1, .width = 1.8}, angle,
-               closedTurn(study.height, units::mm));
+    figure.add("width", {.name = SizeWords::tr("width"), .role = Role::Horizontal, .width = 1.8},
+               angle, closedTurn(study.width, units::mm));
+    figure.add("height", {.name = SizeWords::tr("height"), .role = Role::Vertical, .width = 1.8},
+               angle, closedTurn(study.height, units::mm));
     return figure;
 }
 
@@ -68,31 +68,31 @@ Figure rangeOverSize(const BalanceShaftModel& model) {
             marks.push_back({.x = area[i],
                              .y = study.range[i],
                              .text = fixedNumber(angle, 0, QLocale()) + QStringLiteral("°"),
-                             .colour = 3,
+                             .role = Role::Best,
                              .ring = true});
         }
     }
-    figure.add("all",
-               {.name = SizeWords::tr("every α"), .colour = 0, .width = 1.0, .pen = Qt::DotLine},
-               area, closedTurn(study.range, units::none));
+    figure.add("all", {.name = SizeWords::tr("every α"), .role = Role::Limit, .width = 1.0}, area,
+               closedTurn(study.range, units::none));
     figure.add("built",
                {.name = SizeWords::tr("can be built"),
-                .colour = 0,
+                .role = Role::Neutral,
                 .width = 1.8,
                 .toolTip = SizeWords::tr("The shaft clears cylinder, crank and rod"),
                 .gaps = true},
                area, closedTurn(built, units::none));
     figure.add("efficient",
                {.name = SizeWords::tr("nothing better"),
-                .colour = 3,
+                .role = Role::Best,
                 .shape = plot::Shape::Points,
                 .toolTip = SizeWords::tr("Can be built, and no other α that can has both "
                                          "a smaller box and a smaller range")},
                std::move(efficient.x), std::move(efficient.y));
     const balance_shaft::Envelope& box = model.result().envelope;
-    figure.add("present",
-               {.name = SizeWords::tr("present α"), .colour = 7, .shape = plot::Shape::Points},
-               {box.width() * box.height() / units::cm2}, {model.result().M_ups.range});
+    figure.add(
+        "present",
+        {.name = SizeWords::tr("present α"), .role = Role::Present, .shape = plot::Shape::Points},
+        {box.width() * box.height() / units::cm2}, {model.result().M_ups.range});
     return figure;
 }
 

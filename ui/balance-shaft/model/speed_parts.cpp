@@ -68,19 +68,19 @@ Figure bestAngles(const BalanceShaftModel& model) {
         return figure;
     }
     const auto curves = study->curves();
-    const auto add = [&](const char* id, const QString& name, int colour, const QString& tip,
+    const auto add = [&](const char* id, const QString& name, Role role, const QString& tip,
                          const std::vector<double>& angles) {
         Broken broken = brokenAtZero(curves.speed, angles);
-        figure.add(id, {.name = name, .colour = colour, .width = 1.8, .toolTip = tip, .gaps = true},
+        figure.add(id, {.name = name, .role = role, .width = 1.8, .toolTip = tip, .gaps = true},
                    std::move(broken.speed), std::move(broken.angle));
     };
-    add("range", SpeedWords::tr("range"), 2, SpeedWords::tr("α of the least range at each speed"),
-        curves.rangeAngle);
-    add("RMS", SpeedWords::tr("RMS"), 3, SpeedWords::tr("α of the least RMS at each speed"),
+    add("range", SpeedWords::tr("range"), Role::Range,
+        SpeedWords::tr("α of the least range at each speed"), curves.rangeAngle);
+    add("RMS", SpeedWords::tr("RMS"), Role::Rms, SpeedWords::tr("α of the least RMS at each speed"),
         curves.rmsAngle);
     const double best = study->leastBadDeg();
     figure.lines = {{.at = best,
-                     .colour = 7,
+                     .role = Role::Best,
                      .text = SpeedWords::tr("least bad %1°").arg(fixedNumber(best, 1, QLocale()))}};
     figure.bands = unbuildableBands(study->buildable(), Qt::Vertical);
     return figure;
@@ -106,7 +106,8 @@ Figure speedMap(const BalanceShaftModel& model) {
     const auto curves = study->curves();
     Broken line =
         brokenAtZero(curves.speed, isByRange(model) ? curves.rangeAngle : curves.rmsAngle);
-    figure.add("best", {.name = SpeedWords::tr("best α"), .colour = 7, .width = 2.0, .gaps = true},
+    figure.add("best",
+               {.name = SpeedWords::tr("best α"), .role = Role::Best, .width = 2.0, .gaps = true},
                std::move(line.angle), std::move(line.speed));
     return figure;
 }

@@ -30,19 +30,20 @@ Figure torque(const BalanceShaftModel& model) {
         return figure;  // the torque is a table
     }
     const std::vector<double>& phi = curves.crank_angle_deg;
-    figure.add(
-        "gas",
-        {.name = CycleWords::tr("gas"), .colour = 1, .toolTip = CycleWords::tr("−(p − p₀) A s′")},
-        phi, curves.M_gas);
-    figure.add(
-        "inertia",
-        {.name = CycleWords::tr("inertia"), .colour = 3, .toolTip = CycleWords::tr("−mⱼ ω² s′ s″")},
-        phi, curves.M_inertia);
+    figure.add("gas",
+               {.name = CycleWords::tr("gas"),
+                .role = Role::Gas,
+                .toolTip = CycleWords::tr("−(p − p₀) A s′")},
+               phi, curves.M_gas);
+    figure.add("inertia",
+               {.name = CycleWords::tr("inertia"),
+                .role = Role::Reciprocating,
+                .toolTip = CycleWords::tr("−mⱼ ω² s′ s″")},
+               phi, curves.M_inertia);
     if (model.input().cylinder.offset != 0.0) {
         figure.add("offset",
                    {.name = CycleWords::tr("offset"),
-                    .colour = 5,
-                    .pen = Qt::DashLine,
+                    .role = Role::Offset,
                     .toolTip = CycleWords::tr("e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ")},
                    phi, curves.M_offset);
     }
@@ -51,7 +52,7 @@ Figure torque(const BalanceShaftModel& model) {
                    total.begin(), std::minus<>());
     figure.add("total",
                {.name = CycleWords::tr("engine torque"),
-                .colour = 2,
+                .role = Role::Engine,
                 .width = 2.0,
                 .toolTip = CycleWords::tr("Gas plus inertia")},
                phi, std::move(total));
@@ -60,7 +61,7 @@ Figure torque(const BalanceShaftModel& model) {
 
 auto pressureStyle() {
     return plot::CurveStyle{
-        .name = CycleWords::tr("p"), .colour = 7, .width = 1.8, .inLegend = false};
+        .name = CycleWords::tr("p"), .role = Role::Gas, .width = 1.8, .inLegend = false};
 }
 
 Figure pressure(const BalanceShaftModel& model) {
@@ -101,11 +102,11 @@ Figure orders(const BalanceShaftModel& model) {
     figure.title = OrderWords::tr("Order spectrum of the moment");
     figure.x = {.title = OrderWords::tr("order (per turn of the crank)"), .min = 0.0, .max = 12.5};
     figure.left = {.title = OrderWords::tr("N·m")};
-    const auto add = [&](const char* id, const QString& name, int colour, const QString& tip,
+    const auto add = [&](const char* id, const QString& name, Role role, const QString& tip,
                          double shift, const auto& spectrum) {
         Figure::Curve& curve = figure.add(id,
                                           {.name = name,
-                                           .colour = colour,
+                                           .role = role,
                                            .shape = plot::Shape::Bars,
                                            .toolTip = tip,
                                            .barWidth = 0.18,
@@ -116,10 +117,10 @@ Figure orders(const BalanceShaftModel& model) {
             curve.y.push_back(order.amplitude);
         }
     };
-    add("M_up", QStringLiteral("Mᵤₚ"), 0, OrderWords::tr("Without a shaft"), -0.1,
-        result.spectrum_M_up);
-    add("M_ups", QStringLiteral("Mᵤₚₛ"), 2, OrderWords::tr("With the shaft at the present α"), 0.1,
-        result.spectrum_M_ups);
+    add("M_up", OrderWords::tr("without shaft (Mᵤₚ)"), Role::Engine,
+        OrderWords::tr("Without a shaft"), -0.1, result.spectrum_M_up);
+    add("M_ups", OrderWords::tr("with shaft (Mᵤₚₛ)"), Role::Sum,
+        OrderWords::tr("With the shaft at the present α"), 0.1, result.spectrum_M_ups);
     return figure;
 }
 
@@ -156,7 +157,7 @@ Figure energy(const BalanceShaftModel& model) {
         overCycle(model, FlywheelWords::tr("Excess energy over the cycle"), FlywheelWords::tr("J"));
     figure.add("energy",
                {.name = FlywheelWords::tr("E"),
-                .colour = 2,
+                .role = Role::Value,
                 .width = 1.8,
                 .inLegend = false,
                 .toolTip = FlywheelWords::tr("Work of the engine torque less that of its mean")},
@@ -166,7 +167,7 @@ Figure energy(const BalanceShaftModel& model) {
         marks.push_back({.x = angle / degree,
                          .y = joules,
                          .text = text.arg(fixedNumber(joules, 0, QLocale())),
-                         .colour = 2});
+                         .role = Role::Value});
     };
     mark(wheel.max_angle, wheel.max_energy, FlywheelWords::tr("fastest, %1 J"));
     mark(wheel.min_angle, wheel.min_energy, FlywheelWords::tr("slowest, %1 J"));

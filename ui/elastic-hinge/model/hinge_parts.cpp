@@ -21,7 +21,7 @@ using elastic_hinge::Result;
 namespace {
 
 constexpr std::array branches{Branch::compressed, Branch::stretched};
-constexpr std::array branchColours{2, 1};
+constexpr std::array branchRoles{Role::Compressed, Role::Stretched};
 
 QString branchName(Branch branch) {
     return branch == Branch::compressed ? HingePlots::tr("compressed")
@@ -78,6 +78,7 @@ Figure guides(const ElasticHingeModel& model) {
             {.id = "circle-" + branchId(branch),
              .style = {.name = branch == Branch::compressed ? HingePlots::tr("ρ₀")
                                                             : HingePlots::tr("ℓ₀ − ρ₀"),
+                       .role = Role::Limit,
                        .width = 1.0,
                        .inLegend = false},
              .x = std::move(circle.x),
@@ -87,7 +88,7 @@ Figure guides(const ElasticHingeModel& model) {
     if (GuidePicture::Path profile = drawn.profile(roller); !profile.x.empty()) {
         add({.id = "profile",
              .style = {.name = HingePlots::tr("profile"),
-                       .colour = 3,
+                       .role = Role::Profile,
                        .width = 1.4,
                        .toolTip = HingePlots::tr("What the roller touches: the path of its centre "
                                                  "offset by its radius")}},
@@ -98,7 +99,7 @@ Figure guides(const ElasticHingeModel& model) {
     for (std::size_t i = 0; i < branches.size(); ++i) {
         add({.id = branchId(branches[i]),
              .style = {.name = branchName(branches[i]),
-                       .colour = branchColours[i],
+                       .role = branchRoles[i],
                        .width = 1.8,
                        .toolTip = tips[i]},
              .text = [&model, branch = branches[i]](
@@ -124,14 +125,14 @@ Figure relief(const ElasticHingeModel& model) {
         figure.curves.push_back(
             {.id = branchId(branches[i]),
              .style = {.name = branchName(branches[i]),
-                       .colour = branchColours[i],
+                       .role = branchRoles[i],
                        .width = i == 0 ? 1.8 : 1.4,
                        .gaps = true},
              .x = phi,
              .y = picture.rise(branches[i], isNarrow ? units::micrometre : units::mm)});
     }
     for (const auto& [from, to] : picture.gaps(phi)) {
-        figure.bands.push_back({from, to, plot::ErrorInk, 0.12, HingePlots::tr("no guide")});
+        figure.bands.push_back({from, to, Role::Forbidden, 0.12, HingePlots::tr("no guide")});
     }
     return figure;
 }
@@ -144,7 +145,7 @@ void addFamily(Figure& figure, const Result& result, const std::vector<FamilyMem
                Values values, const char* word, const std::function<QString(double)>& name) {
     figure.curves.push_back({.id = "case",
                              .style = {.name = HingePlots::tr("this case"),
-                                       .colour = 7,
+                                       .role = Role::Case,
                                        .width = 3.6,
                                        .toolTip = HingePlots::tr("At the λ and ω of the case")},
                              .x = result.crank_angle_deg,
@@ -153,7 +154,7 @@ void addFamily(Figure& figure, const Result& result, const std::vector<FamilyMem
     for (const FamilyMember& member : members) {
         figure.curves.push_back(
             {.id = word + std::to_string(number),
-             .style = {.name = name(member.parameter), .colour = 1 + number, .width = 1.4},
+             .style = {.name = name(member.parameter), .role = series(number), .width = 1.4},
              .x = result.crank_angle_deg,
              .y = member.curves.*values});
         ++number;
@@ -171,8 +172,8 @@ Figure rodMoment(const ElasticHingeModel& model) {
     Figure figure = overTurn(HingePlots::tr("M₁₂ and its potential part"), HingePlots::tr("N·m"));
     figure.curves = {
         {.id = "moment",
-         .style = {.name = HingePlots::tr("M₁₂"),
-                   .colour = 2,
+         .style = {.name = HingePlots::tr("moment on rod (M₁₂)"),
+                   .role = Role::Hinge,
                    .width = 2.4,
                    .toolTip = HingePlots::tr("Moment on the rod that makes the side force zero, "
                                              "(4), with a counterweight (9)")},
@@ -180,8 +181,7 @@ Figure rodMoment(const ElasticHingeModel& model) {
          .y = result.curves.rod_hinge_moment},
         {.id = "potential",
          .style = {.name = HingePlots::tr("potential part"),
-                   .colour = 1,
-                   .pen = Qt::DashLine,
+                   .role = Role::Part,
                    .toolTip = HingePlots::tr("M₁₂ less its mean, (5)")},
          .x = phi,
          .y = result.curves.rod_hinge_moment_potential},
@@ -189,9 +189,8 @@ Figure rodMoment(const ElasticHingeModel& model) {
          .style = {.name = model.input().kinematics == Kinematics::series
                                ? HingePlots::tr("exact")
                                : HingePlots::tr("series"),
-                   .colour = 7,
+                   .role = Role::Comparison,
                    .width = 1.4,
-                   .pen = Qt::DashLine,
                    .toolTip = HingePlots::tr("M₁₂ by the other kinematics, for comparison")},
          .x = phi,
          .y = result.other_rod_hinge_moment}};
@@ -228,7 +227,8 @@ Figure sideForceSpeeds(const ElasticHingeModel& model) {
     figure.curves.push_back(
         {.id = "with-hinge",
          .style = {.name = HingePlots::tr("10 × with hinge"),
-                   .width = 1.8,
+                   .role = Role::OtherQuantity,
+                   .width = 2.8,
                    .toolTip = HingePlots::tr("Ten times the side force with the rod's hinge: the "
                                              "same at every ω")},
          .x = result.crank_angle_deg,
@@ -243,15 +243,16 @@ Figure crankMoment(const ElasticHingeModel& model) {
         overTurn(HingePlots::tr("Moment that keeps the crank's speed"), HingePlots::tr("N·m"));
     figure.curves = {
         {.id = "without",
-         .style = {.name = HingePlots::tr("M"),
-                   .colour = 2,
+         .style = {.name = HingePlots::tr("without hinge (M)"),
+                   .role = Role::Engine,
                    .width = 1.8,
                    .toolTip = HingePlots::tr("Without the rod's hinge, d(T + V)/dφ")},
          .x = result.crank_angle_deg,
          .y = result.curves.crank_moment},
         {.id = "with",
-         .style = {.name = result.has_counterweight ? HingePlots::tr("M₁*") : HingePlots::tr("M₁"),
-                   .colour = 1,
+         .style = {.name = result.has_counterweight ? HingePlots::tr("with hinge (M₁*)")
+                                                    : HingePlots::tr("with hinge (M₁)"),
+                   .role = Role::Sum,
                    .width = 1.8,
                    .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
                                              "counterweight M₁*, (11)")},
@@ -296,19 +297,18 @@ Figure crankSpeed(const ElasticHingeModel& model) {
          .toolTip = HingePlots::tr("The bare mechanism, from the design speed")});
     add("crank", &HingeMotions::crank,
         {.name = HingePlots::tr("crank hinge"),
-         .colour = 2,
+         .role = Role::Sum,
          .width = 3.0,
          .toolTip = HingePlots::tr("With the crank's hinge, from the design speed")});
     add("both", &HingeMotions::both,
         {.name = HingePlots::tr("both hinges"),
-         .colour = 7,
+         .role = Role::Comparison,
          .width = 2.0,
-         .pen = Qt::DashLine,
          .toolTip = HingePlots::tr("With the rod's hinge and the crank's beside it, from the "
                                    "design speed")});
     add("off-design", &HingeMotions::offDesign,
         {.name = HingePlots::tr("off design"),
-         .colour = 1,
+         .role = Role::Part,
          .width = 1.4,
          .toolTip = HingePlots::tr("With the crank's hinge, from another speed: the hinge is exact "
                                    "at one speed only")});

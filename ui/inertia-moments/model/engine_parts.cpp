@@ -110,31 +110,36 @@ struct Course {
 
 /// @param tips  of the upright and the level component of each
 void addCourse(Figure& figure, bool force, Course course, const std::array<QString, 6>& tips) {
-    const auto add = [&](const char* id, const QString& name, int colour, double width,
-                         Qt::PenStyle pen, const QString& tip, std::vector<double>& values) {
+    const auto add = [&](const char* id, const QString& name, Role role, double width,
+                         const QString& tip, std::vector<double>& values) {
         if (isSomething(values)) {
             figure.leftRange.reset();
         }
         figure.curves.push_back(
             {.id = id,
-             .style = {.name = name, .colour = colour, .width = width, .pen = pen, .toolTip = tip},
+             .style = {.name = name, .role = role, .width = width, .toolTip = tip},
              .x = values.empty() ? values : course.angle,
              .y = std::move(values)});
     };
     figure.leftRange = std::pair(-1.0, 1.0);  // a flat chart, not rounding
-    add("vertical", force ? EnginePlots::tr("Fy") : EnginePlots::tr("My"), 2, 2.8, Qt::SolidLine,
-        tips[0], course.exact.y);
-    add("horizontal", force ? EnginePlots::tr("Fx") : EnginePlots::tr("Mx"), 1, 2.8, Qt::SolidLine,
-        tips[1], course.exact.x);
-    // Dashes over the exact ones: where both agree each is seen.
-    add("vertical-two-term", force ? EnginePlots::tr("Fy 2-term") : EnginePlots::tr("My 2-term"), 6,
-        1.4, Qt::DashLine, tips[2], course.twoTerm.y);
-    add("horizontal-two-term", force ? EnginePlots::tr("Fx 2-term") : EnginePlots::tr("Mx 2-term"),
-        7, 1.4, Qt::DashLine, tips[3], course.twoTerm.x);
-    add("vertical-left", force ? EnginePlots::tr("Fy left") : EnginePlots::tr("My left"), 3, 2.2,
-        Qt::SolidLine, tips[4], course.left.y);
-    add("horizontal-left", force ? EnginePlots::tr("Fx left") : EnginePlots::tr("Mx left"), 4, 2.2,
-        Qt::SolidLine, tips[5], course.left.x);
+    const auto named = [&](const QString& moment, const QString& ofForce) {
+        return force ? ofForce : moment;
+    };
+    add("vertical", named(EnginePlots::tr("vertical (My)"), EnginePlots::tr("vertical (Fy)")),
+        Role::Vertical, 2.8, tips[0], course.exact.y);
+    add("horizontal", named(EnginePlots::tr("horizontal (Mx)"), EnginePlots::tr("horizontal (Fx)")),
+        Role::Horizontal, 2.8, tips[1], course.exact.x);
+    add("vertical-two-term",
+        named(EnginePlots::tr("two-term (My)"), EnginePlots::tr("two-term (Fy)")),
+        Role::TwoTermVertical, 1.4, tips[2], course.twoTerm.y);
+    add("horizontal-two-term",
+        named(EnginePlots::tr("two-term (Mx)"), EnginePlots::tr("two-term (Fx)")),
+        Role::TwoTermHorizontal, 1.4, tips[3], course.twoTerm.x);
+    add("vertical-left", named(EnginePlots::tr("residual (My)"), EnginePlots::tr("residual (Fy)")),
+        Role::ResidualVertical, 2.2, tips[4], course.left.y);
+    add("horizontal-left",
+        named(EnginePlots::tr("residual (Mx)"), EnginePlots::tr("residual (Fx)")),
+        Role::ResidualHorizontal, 2.2, tips[5], course.left.x);
 }
 
 /// The moments (or forces) of one order, as the paper's Fig. 6 shows them.
@@ -212,8 +217,9 @@ void addRoll(Figure& figure, const Result& result) {
         }
     };
     add("roll",
-        {.name = EnginePlots::tr("Mz"),
-         .width = 1.8,
+        {.name = EnginePlots::tr("roll (Mz)"),
+         .role = Role::Roll,
+         .width = 1.4,
          .toolTip = EnginePlots::tr("Roll moment on the engine, of the engine alone")},
         alone);
     bool isChanged = false;
@@ -221,9 +227,9 @@ void addRoll(Figure& figure, const Result& result) {
         isChanged = isChanged || isAbove(left[i] - alone[i]);
     }
     add("roll-left",
-        {.name = EnginePlots::tr("Mz left"),
-         .colour = 5,
-         .width = 2.2,
+        {.name = EnginePlots::tr("residual (Mz)"),
+         .role = Role::ResidualRoll,
+         .width = 2.8,
          .toolTip = EnginePlots::tr("With rotating masses, and with the counterweights and shafts "
                                     "that are on")},
         isChanged ? left : std::vector<double>());
@@ -303,27 +309,27 @@ Figure hodograph(const Result& result, bool force) {
     };
     const double nothing = rounding(result, force);
     add("first",
-        {.name = EnginePlots::tr("1st"),
-         .colour = 2,
+        {.name = EnginePlots::tr("1st order"),
+         .role = Role::FirstOrder,
          .toolTip = EnginePlots::tr("Exact first order (Fig. 5)"),
          .turn = turn_deg},
         ofOrder(1));
     add("second",
-        {.name = EnginePlots::tr("2nd"),
-         .colour = 1,
-         .pen = Qt::DashLine,
+        {.name = EnginePlots::tr("2nd order"),
+         .role = Role::SecondOrder,
          .toolTip = EnginePlots::tr("Exact second order (Fig. 5)"),
          .turn = 0.5 * turn_deg},
         ofOrder(2));
     add("all",
-        {.name = EnginePlots::tr("all"),
+        {.name = EnginePlots::tr("all orders"),
+         .role = Role::AllOrders,
          .width = 1.2,
          .toolTip = EnginePlots::tr("All orders of the reciprocating parts"),
          .turn = turn_deg},
         turnOf(result.unbalanced_curves, force, nothing));
     add("left",
-        {.name = EnginePlots::tr("left"),
-         .colour = 3,
+        {.name = EnginePlots::tr("residual"),
+         .role = Role::Residual,
          .toolTip = EnginePlots::tr("All orders with rotating masses, and with the "
                                     "counterweights and shafts that are on"),
          .turn = turn_deg},
@@ -365,20 +371,20 @@ Figure roll(const InertiaMomentsModel& model) {
                                  .y = std::move(both)});
     };
     add("sum",
-        {.name = EnginePlots::tr("Mz"),
-         .colour = 2,
+        {.name = EnginePlots::tr("roll (Mz)"),
+         .role = Role::Roll,
          .width = 2.0,
          .toolTip = EnginePlots::tr("Roll moment on the engine: the sum of the two")},
         curves.roll);
     add("inertia",
         {.name = EnginePlots::tr("of offsets and rods"),
-         .colour = 1,
+         .role = Role::Offset,
          .toolTip = EnginePlots::tr("Moment of the inertia forces about the crank axis: −Σ e F and "
                                     "the couples of rigid rods")},
         curves.inertia_roll);
     add("reaction",
         {.name = EnginePlots::tr("reaction torque"),
-         .colour = 3,
+         .role = Role::Reciprocating,
          .toolTip = EnginePlots::tr("Reaction of the inertia torque on the crank, −Σ F ds/dφ")},
         curves.reaction_torque);
     return figure;
@@ -387,9 +393,8 @@ Figure roll(const InertiaMomentsModel& model) {
 Notes deadCentre(const InertiaMomentsModel& model) {
     Notes notes;
     const double angle = model.result().engine.top_dead_centre(0) / degree;
-    notes.say(Severity::note,
-              QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
-                  QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
+    notes.say(Severity::note, QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
+                                  QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
     return notes;
 }
 

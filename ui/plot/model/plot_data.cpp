@@ -166,7 +166,7 @@ void includeGhosts(const PlotData& data, Side side, PlotScale& follower) {
 }  // namespace
 
 bool PlotData::liesOnAnother(const PlotCurve& curve) const {
-    if (curve.style.pen != Qt::DashLine) {
+    if (curve.pen() != Qt::DashLine) {
         return false;
     }
     constexpr double wider = 1.25;
@@ -174,7 +174,7 @@ bool PlotData::liesOnAnother(const PlotCurve& curve) const {
         if (&other == &curve) {
             break;  // what comes later lies over it
         }
-        if (other.shown && !other.stretches.empty() && other.style.pen == Qt::SolidLine &&
+        if (other.shown && !other.stretches.empty() && other.pen() == Qt::SolidLine &&
             other.style.width > wider * curve.style.width) {
             return true;
         }

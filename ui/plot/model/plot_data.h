@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "plot/model/plot_scale.h"
+#include "theme/model/role.h"
 
 namespace ravnoves {
 
@@ -17,22 +18,19 @@ struct CsvFormat;
 namespace plot {
 
 enum class Side { Left, Right };
-/// Colours that are no curve's; others are numbers of Theme::curve().
-enum Ink { MutedInk = -1, ErrorInk = -2, AccentInk = -3 };
 enum class Shape {
     Line,
-    Points,
+    Points,  ///< the role's markers
     LineAndPoints,
-    Rings,  ///< hollow points
+    Rings,  ///< hollow markers
     Bars,   ///< from 0 to the value; barWidth and barShift in units of x
 };
 
 struct CurveStyle {
-    QString name;            ///< in the legend and the readout
-    int colour = 0;          ///< number of Theme::curve()
-    Side side = Side::Left;  ///< which y axis
-    qreal width = 1.6;       ///< pen width, pixels
-    Qt::PenStyle pen = Qt::SolidLine;
+    QString name;               ///< in the legend and the readout
+    Role role = Role::Neutral;  ///< its colour, dash and marker
+    Side side = Side::Left;     ///< which y axis
+    qreal width = 1.6;          ///< pen width, pixels
     Shape shape = Shape::Line;
     bool shown = true;
     bool inLegend = true;
@@ -53,7 +51,7 @@ struct Mark {
     double x = 0.0;
     double y = 0.0;
     QString text;
-    int colour = 0;
+    Role role = Role::Neutral;
     Side side = Side::Left;
     bool ring = false;       ///< a ring instead of a dot
     std::string curve = {};  ///< it is seen with this curve alone; empty: always
@@ -63,7 +61,7 @@ struct Mark {
 struct Band {
     double from = 0.0;
     double to = 0.0;
-    int colour = MutedInk;
+    Role role = Role::Limit;
     double strength = 0.12;  ///< of the colour, 0…1
     QString text = {};
     Qt::Orientation orientation = Qt::Horizontal;
@@ -75,7 +73,7 @@ struct Band {
 struct Line {
     double at = 0.0;
     Qt::Orientation orientation = Qt::Horizontal;
-    int colour = 0;
+    Role role = Role::Neutral;
     QString text = {};
     Side side = Side::Left;
     bool keptAtEdge = false;  ///< beyond what is shown: an arrow at the edge, with its value
@@ -113,6 +111,7 @@ struct PlotCurve {
     bool isLine() const {
         return style.shape == plot::Shape::Line || style.shape == plot::Shape::LineAndPoints;
     }
+    Qt::PenStyle pen() const { return lookOf(style.role).pen; }
     bool hasSpread() const { return !below.empty() && below.size() == x.size(); }
     bool isReadable() const { return shown && (style.turn > 0.0 || text); }
     /// φ of a point, degrees.

@@ -49,14 +49,14 @@ Figure force(const WorkshopModel& model) {
     const bob_weights::Result& solution = model.solution();
     add("bare",
         {.name = ForcePlot::tr("without counterweights"),
-         .colour = 1,
-         .pen = Qt::DashLine,
+         .role = Role::Engine,
          .toolTip =
              ForcePlot::tr("Of the reciprocating parts alone, as a mass at the crank radius"),
          .turn = 360.0},
         solution.first_order_bare);
     add("left",
         {.name = ForcePlot::tr("with counterweights"),
+         .role = Role::Sum,
          .width = 2.2,
          .toolTip = ForcePlot::tr("What is left by counterweights that hold the bob weight"),
          .turn = 360.0},
@@ -69,8 +69,6 @@ Figure force(const WorkshopModel& model) {
     }
     return figure;
 }
-
-constexpr int todayColour = 6;  ///< of this job, and of this engine
 
 /// The excess that each option compensates over the lightening of one plug: the paper's lines
 /// (15)–(18) up to their limits, today's excess, and the point of the option chosen.
@@ -92,7 +90,7 @@ Figure compensation(const WorkshopModel& model) {
         Figure::Curve& curve = figure.curves.emplace_back();
         curve.id = v8_plugs::option_word(id).word;
         curve.style = {.name = v8_names::shortOption(words, id),
-                       .colour = static_cast<int>(id),
+                       .role = series(static_cast<int>(id)),
                        .width = 2.0,
                        .toolTip = v8_names::optionName(words, id)};
         const auto& option = solution.option(id);
@@ -103,7 +101,7 @@ Figure compensation(const WorkshopModel& model) {
         curve.x = {0.0, most};
         curve.y = {option->constant / gram, option->maximum / gram};
         marks.push_back({most, option->maximum / gram, words.digits(option->maximum, gram, 2),
-                         static_cast<int>(id)});
+                         series(static_cast<int>(id))});
         reach = std::max(reach, most);
         lowest = std::min(lowest, option->constant / gram);
         highest = std::max(highest, option->maximum / gram);
@@ -111,7 +109,7 @@ Figure compensation(const WorkshopModel& model) {
     // Where this job stands: its excess, and the point of the chosen option.
     if (solution.unbalanced_mass) {
         const double today = *solution.unbalanced_mass / gram;
-        figure.lines.push_back({today, Qt::Horizontal, todayColour,
+        figure.lines.push_back({today, Qt::Horizontal, Role::Present,
                                 CompensationPlot::tr("today %1")
                                     .arg(words.digits(*solution.unbalanced_mass, gram, 2))});
         lowest = std::min(lowest, today);
@@ -124,7 +122,7 @@ Figure compensation(const WorkshopModel& model) {
         marks.push_back({.x = chosen->reduction / gram,
                          .y = (chosen->constant + chosen->slope * chosen->reduction) / gram,
                          .text = {},
-                         .colour = static_cast<int>(chosen->id),
+                         .role = series(static_cast<int>(chosen->id)),
                          .ring = true});
     }
     figure.x = {.title = CompensationPlot::tr("lightening of one plug Δm, g"),
@@ -150,7 +148,7 @@ Figure shift(const WorkshopModel& model) {
     figure.x = {.title = ShiftPlot::tr("Δr, mm"), .min = 0.0, .max = widest};
     figure.left = {.title = ShiftPlot::tr("Δk")};
     figure.leftRange = std::pair(0.0, 0.04);  // with room for the word over the lines
-    figure.bands = {{v8_plugs::smallest_shift / mm, v8_plugs::largest_shift / mm, plot::AccentInk,
+    figure.bands = {{v8_plugs::smallest_shift / mm, v8_plugs::largest_shift / mm, Role::Present,
                      0.12, ShiftPlot::tr("neglected")}};
     const std::optional<double>& own = model.plugsInput()->engine.crank_radius;
     bool isListed = false;
@@ -162,7 +160,7 @@ Figure shift(const WorkshopModel& model) {
         figure.curves.push_back(
             {.id = "radius-" + std::to_string(i),
              .style = {.name = radius,
-                       .colour = static_cast<int>(i),
+                       .role = series(static_cast<int>(i)),
                        .toolTip = ShiftPlot::tr("r = %1: %2").arg(radius, engines)},
              .x = {0.0, widest},
              .y = line(printed.crank_radius)});
@@ -175,9 +173,8 @@ Figure shift(const WorkshopModel& model) {
     if (!isListed) {
         figure.curves.push_back({.id = "own",
                                  .style = {.name = ShiftPlot::tr("this engine"),
-                                           .colour = todayColour,
+                                           .role = Role::Present,
                                            .width = 2.4,
-                                           .pen = Qt::DashLine,
                                            .inLegend = false},
                                  .x = {0.0, widest},
                                  .y = line(*own)});
@@ -187,7 +184,7 @@ Figure shift(const WorkshopModel& model) {
         marks.push_back({.x = each / mm,
                          .y = k,
                          .text = words.number(k, 3),
-                         .colour = todayColour,
+                         .role = Role::Present,
                          .ring = true});
     }
     return figure;
