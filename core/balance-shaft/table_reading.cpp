@@ -197,12 +197,14 @@ struct Series {
     double span() const { return angle.back() - angle.front(); }
     double last_step() const { return angle.back() - angle[angle.size() - 2]; }
     /// By straight lines; the last value beyond the end.
-    double at(double wanted) const {
-        const auto above = std::lower_bound(angle.begin(), angle.end(), wanted - 1e-7);
-        if (above == angle.begin() || above == angle.end()) {
-            return above == angle.end() ? value.back() : value.front();
+    /// @param i  the row found, from where the next angle, a larger one, is looked for
+    double at(double wanted, std::size_t& i) const {
+        while (i < angle.size() && angle[i] < wanted - 1e-7) {
+            ++i;
         }
-        const auto i = static_cast<std::size_t>(above - angle.begin());
+        if (i == 0 || i == angle.size()) {
+            return i == 0 ? value.front() : value.back();
+        }
         if (angle[i] <= wanted + 1e-7) {
             return value[i];
         }
@@ -247,13 +249,24 @@ bool repeats_each_turn(const Series& series) {
                         static_cast<double>(series.value.size());
     double difference = 0.0;
     double size = 0.0;
+    std::size_t row = 0;
     for (std::size_t i = 0;
          i < series.angle.size() && series.angle[i] + turn_deg <= series.angle.back() + 1e-7; ++i) {
-        difference += std::abs(series.at(series.angle[i] + turn_deg) - series.value[i]);
+        difference += std::abs(series.at(series.angle[i] + turn_deg, row) - series.value[i]);
         size += std::abs(series.value[i] - mean);
     }
     constexpr double cycles_differ = 0.3;  // from one to the next, and more would be another stroke
     return difference <= cycles_differ * size;
+}
+
+void check_length(std::size_t rows) {
+    if (rows > largest_torque_table) {
+        throw InputError(
+            "",
+            {CORE_TEXT("balance-shaft", "a cycle must have at most %1 rows: take larger steps"),
+             largest_torque_table},
+            Number{static_cast<double>(rows)});
+    }
 }
 
 /// The mean of the whole cycles, at the angles of the first, without its closing row.
@@ -261,13 +274,19 @@ void average(Series& series, double period, std::size_t cycles) {
     Series mean;
     for (std::size_t i = 0;
          i < series.angle.size() && series.angle[i] < series.angle.front() + period - 1e-7; ++i) {
-        double sum = 0.0;
-        for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
-            sum += series.at(series.angle[i] + static_cast<double>(cycle) * period);
-        }
         mean.angle.push_back(series.angle[i]);
-        mean.value.push_back(sum / static_cast<double>(cycles));
+        mean.value.push_back(0.0);
         mean.row.push_back(series.row[i]);
+    }
+    check_length(mean.angle.size() + 1);
+    std::size_t row = 0;
+    for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
+        for (std::size_t i = 0; i < mean.angle.size(); ++i) {
+            mean.value[i] += series.at(mean.angle[i] + static_cast<double>(cycle) * period, row);
+        }
+    }
+    for (double& value : mean.value) {
+        value /= static_cast<double>(cycles);
     }
     series = std::move(mean);
 }
@@ -407,13 +426,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
                       "the last row repeating the first"),
             format.in_radians ? Number{raw_span, units::radian} : Number{span, units::degree});
     }
-    if (series.angle.size() > largest_torque_table) {
-        throw InputError(
-            "",
-            {CORE_TEXT("balance-shaft", "a cycle must have at most %1 rows: take larger steps"),
-             largest_torque_table},
-            Number{static_cast<double>(series.angle.size())});
-    }
+    check_length(series.angle.size());
     check_end(series.value, column, column.end_tolerance, format.unit,
               rows.place(rows.first.size() - 1, 1));
     if (may_be_open && series.value.back() != series.value.front()) {
@@ -599,8 +612,11 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
     proposal.headings = view.headings;
     proposal.columns = view.columns;
     proposal.rows = view.rows;
-    constexpr std::size_t enough = 20'000;
-    const auto cells = number_columns(text, view, enough);
+    // Rows that are enough; fewer of very many columns.
+    const std::size_t enough =
+        std::min<std::size_t>(20'000, 10'000'000 / std::max<std::size_t>(view.columns, 1));
+    const auto cells = enough < fewest_rows ? std::vector<std::vector<double>>()
+                                            : number_columns(text, view, enough);
     std::vector<ColumnLook> looks;
     for (const std::vector<double>& column : cells) {
         looks.push_back(look_at_column(column));

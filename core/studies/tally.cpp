@@ -1,10 +1,11 @@
 #include "studies/tally.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <regex>
 #include <tuple>
 #include <utility>
 
@@ -497,8 +498,22 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
 }
 
 std::string without_numbers(const std::string& text) {
-    static const std::regex number(R"((^|[^\w/])-?\d[\d.]*(e[-+]?\d+)?)");
-    return std::regex_replace(text, number, "$1#");
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto is_of_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
+    };
+    std::string plain;
+    char before = ' ';
+    for (const char* at = text.data(); *at != 0;) {
+        double number = 0.0;
+        const bool is_number = !is_of_word(before) && is_digit(*at == '-' ? at[1] : *at);
+        const char* const after =
+            is_number ? std::from_chars(at, text.data() + text.size(), number).ptr : at + 1;
+        plain += is_number ? '#' : *at;
+        before = after[-1];
+        at = after;
+    }
+    return plain;
 }
 
 std::pair<double, double> wilson_interval(std::uint64_t hits, std::uint64_t count) {

@@ -470,6 +470,19 @@ TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
     EXPECT_EQ(read.table.torque[9], 91.0);
 }
 
+// Each row of the first cycle would be looked for in each of the others.
+TEST(TableReading, AFirstCycleOfManyRowsBeforeManyOfFewIsRefusedAtOnce) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) {
+        text += cell_text(0.007 * i, false) + ";1\n";
+    }
+    for (int i = 1; i < 200'000; ++i) {
+        text += std::to_string(700 + 100 * i) + ";1\n";
+    }
+    EXPECT_NE(test::error_of([&] { parse_torque_table(text); }).find("at most 20000 rows"),
+              std::string::npos);
+}
+
 TEST(TableReading, AProposalDecidesNoDecimalSign) {
     const std::string text = "deg;bar\n0;1,5\n180;1.5\n360;60\n540;3\n720;1,5\n";
     const auto proposal = propose_reading(text, Measured::pressure);

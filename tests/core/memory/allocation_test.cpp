@@ -38,6 +38,7 @@ struct Scarcity {
     bool armed = false;
     bool for_good = false;    ///< whether those after the failing one fail, too
     std::size_t taken = 0;    ///< allocations
+    std::size_t bytes = 0;    ///< of all of them
     std::size_t failing = 0;  ///< from 1; 0: none
 };
 thread_local Scarcity scarcity;
@@ -45,6 +46,7 @@ thread_local Scarcity scarcity;
 void* take(std::size_t size) {
     if (scarcity.armed) {
         const std::size_t number = ++scarcity.taken;
+        scarcity.bytes += size;
         const bool fails =
             scarcity.failing != 0 &&
             (scarcity.for_good ? number >= scarcity.failing : number == scarcity.failing);
@@ -211,6 +213,27 @@ TEST(Allocations, OfTablesMayFail) {
                          const auto trace = balance_shaft::parse_pressure_trace(pressure);
                          return trace.describe().english();
                      }});
+}
+
+// A row of many columns makes no such columns of the rows of two below it.
+TEST(Allocations, OfWideTablesAreOfTheirSize) {
+    constexpr std::size_t columns = 20'000;
+    std::string row;
+    for (std::size_t i = 0; i < columns; ++i) {
+        row += "1;";
+    }
+    std::string table = row + "\n" + row + "\n" + row + "\n";
+    for (std::size_t i = 0; i < columns; ++i) {
+        table += "1;2\n";
+    }
+    read_with({"wide",
+               [&] {
+                   const auto proposal =
+                       balance_shaft::propose_reading(table, balance_shaft::Measured::pressure);
+                   return std::to_string(proposal.columns);
+               }},
+              0, false);
+    EXPECT_LT(scarcity.bytes, 2000 * table.size());
 }
 
 TEST(Allocations, OfLinesMayFail) {
