@@ -109,10 +109,15 @@ class Progress {
         }
         const bool locked = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat now {};
-        const bool removed = ::fstat(lock_, &now) == 0 && now.st_nlink == 0;  // by one that ends
+        ::fstat(lock_, &now);
+        const bool removed = now.st_nlink == 0;  // by one that ends
         if (locked || removed) {
             ::close(lock_);
             throw ProgressError(output, "is being written by another study; choose another file");
+        }
+        if (!S_ISREG(now.st_mode) || now.st_size != 0) {
+            ::close(lock_);
+            throw ProgressError(lock_path_, not_left);
         }
     }
     Progress(const Progress&) = delete;
@@ -134,9 +139,7 @@ class Progress {
         try {
             part = studies::read_part(parse_json(read_text_file(path_)));
         } catch (const InputError&) {
-            throw ProgressError(path_,
-                                "is not what an interrupted study leaves, and would be written "
-                                "over; move it or choose another file");
+            throw ProgressError(path_, not_left);
         }
         if (part.origin != problem.origin || part.study != problem.study || part.shard != shard ||
             part.shards != shards) {
@@ -160,6 +163,10 @@ class Progress {
     }
 
   private:
+    static constexpr const char* not_left =
+        "is not what an interrupted study leaves, and would be written over; move it or choose "
+        "another file";
+
     std::string path_;
     std::string lock_path_;
     int lock_ = -1;

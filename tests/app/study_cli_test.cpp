@@ -184,10 +184,13 @@ TEST_F(StudyCommandLine, OneOutputIsOfOneStudyAtATime) {
 
 TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
     write("case.json", study_case().dump());
-    write("r.json.unfinished", "my notes");
-    expect_refused(run("study case.json -o r.json"),
-                   "r.json.unfinished: is not what an interrupted study leaves, and would be");
-    EXPECT_EQ(read_all(folder / "r.json.unfinished"), "my notes");
+    for (const char* name : {"r.json.unfinished", "r.json.unfinished.lock"}) {
+        write(name, "my notes");
+        expect_refused(run("study case.json -o r.json"),
+                       name + std::string(": is not what an interrupted study leaves, and would"));
+        EXPECT_EQ(read_all(folder / name), "my notes");
+        fs::remove(folder / name);
+    }
     for (const char* command : {"study case.json -o ''", "solve case.json --output ''"}) {
         const Outcome outcome = run(command);
         EXPECT_EQ(outcome.status, 2) << command;
