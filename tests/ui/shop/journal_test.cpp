@@ -300,6 +300,16 @@ void meddle(const QString& file, const QStringList& statements) {
     QSqlDatabase::removeDatabase(u"other"_s);
 }
 
+TEST_F(JournalTest, OfManyDraftsTheNewestHundredAreLookedAt) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    meddle(path(), {u"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 2000)"
+                    " INSERT INTO draft SELECT i, 0, 0, '', i, '{}', 'workshop' FROM n"_s});
+    const auto drafts = journal.orphanedDrafts();
+    ASSERT_EQ(drafts.size(), 100);
+    EXPECT_EQ(drafts.constFirst().session, u"2000"_s);
+}
+
 TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
     const QStringList viewOfJobs{
         u"ALTER TABLE job RENAME TO kept"_s,

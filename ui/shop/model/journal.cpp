@@ -190,7 +190,7 @@ QList<JournalDraft> Journal::orphanedDrafts() {
     QList<JournalDraft> drafts;
     auto found =
         ask(QStringLiteral("SELECT session, scene, job_id, job_revision, engine_number, saved, form"
-                           " FROM draft ORDER BY saved DESC"),
+                           " FROM draft ORDER BY saved DESC LIMIT 100"),
             {}, tr("The drafts could not be read."));
     while (found && found->next()) {
         JournalDraft draft{found->value(0).toString(),         found->value(1).toString(),

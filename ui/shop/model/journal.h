@@ -126,7 +126,7 @@ class Journal : public QObject {
     QList<JournalJob> search(const JournalQuery& query);
     bool remove(qint64 id);
 
-    /// Those whose program no longer runs.
+    /// Those whose program no longer runs, the newest hundred.
     QList<JournalDraft> orphanedDrafts();
     bool discardDraft(const QString& session);
 
