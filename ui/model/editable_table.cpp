@@ -17,7 +17,11 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
         QStringList cells =
             line.split(line.contains(QLatin1Char('\t')) ? QLatin1Char('\t') : QLatin1Char(';'));
         for (QString& cell : cells) {
+            constexpr qsizetype longest = 1000;  // letters; no number has more, no label takes it
             cell = cell.trimmed();
+            if (cell.size() > longest) {
+                cell = cell.left(longest) + QChar(0x2026);
+            }
         }
         rows.push_back(std::move(cells));
     }

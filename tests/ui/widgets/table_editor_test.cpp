@@ -25,6 +25,14 @@ TEST(TextTable, PassesOverAHeader) {
     EXPECT_EQ(read("a\t1\n2\t3\n").size(), 2U);
 }
 
+// A message that quotes it would take a minute to be laid out.
+TEST(TextTable, CutsACellThatNoNumberIsAsLongAs) {
+    const auto rows = readTextTable(QString(1'000'000, u'7') + QStringLiteral("\t1"));
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0][0], QString(1000, u'7') + QChar(0x2026));
+    EXPECT_EQ(rows[0][1], QStringLiteral("1"));
+}
+
 TEST(TextTable, KeepsGapsWhereTheyMeanSomething) {
     const auto rows = readTextTable(QStringLiteral("Pin, g\n151\n\n153\n\n"), EmptyLine::gap);
     ASSERT_EQ(rows.size(), 3U);
