@@ -229,21 +229,19 @@ int main(int argc, char** argv) {
     }
     QStringList refused;
     const bool isMeantAtOnce = isSilent || parser.isSet(setOption) || !scene.isEmpty();
-    if (!isMeantAtOnce) {
-        window.documents().openLater(paths);
-    }
-    for (const QString& path : paths) {
-        const QString trouble = window.openCase(path);
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        const QString trouble = window.openCase(paths[i]);
         if (!trouble.isEmpty()) {
             const int status = fail(trouble);
             if (isSilent || parser.isSet(setOption)) {
                 return status;
             }
-            refused << path;  // the window says it, too: nobody may be at the terminal
+            refused << paths[i];  // the window says it, too: nobody may be at the terminal
             continue;
         }
         if (!isMeantAtOnce) {
-            break;  // the others when their tabs are shown
+            window.documents().openLater(paths.mid(i + 1));
+            break;
         }
         if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
             return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
@@ -288,9 +286,7 @@ int main(int argc, char** argv) {
     // A folder full of what crashes have left keeps nobody from starting.
     QObject::connect(&window, &ravnoves::MainWindow::painted, &window, [&window, refused] {
         window.offerRecovered();
-        for (const QString& path : refused) {
-            window.openOrSayWhy(path);
-        }
+        window.openOrSayWhy(refused);
     });
     return QApplication::exec();
 }

@@ -10540,6 +10540,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Unsaved cases</source>
         <translation>Несохранённые задачи</translation>
     </message>
+    <message>
+        <source>Too many files; not opened: %1</source>
+        <translation>Слишком много файлов; не открыто: %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EditableTable</name>

@@ -21,6 +21,7 @@
 #include "model/background_job.h"
 #include "pictures/file_dialogs.h"
 #include "text/number_text.h"
+#include "text/plain_title.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 #include "widgets/form_section.h"
@@ -44,7 +45,7 @@ int placeOf(const std::optional<bool>& choice) {
 
 ImportDialog::ImportDialog(ImportModel* model, const QString& title, QWidget* parent)
     : QDialog(parent), model_(model) {
-    setWindowTitle(title + QStringLiteral(" – ") + QFileInfo(model->path()).fileName());
+    setWindowTitle(title + QStringLiteral(" – ") + plainTitle(QFileInfo(model->path()).fileName()));
     QVBoxLayout* column =
         columnIn(this, Theme::space, {Theme::margin, Theme::margin, Theme::margin, Theme::margin});
     preview_ = new QTableWidget(this);

@@ -183,7 +183,7 @@ QString sourceTrouble(const QString& path) {
 }
 
 QStringList CaseDocument::recentPaths() {
-    return QSettings().value(recentKey).toStringList();
+    return QSettings().value(recentKey).toStringList().mid(0, recentFiles);
 }
 
 void CaseDocument::setPath(const QString& path, const QByteArray& known) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "model/case_sources.h"
+#include "text/plain_title.h"
 
 namespace ravnoves {
 
@@ -120,7 +121,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
 
 QString askOpenPath(QWidget* parent, const QString& title, const QString& folder,
                     const QString& filters) {
-    return fileChoosers().open(parent, title,
+    return fileChoosers().open(parent, plainTitle(title),
                                folder.isEmpty() ? QSettings().value(folderKey).toString() : folder,
                                filters);
 }

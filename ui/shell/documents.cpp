@@ -302,7 +302,13 @@ void Documents::showTab(int tab) {
 }
 
 void Documents::openLater(const QStringList& paths) {
+    constexpr std::size_t most = 200;  // a bar of more takes long, and nobody finds one there
+    int left = 0;
     for (const QString& path : paths) {
+        if (later_.size() >= most) {
+            ++left;
+            continue;
+        }
         const bool isAsked = std::any_of(later_.begin(), later_.end(), [&](const Later& each) {
             return isSame(each.path, path);
         });
@@ -312,6 +318,12 @@ void Documents::openLater(const QStringList& paths) {
     }
     arrangeTabs();
     Q_EMIT changed();
+    if (left > 0) {
+        // Not before what opened the first file says.
+        QMetaObject::invokeMethod(
+            this, [this, left] { Q_EMIT status(tr("Too many files; not opened: %1").arg(left)); },
+            Qt::QueuedConnection);
+    }
 }
 
 bool Documents::hasSeveralTabs() const {

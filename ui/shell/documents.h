@@ -72,7 +72,7 @@ class Documents : public QWidget {
     /// @param locates  the user is asked for files that the case names and that cannot be read
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
     QString open(const QString& path, bool locates = false);
-    /// Each gets a tab, and is opened when that is shown.
+    /// Each gets a tab, and is opened when that is shown; at most 200 wait.
     void openLater(const QStringList& paths);
     /// Begins a case without a file and brings it to the front: what a new document of the scene
     /// starts with.

@@ -184,7 +184,8 @@ void MainWindow::showStart() {
         front_->addWidget(start_);
         connect(start_, &StartPage::sceneRequested, this, &MainWindow::showScene);
         connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
-        connect(start_, &StartPage::openRequested, this, &MainWindow::openOrSayWhy);
+        connect(start_, &StartPage::openRequested, this,
+                [this](const QString& path) { openOrSayWhy({path}); });
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
         connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
         connect(start_, &StartPage::journalRequested, this, &MainWindow::showJournal);
@@ -485,10 +486,21 @@ void MainWindow::updateTitle() {
     setWindowModified(document.needsSaving());
 }
 
-void MainWindow::openOrSayWhy(const QString& path) {
-    const QString trouble = documents_->open(path, true);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Open case"), trouble);
+void MainWindow::openOrSayWhy(QStringList paths) {
+    const bool locates = paths.size() == 1;
+    QStringList troubles;
+    for (bool isOpen = false; !isOpen && !paths.isEmpty();) {
+        const QString trouble = documents_->open(paths.takeFirst(), locates);
+        isOpen = trouble.isEmpty();
+        troubles << trouble;
+    }
+    documents_->openLater(paths);
+    troubles.removeAll(QString());
+    if (!troubles.isEmpty()) {
+        constexpr qsizetype most = 10;
+        QMessageBox::warning(this, tr("Open case"),
+                             troubles.mid(0, most).join(QLatin1Char('\n')) +
+                                 (troubles.size() > most ? QStringLiteral("\n…") : QString()));
     }
 }
 
@@ -499,7 +511,7 @@ void MainWindow::openWithDialog() {
         askOpenPath(this, tr("Open case"), file.isEmpty() ? file : QFileInfo(file).absolutePath(),
                     tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
     if (!path.isEmpty()) {
-        openOrSayWhy(path);
+        openOrSayWhy({path});
     }
 }
 
@@ -640,9 +652,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList paths;
     for (const QUrl& url : event->mimeData()->urls()) {
-        openOrSayWhy(url.toLocalFile());
+        paths << url.toLocalFile();
     }
+    openOrSayWhy(paths);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

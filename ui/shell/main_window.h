@@ -48,9 +48,9 @@ class MainWindow : public QMainWindow {
     /// Opens a case file in a tab of its own and shows it; one that is open comes to the front.
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
     QString openCase(const QString& path);
-    /// The same for someone who sits before it: asks where a file is that the case names, and says
-    /// what is wrong.
-    void openOrSayWhy(const QString& path);
+    /// The same for someone who sits before it: says what is wrong, and of one file asks where a
+    /// file is that the case names. Of several the first is opened, the others when they are shown.
+    void openOrSayWhy(QStringList paths);
     /// Begins a case of a scene in a tab of its own. @return false where there is no such scene
     bool newCase(const QString& scene);
     /// The same from a case that stays without a file, as an example.

@@ -27,6 +27,7 @@
 #include "shop/scale_button.h"
 #include "studies/tolerance_switch.h"
 #include "text/language.h"
+#include "text/plain_title.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -374,7 +375,7 @@ void MainWindow::fillRecentFiles() {
     recentMenu_->clear();
     const QStringList files = CaseDocument::recentPaths();
     for (const QString& file : files) {
-        recentMenu_->addAction(file, this, [this, file] { openOrSayWhy(file); });
+        recentMenu_->addAction(plainTitle(file), this, [this, file] { openOrSayWhy({file}); });
     }
     if (files.isEmpty()) {
         recentMenu_->addAction(tr("No files yet"))->setEnabled(false);

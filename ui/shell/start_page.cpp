@@ -21,6 +21,7 @@
 #include "shop/model/job_desk.h"
 #include "shop/model/journal.h"
 #include "shop/model/verdict.h"
+#include "text/plain_title.h"
 #include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -151,7 +152,7 @@ class SceneCard : public StartButton {
 class StartLine : public StartButton {
   public:
     StartLine(const QString& icon, const QString& text, QWidget* parent) : StartButton(parent) {
-        setText(QString(text).replace(QLatin1Char('&'), QLatin1String("&&")));  // no mnemonic
+        setText(plainTitle(text).replace(QLatin1Char('&'), QLatin1String("&&")));  // no mnemonic
         setIcon(themedIcon(icon));
         setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }

@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -234,7 +235,13 @@ TEST_F(DocumentsTest, TitlesAreOneLineInItsDirection) {
         EXPECT_TRUE(title.contains(u"a b c [31md e[*][*]f"_s)) << qPrintable(title);
         EXPECT_EQ(model().titleShown(), shown);
         EXPECT_EQ(model().title().toStdString(), file.title) << "as the file has it";
-        for (const QString& text : tabs() + QStringList{title}) {
+        window.showStart();
+        QStringList texts = tabs() + QStringList{title};
+        for (const auto* recent : window.findChildren<QAbstractButton*>(u"start-recent"_s)) {
+            texts << recent->text();
+        }
+        EXPECT_GT(texts.size(), tabs().size() + 1);
+        for (const QString& text : texts) {
             for (const QChar letter : text) {
                 EXPECT_TRUE(letter.category() != QChar::Other_Control &&
                             letter.unicode() != 0x202E && letter.unicode() != 0x2066)
@@ -376,6 +383,25 @@ TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {
     EXPECT_TRUE(asked[1].contains(u"honda"_s));
     EXPECT_TRUE(window.windowTitle().contains(u"zotov-energy"_s)) << "where one was";
     EXPECT_EQ(window.documents().all().size(), 4U);
+}
+
+TEST_F(DocumentsTest, OfManyFilesThatCannotBeOpenedOneMessageSaysSo) {
+    QStringList paths;
+    for (int i = 0; i < 300; ++i) {
+        paths << folder.filePath(u"none%1.case.json"_s.arg(i));
+    }
+    answer(QMessageBox::Ok);
+    window.openOrSayWhy(paths);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(u"none9.case.json"_s));
+    EXPECT_FALSE(asked[0].contains(u"none10.case.json"_s));
+    // Behind one that opens they wait, and so do no more than anybody looks through.
+    paths.prepend(example(u"honda"_s));
+    window.openOrSayWhy(paths);
+    EXPECT_EQ(bar().count(), 201);
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return window.statusBar()->currentMessage() == u"Too many files; not opened: 100"_s;
+    })) << qPrintable(window.statusBar()->currentMessage());
 }
 
 TEST_F(DocumentsTest, TabsAreMovedByTheMouse) {
