@@ -17,6 +17,7 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
+#include "pictures/figure.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "shown_number.h"
@@ -175,7 +176,7 @@ TEST_F(Bands, AreInPicturesAndTables) {
     const QTemporaryDir folder;
     const auto svg = [&] {
         const QString path = folder.filePath(u"plot.svg"_s);
-        EXPECT_EQ(moments->exportTo(path), QString());
+        EXPECT_EQ(moments->findChild<FigureMenu*>()->write(path, {}), QString());
         QFile file(path);
         EXPECT_TRUE(file.open(QIODevice::ReadOnly));
         return QString::fromUtf8(file.readAll());
