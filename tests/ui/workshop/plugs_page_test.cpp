@@ -199,10 +199,10 @@ TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
         for (int y = row - 1; y <= row + 1; ++y) {
             // The line may lie between two rows of pixels and be paler in each.
             const QColor pixel = picture.pixelColor(x, y);
-            today +=
-                apart(pixel, Theme::instance().curve(6)) < apart(pixel, Theme::instance().panel())
-                    ? 1
-                    : 0;
+            today += apart(pixel, Theme::instance().colour(Role::Present)) <
+                             apart(pixel, Theme::instance().panel())
+                         ? 1
+                         : 0;
         }
     }
     EXPECT_GT(today, 12);
@@ -212,7 +212,7 @@ TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
         for (int dy = -9; dy <= 9; ++dy) {
             const bool onRing = dx * dx + dy * dy >= 16;
             around += onRing && near(picture.pixelColor(ring.x() + dx, ring.y() + dy),
-                                     Theme::instance().curve(static_cast<int>(chosen.id)))
+                                     Theme::instance().colour(series(static_cast<int>(chosen.id))))
                           ? 1
                           : 0;
         }
