@@ -4,6 +4,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <muParser.h>
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
@@ -94,7 +97,7 @@ std::pair<QString, QString> split(const QString& whole) {
     const QString text = QString(whole).replace(cubed, QStringLiteral("\\1³"));
     qsizetype end = text.size();
     while (end > 0 && !(text[end - 1] >= QLatin1Char('0') && text[end - 1] <= QLatin1Char('9')) &&
-           text[end - 1] != QLatin1Char(',') && text[end - 1] != QLatin1Char('.')) {
+           !QStringView(u",.)").contains(text[end - 1])) {
         --end;
     }
     // "унц." ends in the sign that a number may end in.
@@ -114,19 +117,53 @@ std::pair<QString, QString> split(const QString& whole) {
     return {number, text.mid(end).trimmed()};
 }
 
-}  // namespace
-
-TypedNumber readTypedNumber(const QString& text, const QString& unit) {
-    const auto [digits, word] = split(text.trimmed());
-    if (word.isEmpty()) {
-        return {readFormNumber(digits), {}};
+/// A number that stands alone, or numbers with + − * / and brackets between them.
+TypedNumber computed(QString text) {
+    if (const auto number = readFormNumber(text)) {
+        return {number, {}};
     }
-    const auto number = readFormNumber(digits);
-    if (!number) {
+    text.replace(QChar(u'\u2212'), QLatin1Char('-'));
+    text.replace(QChar(u'×'), QLatin1Char('*')).replace(QChar(u'÷'), QLatin1Char('/'));
+    static const QRegularExpression formula(QStringLiteral("^[-+*/() \\x{A0}0-9.,eE]+$"));
+    if (!formula.match(text).hasMatch()) {
         return {};
     }
-    if (word == unit) {
-        return {number, {}};
+    static const QRegularExpression numbers(QStringLiteral("[0-9.,]+(?:[eE][-+]?[0-9]+)?"));
+    QString plain;
+    qsizetype from = 0;
+    for (auto each = numbers.globalMatch(text); each.hasNext();) {
+        const auto match = each.next();
+        const auto number = readFormNumber(match.captured());
+        if (!number) {
+            return {};
+        }
+        if (const auto other = readWithThousands(match.captured(), {})) {
+            return {std::nullopt, eitherNumberText(match.captured(), *other, *number)};
+        }
+        constexpr int exact = 17;
+        plain +=
+            text.mid(from, match.capturedStart() - from) + QString::number(*number, 'g', exact);
+        from = match.capturedEnd();
+    }
+    plain += text.mid(from);
+    mu::Parser parser;
+    parser.SetExpr(plain.replace(QChar::Nbsp, QLatin1Char(' ')).toStdString());
+    try {
+        constexpr int digits = 15;  // 0.1 + 0.2 is 0.3
+        const double value = parser.Eval();
+        return {
+            std::isfinite(value) ? std::optional(rounded_to_digits(value, digits)) : std::nullopt,
+            {}};
+    } catch (const mu::Parser::exception_type&) {
+        return {};
+    }
+}
+
+/// A number with the unit behind it, in `unit`.
+TypedNumber inUnit(const TypedNumber& typedNumber, const QString& word, const QString& unit) {
+    const auto& number = typedNumber.value;
+    if (word.isEmpty() || word == unit || !number) {
+        return typedNumber;
     }
     const TypedUnit* typed = typedUnit(word);
     if (typed == nullptr) {
@@ -145,10 +182,22 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit) {
     }
     constexpr int precision = 15;  // 568.5 g are 0.5685 kg, not 0.56850000000000001
     return typed->unit.to_si == own->unit.to_si
-               ? TypedNumber{number, {}}
+               ? typedNumber
                : TypedNumber{
                      rounded_to_digits(*number * (typed->unit.to_si / own->unit.to_si), precision),
                      {}};
+}
+
+}  // namespace
+
+TypedNumber readTypedNumber(const QString& text, const QString& unit) {
+    const auto [digits, word] = split(text.trimmed());
+    return inUnit({readFormNumber(digits), {}}, word, unit);
+}
+
+TypedNumber readTypedFormula(const QString& text, const QString& unit) {
+    const auto [formula, word] = split(text.trimmed());
+    return inUnit(computed(formula), word, unit);
 }
 
 std::optional<double> readWithThousands(const QString& text, const QString& unit) {

@@ -20,6 +20,9 @@ struct TypedNumber {
 /// not; of other quantities only the unit itself.
 /// @param unit  in the language of the program, as forms show it; empty for pure numbers
 TypedNumber readTypedNumber(const QString& text, const QString& unit);
+/// The same of a field on a form, where it may have to be computed first: "75/2", "2*46+3 mm". Not
+/// of lists and scales, where "8-10" is no difference.
+TypedNumber readTypedFormula(const QString& text, const QString& unit);
 
 /// The other number that such a text may stand for, read by readTypedNumber() with a decimal comma:
 /// where the program's language writes a decimal point, "3,600" may be 3600. Empty for a text that

@@ -86,7 +86,7 @@ NumberField::Reading NumberField::read(const QString& typed) const {
         return {{},
                 optional_ ? QString() : tr("A value is needed: %1.").arg(rangeText(range_, unit_))};
     }
-    const auto [number, trouble] = readTypedNumber(typed, unit_);
+    const auto [number, trouble] = readTypedFormula(typed, unit_);
     if (!number) {
         return {{}, trouble.isEmpty() ? notANumberText(typed) : trouble};
     }

@@ -333,6 +333,39 @@ TEST(NumberText, AUnitThatIsTypedIsConverted) {
     EXPECT_FALSE(readTypedNumber(QStringLiteral("5 mm"), QStringLiteral("°")).value);
 }
 
+TEST(NumberText, WhatIsTypedToBeComputedIsComputed) {
+    const struct {
+        const char16_t* text;
+        const char16_t* unit;
+        std::optional<double> value;
+    } cases[] = {
+        {u"75/2", u"mm", 37.5},
+        {u"2*46+3 mm", u"mm", 95.0},
+        {u"(3 + 1/2) in", u"mm", 88.9},
+        {u"2×(46,5−0.5)", u"mm", 92.0},
+        {u"0.1+0.2", u"", 0.3},
+        {u"-(1+2)", u"", -3.0},
+        {u"1e3/4", u"", 250.0},
+        {u"2*150 rad/s", u"rad/s", 300.0},  // the stroke of a unit divides nothing
+        {u"34/2 g/cm3", u"kg/m³", 17000.0},
+        {u"46", u"mm", 46.0},
+        {u"1 250 g", u"g", 1250.0},
+        {u"1/0", u"mm", {}},
+        {u"2*", u"mm", {}},
+        {u"sin(1)", u"", {}},
+        {u"2 3", u"", {}},
+        {u"3,600/2", u"", {}},  // 3600 or 3.6
+        {u"75/2 g", u"mm", {}},
+    };
+    for (const auto& each : cases) {
+        EXPECT_EQ(
+            readTypedFormula(QString::fromUtf16(each.text), QString::fromUtf16(each.unit)).value,
+            each.value)
+            << QString::fromUtf16(each.text).toStdString();
+    }
+    EXPECT_FALSE(readTypedNumber(QStringLiteral("10-8"), {}).value) << "of a list or a scale";
+}
+
 TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
     QTest::keyClick(slider.slider(), Qt::Key_Right);
     EXPECT_DOUBLE_EQ(slider.value(), 45.1);
