@@ -57,12 +57,17 @@ int smallHeight() {
     return QFontMetrics(smallFont()).height() - 1;
 }
 
+/// Decimals with which two digits of the larger side are shown.
+int decimalsOf(const ResultTable::Spread& spread) {
+    const double most = std::max(spread.below, spread.above);
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+}
+
 /// So many digits that two of the larger side say something, beside this number.
 QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
     const double most = std::max(spread.below, spread.above);
     const double least = std::min(spread.below, spread.above);
-    const int wanted = std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
-    const int decimals = std::min(wanted, number.decimals.value_or(9) + 1);
+    const int decimals = std::min(decimalsOf(spread), number.decimals.value_or(9) + 1);
     if (most < 0.5 * std::pow(10.0, -decimals)) {
         return QStringLiteral("± 0");  // far less than the number's last digit
     }
@@ -299,6 +304,10 @@ void ResultTable::showSpreads() {
     for (int row = 0; row < rowCount(); ++row) {
         for (int column = 0; column < columnCount(); ++column) {
             item(row, column)->setData(spreadRole, QVariant());
+            if (const QString& text = rows_[row].value(column).text;
+                item(row, column)->text() != text) {
+                item(row, column)->setText(text);
+            }
         }
     }
     for (const Spread& each : spreads_) {
@@ -308,6 +317,14 @@ void ResultTable::showSpreads() {
             item(each.row, each.column)
                 ->setData(spreadRole,
                           areSpreadsAwaited_ ? QStringLiteral("± …") : spreadText(each, *number));
+            // What is uncertain has no digits beyond that.
+            const int decimals = number->decimals.value_or(0);
+            if (const int certain = decimalsOf(each);
+                certain < decimals && rows_[each.row][each.column].text ==
+                                          fixedDecimals(number->value, decimals, QLocale())) {
+                item(each.row, each.column)
+                    ->setText(fixedDecimals(number->value, certain, QLocale()));
+            }
         }
     }
 }

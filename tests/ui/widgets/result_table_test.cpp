@@ -260,5 +260,18 @@ TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
     EXPECT_EQ(shown(0.0000123), u"± 0"_s);
 }
 
+TEST(SpreadResultTable, DigitsEndWhereTheSpreadBegins) {
+    ResultTable table;
+    table.setColumns({u"Quantity"_s, u"Value"_s});
+    table.setRows({ResultRow{u"Range"_s, {1066.746, u"1066.746"_s}}});
+    for (const auto& [half, text] :
+         {std::pair(35.0, u"1067"), std::pair(0.35, u"1066.75"), std::pair(0.0035, u"1066.746")}) {
+        table.setSpreads({{0, 1, u"Range"_s, half, half}});
+        EXPECT_EQ(table.item(0, 1)->text(), QString::fromUtf16(text)) << half;
+    }
+    table.setSpreads({});
+    EXPECT_EQ(table.item(0, 1)->text(), u"1066.746"_s);
+}
+
 }  // namespace
 }  // namespace ravnoves
