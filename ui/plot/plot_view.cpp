@@ -31,6 +31,7 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     menu_->setFirst(tr("Reset zoom"), [this] { resetZoom(); });
     setTitle(title);
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::chartChanged);
+    setPickable(false);
 }
 
 PlotView::~PlotView() {
@@ -298,6 +299,10 @@ QSize PlotView::minimumSizeHint() const {
 void PlotView::setPickable(bool pickable) {
     pickable_ = pickable;
     setCursor(pickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    setStatusTip(pickable ? tr("Click or drag: choose the value. Wheel: zoom. Middle button: pan. "
+                               "Double click: show all.")
+                          : tr("Wheel: zoom, with Shift in y, with Ctrl in x. Drag: pan. Double "
+                               "click: show all."));
 }
 
 void PlotView::resetZoom() {
