@@ -33,6 +33,7 @@
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/new_case_dialog.h"
+#include "shell/new_cases.h"
 #include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
 #include "shell/start_page.h"
@@ -182,7 +183,22 @@ void MainWindow::showStart() {
     if (start_ == nullptr) {
         start_ = new StartPage(front_);
         front_->addWidget(start_);
-        connect(start_, &StartPage::sceneRequested, this, &MainWindow::showScene);
+        // The first case of a module is one that works, not the engine of a paper.
+        connect(start_, &StartPage::sceneRequested, this, [this](const QString& scene) {
+            const auto& open = documents_->all();
+            const bool isOpen = std::any_of(open.begin(), open.end(), [&](const auto& each) {
+                return each->page->model()->sceneName() == scene;
+            });
+            const std::vector<NewCase> cases = newCases();
+            const auto first = std::find_if(cases.begin(), cases.end(), [&](const NewCase& each) {
+                return each.scene == scene && each.kind == NewCase::Kind::Empty;
+            });
+            if (isOpen || first == cases.end()) {
+                showScene(scene);
+            } else {
+                beginOrSayWhy(first->make());
+            }
+        });
         connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
         connect(start_, &StartPage::openRequested, this,
                 [this](const QString& path) { openOrSayWhy({path}); });

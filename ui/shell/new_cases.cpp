@@ -18,9 +18,13 @@ namespace {
 /// The titles of resources/examples, as they stand there: here they are found to be translated.
 [[maybe_unused]] constexpr std::array exampleTitles{
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                      "Single cylinder 88 × 75 mm: a balance shaft that fits and helps"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: counterweight on the rod"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: guide that keeps the energy"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                      "Elastic hinge that can be made: softer spring, roller of 10 mm"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8, 90°: bob weight and correction"),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "balance-shaft/presets.h"
+#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/field_index.h"
@@ -23,6 +24,18 @@ Json example() {
     return parse_case(
                read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"))
         .input;
+}
+
+TEST(BalanceShaftCase, FirstCasesFitAndGainByBothCriteria) {
+    for (const char* name :
+         {"examples/with-shaft-88x75.case.json", "templates/balance-shaft.case.json"}) {
+        const auto path = std::filesystem::path(RAVNOVES_EXAMPLES).parent_path() / name;
+        const Result result = solve(read_input(parse_case(read_text_file(path)).input, {}));
+        EXPECT_TRUE(result.is_buildable) << name;
+        EXPECT_LT(result.range_change.value_or(0.0), -0.02) << name;
+        EXPECT_LT(result.rms_change.value_or(0.0), -0.02) << name;
+        EXPECT_EQ(verdict(result).severity, Severity::good) << name;
+    }
 }
 
 /// The error of the example with a patch (RFC 7396: null takes a key away) on its input.

@@ -3,6 +3,7 @@
 #include "case-file/text_file.h"
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/presets.h"
+#include "elastic-hinge/results.h"
 #include "scenes/scenes.h"
 
 #include <random>
@@ -22,6 +23,13 @@ TEST(ElasticHingeCase, ExamplesOfTheContract) {
     ravnoves::test::check_example("zotov-as-printed");
     ravnoves::test::check_example("zotov-energy");
     ravnoves::test::check_example("zotov-counterweight");
+}
+
+TEST(ElasticHingeCase, FirstCasesCanBeMade) {
+    for (const char* name : {"zotov-softer-spring", "../templates/elastic-hinge"}) {
+        const Input input = read_input(example(name));
+        EXPECT_EQ(verdict(input, solve(input)).severity, Severity::good) << name;
+    }
 }
 
 TEST(ElasticHingeCase, PresetIsTheExample) {
