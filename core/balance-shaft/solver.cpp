@@ -70,6 +70,14 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
                                   "%1, the swing radius %2."),
                         in_mm(shaft.diameter / 2.0), in_mm(swing)};
     }
+    constexpr double usual = 2.0;  // a crank with its webs takes less
+    if (shaft.feasible && shaft.length > usual * view.cylinder_bore) {
+        const Message length{CORE_TEXT("balance-shaft",
+                                       "The relief of %1 is longer than two bores: check the "
+                                       "length of the crankcase."),
+                             Number{shaft.length / units::mm, units::mm, 4}};
+        shaft.note = shaft.note.empty() ? length : Message(Text{"", "%1 %2"}, length, shaft.note);
+    }
     return shaft;
 }
 

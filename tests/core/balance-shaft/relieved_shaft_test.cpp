@@ -145,6 +145,9 @@ TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
     input.relieved_shaft = RelievedShaftSizes{0.050, std::nullopt, 0.400};
     const Solver bar(input);
     ASSERT_TRUE(bar.result().relieved_shaft.feasible);
+    EXPECT_NE(bar.result().relieved_shaft.note.english().find("longer than two bores"),
+              std::string::npos);
+    EXPECT_TRUE(half_disc.result().relieved_shaft.note.empty());
     EXPECT_EQ(bar.front_view().shaft_swing_radius, 0.025);
     EXPECT_EQ(shaft_clearance(bar.front_view(), 1.0).crank -
                   shaft_clearance(half_disc.front_view(), 1.0).crank,
