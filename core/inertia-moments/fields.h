@@ -366,11 +366,10 @@ inline constexpr Field rear_radius{
 inline constexpr Field first_order_share{
     .key = "first_order_share",
     .range = Range::between(0, 1),
-    .label = CORE_TEXT("inertia-moments", "&Share of order 1"),
+    .label = CORE_TEXT("inertia-moments", "&Share of order 1 cancelled"),
     .hint = CORE_TEXT("inertia-moments",
-                      "Of the forward part of the reciprocating first order; 1 in a cross-plane V8 "
-                      "cancels it wholly, in a single it is the balance for half the reciprocating "
-                      "mass.")};
+                      "1 cancels the forward half of the reciprocating first order. Of a single "
+                      "cylinder that is a balance factor of 50 %.")};
 inline constexpr Field webs_enabled{
     .key = "enabled",
     .hint = CORE_TEXT("inertia-moments", "Switched on, they count in what is left over.")};
