@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "inertia-moments/cylinder_editor.h"
+#include "page/refused_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -22,8 +23,9 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     charts_ = new InertiaMomentsCharts(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
     verdict_ = new VerdictLine(this);
-    const auto showVerdict = [this] { verdict_->show(model_->verdict()); };
+    const auto showVerdict = [this] { verdict_->show(withRefused(model_->verdict(), *model_)); };
     connect(model_, &SceneModel::changed, verdict_, showVerdict);
+    connect(model_, &SceneModel::refusedInChanged, verdict_, showVerdict);
     showVerdict();
     QVBoxLayout* column = columnIn(this);
     column->addWidget(verdict_);

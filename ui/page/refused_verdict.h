@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+
+#include "case-file/verdict.h"
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+/// The verdict of a page; while an entry is refused it says that it is of the value before.
+inline Verdict withRefused(Verdict verdict, const SceneModel& model) {
+    if (model.hasRefused()) {
+        verdict.severity = std::max(verdict.severity, Severity::warning);
+        verdict.text =
+            Message(Text{"", "%1 %2"},
+                    CORE_TEXT("core", "Results use the value before the red entry."), verdict.text);
+    }
+    return verdict;
+}
+
+}  // namespace ravnoves
